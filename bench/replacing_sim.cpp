@@ -7,8 +7,8 @@
 
 #include "batch_sim.h"
 #include "core/base/error.h"
-#include "io/number_text.h"
-#include "io/text_table.h"
+#include "text/number_text.h"
+#include "text/text_table.h"
 
 namespace tessera::bench {
 namespace {
@@ -51,15 +51,15 @@ void run(const Options& options) {
   }
   const std::vector<SimulatedBatch> batches =
       simulate_batches(scenarios, {options.latency_us * 1e-6, options.gigabytes_per_s * 1e9});
-  io::TextTable table({"hosts", "cores each", "a batch, ms", "trials a second", "efficiency", "master busy %"});
+  TextTable table({"hosts", "cores each", "a batch, ms", "trials a second", "efficiency", "master busy %"});
   for (std::size_t i = 0; i < scenarios.size(); ++i) {
     const auto& [of_case, hosts, cores, fan_out] = scenarios[i];
     // Beside one core that has nobody to ask and nothing to wait for.
     const double alone_s = measured.work_s() + measured.master_s;
     const double batch_s = batches[i].batch_s;
-    table.add({std::to_string(hosts), std::to_string(cores), io::fixed(1000 * batch_s, 1),
-               io::fixed(double(measured.trials()) / batch_s, 0), io::fixed(alone_s / batch_s / (hosts * cores), 3),
-               io::fixed(100 * batches[i].master_busy_s / batch_s, 1)});
+    table.add({std::to_string(hosts), std::to_string(cores), fixed(1000 * batch_s, 1),
+               fixed(double(measured.trials()) / batch_s, 0), fixed(alone_s / batch_s / (hosts * cores), 3),
+               fixed(100 * batches[i].master_busy_s / batch_s, 1)});
   }
   std::printf("%zu windows, %llu trials, %d x %d px\n%s", measured.windows.size(),
               static_cast<unsigned long long>(measured.trials()), measured.canvas_px, measured.canvas_px,

@@ -11,10 +11,10 @@
 #include "bench/report.h"
 #include "bench/round_model.h"
 #include "core/base/error.h"
-#include "io/atomic_file.h"
-#include "io/number_text.h"
-#include "io/result/collage_files.h"
-#include "io/text_table.h"
+#include "files/atomic_file.h"
+#include "text/number_text.h"
+#include "result/collage_files.h"
+#include "text/text_table.h"
 #include "protocol_sim.h"
 
 namespace tessera::bench {
@@ -108,27 +108,27 @@ RoundCosts costs_of(const RoundModel& model, const Job& job, const Options& opti
 }
 
 std::string validation(const RoundModel& model, const std::vector<SimulatedRound>& rounds) {
-  io::TextTable table({"measured", "shapes", "loop s", "model s", "error %"});
+  TextTable table({"measured", "shapes", "loop s", "model s", "error %"});
   for (std::size_t i = 0; i < rounds.size(); ++i) {
     const ScalingCase& c = model.cases()[i];
     const double model_s = rounds[i].round_s * c.rounds;
     table.add({std::to_string(c.workers) + (c.workers == 1 ? " worker" : " workers"), std::to_string(c.shapes),
-               io::fixed(c.loop_s, 3), io::fixed(model_s, 3), io::fixed(100 * (model_s / c.loop_s - 1), 1)});
+               fixed(c.loop_s, 3), fixed(model_s, 3), fixed(100 * (model_s / c.loop_s - 1), 1)});
   }
   return table.text();
 }
 
 std::string prediction_table(const std::vector<Prediction>& predictions) {
-  io::TextTable table(
+  TextTable table(
       {"shapes", "hosts", "ms a round", "speed-up", "efficiency", "master busy %", "asking all itself"});
   const Prediction* one = nullptr;
   for (const Prediction& p : predictions) {
     if (p.job.workers == 1) one = &p;
     const double e = efficiency(one->tree, p.tree, p.job.workers);
-    table.add({std::to_string(p.job.shapes), std::to_string(p.job.workers), io::fixed(1000 * p.tree.round_s, 2),
-               io::fixed(e * p.job.workers, 1), io::fixed(e, 3),
-               io::fixed(100 * p.tree.master_busy_s / p.tree.round_s, 1),
-               io::fixed(efficiency(one->tree, p.star, p.job.workers), 3)});
+    table.add({std::to_string(p.job.shapes), std::to_string(p.job.workers), fixed(1000 * p.tree.round_s, 2),
+               fixed(e * p.job.workers, 1), fixed(e, 3),
+               fixed(100 * p.tree.master_busy_s / p.tree.round_s, 1),
+               fixed(efficiency(one->tree, p.star, p.job.workers), 3)});
   }
   return table.text();
 }
@@ -138,7 +138,7 @@ std::string csv(const std::vector<Prediction>& predictions) {
   for (const Prediction& p : predictions) {
     text += std::to_string(p.job.shapes) + "," + std::to_string(p.job.workers);
     for (const double s : {p.tree.round_s, p.tree.master_busy_s, p.star.round_s, p.star.master_busy_s}) {
-      text += "," + io::fixed(s, 9);
+      text += "," + fixed(s, 9);
     }
     text += "\n";
   }
@@ -188,8 +188,8 @@ void run(const Options& options) {
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     predictions.push_back({jobs[i], rounds[std::size_t(measured) + 2 * i], rounds[std::size_t(measured) + 2 * i + 1]});
   }
-  io::prepare_output_directory(std::filesystem::absolute(options.out).parent_path().string());
-  io::write_file_atomically(options.out + ".csv", csv(predictions));
+  prepare_output_directory(std::filesystem::absolute(options.out).parent_path().string());
+  write_file_atomically(options.out + ".csv", csv(predictions));
   plot(predictions, options);
   std::printf("%s\n%s\nwritten to %s.csv, .svg and .png\n",
               validation(model, {rounds.begin(), rounds.begin() + measured}).c_str(),

@@ -14,7 +14,7 @@ typedef ulong u64;
 #include "core/colour/colour_target.h"
 #include "core/pad/pad.h"
 #include "core/shape/shape_model.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera::worker {
 using u32 = std::uint32_t;

@@ -101,7 +101,7 @@ typedef struct Descent {
   bool all_points;  // else the medium set
 } Descent;
 
-// One of core/tuning.h.
+// One of core/settings/tuning.h.
 #define DESCENT(name) \
   {name##_steps, name##_first_radius_px, name##_last_radius_px, name##_overlap_weight, name##_all_points}
 

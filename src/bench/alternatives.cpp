@@ -2,22 +2,22 @@
 
 #include "bench/benchmarks.h"
 #include "bench/devices.h"
-#include "bench/full_rematch.h"
+#include "bench/baselines/full_rematch.h"
 #include "bench/library_matcher.h"
-#include "bench/paper_matcher.h"
-#include "bench/random_filling.h"
+#include "bench/baselines/paper_matcher.h"
+#include "bench/baselines/random_filling.h"
 #include "core/collage/quality.h"
 #include "core/field/free_field.h"
-#include "core/tuning.h"
-#include "io/library/library_shapes.h"
-#include "io/library/shape_models.h"
-#include "io/number_text.h"
-#include "io/text_table.h"
+#include "core/settings/tuning.h"
+#include "library/library_shapes.h"
+#include "library/storage/shape_models.h"
+#include "text/number_text.h"
+#include "text/text_table.h"
 
 namespace tessera::bench {
 namespace {
 
-struct Outcome {
+struct FilledJob {
   std::string engine;
   std::vector<Placement> placements;
   double total_s = 0;
@@ -26,7 +26,7 @@ struct Outcome {
 /// One job and the engines that it is given to.
 class Comparison {
  public:
-  Comparison(const io::LibraryFile& library, ShapeSource& shapes, const Canvas& canvas, const CollageSettings& settings,
+  Comparison(const LibraryFile& library, ShapeSource& shapes, const Canvas& canvas, const CollageSettings& settings,
              const std::string& devices_use)
       : library_(library),
         shapes_(shapes),
@@ -34,55 +34,55 @@ class Comparison {
         settings_(settings),
         devices_use_(devices_use) {}
 
-  Outcome tessera(const std::string& name, const CollageSettings& settings) {
+  FilledJob tessera(const std::string& name, const CollageSettings& settings) {
     return engine(name, settings, *library_matcher(library_, library_.size(), settings, devices_use_));
   }
-  Outcome tessera() { return tessera("tessera", settings_); }
+  FilledJob tessera() { return tessera("tessera", settings_); }
 
-  Outcome pad_only() {
+  FilledJob pad_only() {
     CollageSettings settings = settings_;
     settings.match.tangent_dockings = 0;
     return tessera("PAD only", settings);
   }
 
-  Outcome tangent_only() {
+  FilledJob tangent_only() {
     CollageSettings settings = settings_;
     settings.match.top_percent = 0;
     return tessera("tangent only", settings);
   }
 
-  Outcome paper_rule() {
+  FilledJob paper_rule() {
     const CollageSettings settings = paper_settings(settings_);
     const std::uint32_t count = std::uint32_t(library_.size());
     const MatchingContext context = make_matching_context(settings, count);
-    PaperMatcher matcher(settings, context, io::read_models(library_, {0, count}, context));
+    PaperMatcher matcher(settings, context, read_models(library_, {0, count}, context));
     return engine("the paper's rule", settings, matcher);
   }
 
-  Outcome full_recomputation() {
+  FilledJob full_recomputation() {
     const auto matcher = library_matcher(library_, library_.size(), settings_, devices_use_);
     master::CollageResult result = make_collage_afresh(canvas_, settings_, *matcher, shapes_);
     return {"all samples each round", std::move(result.placements), result.statistics.total_s};
   }
 
-  Outcome random_filling(double seconds) {
+  FilledJob random_filling(double seconds) {
     return {"random filling", fill_at_random(canvas_, settings_, shapes_, std::uint32_t(library_.size()), seconds),
             seconds};
   }
 
-  Quality quality(const Outcome& outcome) {
+  Quality quality(const FilledJob& outcome) {
     return measure_quality(canvas_, outcome.placements,
                            [this](ShapeId id) -> const Shape& { return shapes_.shape(id); });
   }
 
  private:
-  Outcome engine(const std::string& name, const CollageSettings& settings, Matcher& matcher) {
+  FilledJob engine(const std::string& name, const CollageSettings& settings, Matcher& matcher) {
     master::SilentObserver silent;
     master::CollageResult result = master::make_collage(canvas_, settings, matcher, shapes_, silent);
     return {name, std::move(result.placements), result.statistics.total_s};
   }
 
-  const io::LibraryFile& library_;
+  const LibraryFile& library_;
   ShapeSource& shapes_;
   const Canvas& canvas_;
   CollageSettings settings_;
@@ -104,9 +104,9 @@ Canvas seeded_canvas(int size_px, const PieceSettings& pieces, ShapeSource& shap
   return canvas;
 }
 
-void add_engine(io::TextTable& table, Json& engines, const Outcome& outcome, const Quality& q) {
-  table.add({outcome.engine, io::fixed(100 * q.coverage, 2), io::fixed(100 * q.overlap, 3),
-             io::fixed(100 * q.shared_boundary, 1), std::to_string(q.pieces), io::fixed(outcome.total_s, 1)});
+void add_engine(TextTable& table, Json& engines, const FilledJob& outcome, const Quality& q) {
+  table.add({outcome.engine, fixed(100 * q.coverage, 2), fixed(100 * q.overlap, 3),
+             fixed(100 * q.shared_boundary, 1), std::to_string(q.pieces), fixed(outcome.total_s, 1)});
   engines.push_back({{"engine", outcome.engine},
                      {"coverage_percent", rounded(100 * q.coverage)},
                      {"overlap_percent", rounded(100 * q.overlap)},
@@ -134,21 +134,21 @@ std::string explanation(std::size_t shapes, int size_px, const SquareJob& job) {
 
 Report bench_alternatives(const Setting& setting, const SquareJob& job) {
   check(job);
-  const io::LibraryFile library(job.library);
+  const LibraryFile library(job.library);
   const int size_px = setting.quick ? std::min(job.size_px, 160) : job.size_px;
   CollageSettings settings;
   settings.seed = job.seed;
   settings.pieces.min_scale_px = job.scale_px[0];
   settings.pieces.max_scale_px = job.scale_px[1];
-  io::LibraryShapes shapes(library);
+  LibraryShapes shapes(library);
   const Canvas canvas = seeded_canvas(size_px, settings.pieces, shapes);
 
   Comparison comparison(library, shapes, canvas, settings, setting.devices);
-  std::vector<Outcome> outcomes = {comparison.tessera(), comparison.pad_only(), comparison.tangent_only(),
+  std::vector<FilledJob> outcomes = {comparison.tessera(), comparison.pad_only(), comparison.tangent_only(),
                                    comparison.paper_rule(), comparison.full_recomputation()};
   outcomes.push_back(comparison.random_filling(outcomes.front().total_s));
 
-  io::TextTable table({"", "coverage %", "overlap %", "shared boundary %", "pieces", "time s"});
+  TextTable table({"", "coverage %", "overlap %", "shared boundary %", "pieces", "time s"});
   Report report;
   report.json = report_head("alternatives", setting);
   report.json.update({{"library", job.library},
@@ -157,7 +157,7 @@ Report bench_alternatives(const Setting& setting, const SquareJob& job) {
                       {"scale_px", job.scale_px},
                       {"seed", job.seed},
                       {"engines", Json::array()}});
-  for (const Outcome& outcome : outcomes)
+  for (const FilledJob& outcome : outcomes)
     add_engine(table, report.json["engines"], outcome, comparison.quality(outcome));
   report.text = table.text() + "\n" + explanation(library.size(), size_px, job);
   return report;

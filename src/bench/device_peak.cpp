@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/base/stopwatch.h"
-#include "worker/opencl_devices.h"
-#include "worker/opencl_runtime.h"
+#include "worker/devices/opencl_devices.h"
+#include "worker/devices/opencl_runtime.h"
 
 namespace tessera::bench {
 namespace {

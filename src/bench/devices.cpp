@@ -1,6 +1,6 @@
 #include "bench/devices.h"
 
-#include "worker/opencl_devices.h"
+#include "worker/devices/opencl_devices.h"
 
 namespace tessera::bench {
 

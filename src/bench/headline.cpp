@@ -2,7 +2,7 @@
 
 #include "bench/benchmarks.h"
 #include "bench/devices.h"
-#include "bench/formula_shapes.h"
+#include "bench/inputs/formula_shapes.h"
 #include "bench/timing.h"
 #include "core/base/stopwatch.h"
 #include "core/collage/objective.h"
@@ -13,9 +13,9 @@
 #include "core/matching/pair_limits.h"
 #include "core/shape/level_curve.h"
 #include "core/shape/shape_builder.h"
-#include "core/tuning.h"
-#include "io/number_text.h"
-#include "io/text_table.h"
+#include "core/settings/tuning.h"
+#include "text/number_text.h"
+#include "text/text_table.h"
 #include "worker/device_group.h"
 
 namespace tessera::bench {
@@ -189,7 +189,7 @@ Measured measure(const HeadlineScene& scene, const std::string& devices_use, int
 std::string table_text(const HeadlineScene& scene, const Measured& measured) {
   const RunStatistics& run = measured.last.statistics;
   const auto ms = [](double seconds) { return short_number(1000 * seconds); };
-  io::TextTable table({"two shapes, PADs to best docking", "this machine", "paper"});
+  TextTable table({"two shapes, PADs to best docking", "this machine", "paper"});
   table.add({"docking positions", std::to_string(scene.positions()), std::to_string(kPaperPositions)});
   table.add({"PAD pair tests", std::to_string(scene.pair_tests()), std::to_string(kPaperPositions)});
   table.add({"time, ms", ms(measured.median_s), ms(kPaper_s)});
@@ -198,7 +198,7 @@ std::string table_text(const HeadlineScene& scene, const Measured& measured) {
   table.add({"positions pruned", std::to_string(scene.positions() - run.dockings_evaluated), ""});
   table.add({"dockings evaluated", std::to_string(run.dockings_evaluated), ""});
   table.add({"dockings refined", std::to_string(run.refined), ""});
-  table.add({"best: score", io::fixed(measured.last.best_score, 4), ""});
+  table.add({"best: score", fixed(measured.last.best_score, 4), ""});
   table.add({"best: matched boundary, px", short_number(measured.last.best_matched_px), ""});
   return table.text();
 }
@@ -217,7 +217,7 @@ std::string explanation(const HeadlineScene& scene, const Measured& measured) {
          std::to_string(measured.thorough.statistics.dockings_evaluated) + " dockings, " +
          std::to_string(measured.thorough.statistics.refined) + " refined, " +
          short_number(1000 * measured.thorough.statistics.prune_s + 1000 * measured.thorough.statistics.dock_s) +
-         " ms the first time) finds a score of " + io::fixed(measured.thorough.best_score, 4) +
+         " ms the first time) finds a score of " + fixed(measured.thorough.best_score, 4) +
          ".\nPaper: section 5, Tesla K20m.\n";
 }
 

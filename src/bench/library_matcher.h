@@ -6,8 +6,8 @@
 #include <string>
 
 #include "core/matching/matching_context.h"
-#include "core/settings.h"
-#include "io/library/library_file.h"
+#include "core/settings/settings.h"
+#include "library/storage/library_file.h"
 
 namespace tessera {
 class Matcher;
@@ -16,7 +16,7 @@ class Matcher;
 namespace tessera::bench {
 
 /// A matcher of the first `shapes` shapes, for a job with these settings.
-std::unique_ptr<Matcher> library_matcher(const io::LibraryFile& library, std::size_t shapes,
+std::unique_ptr<Matcher> library_matcher(const LibraryFile& library, std::size_t shapes,
                                          const CollageSettings& settings, const std::string& devices_use);
 
 }  // namespace tessera::bench

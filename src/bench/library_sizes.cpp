@@ -5,12 +5,12 @@
 #include "bench/benchmarks.h"
 #include "bench/devices.h"
 #include "bench/library_matcher.h"
-#include "bench/model_file.h"
+#include "bench/inputs/model_file.h"
 #include "bench/process_memory.h"
-#include "bench/varied_shapes.h"
+#include "bench/inputs/varied_shapes.h"
 #include "core/base/stopwatch.h"
-#include "io/number_text.h"
-#include "io/text_table.h"
+#include "text/number_text.h"
+#include "text/text_table.h"
 #include "master/collage_loop.h"
 #include "worker/device_group.h"
 #include "worker/shard.h"
@@ -59,7 +59,7 @@ class FirstPiece : public master::Observer {
   std::optional<double> seconds_;
 };
 
-Grown run_size(const io::LibraryFile& library, std::uint32_t count, const Canvas& canvas,
+Grown run_size(const LibraryFile& library, std::uint32_t count, const Canvas& canvas,
                const CollageSettings& settings, const std::string& devices_use, const std::string& folder) {
   VariedShapes shapes(library);
   const MatchingContext context = make_matching_context(settings, count);
@@ -89,14 +89,14 @@ std::vector<std::uint32_t> chosen_sizes(std::vector<std::uint32_t> sizes, bool q
   return sizes;
 }
 
-void add_size(io::TextTable& table, Json& sizes, std::uint32_t size, const Grown& grown) {
+void add_size(TextTable& table, Json& sizes, std::uint32_t size, const Grown& grown) {
   const RunStatistics& s = grown.statistics;
   const double pieces = double(std::max<std::uint64_t>(1, s.rounds));
   const double master_s = s.objective_s + s.merge_s;
-  const auto ms = [&](double seconds) { return io::fixed(1000 * seconds / pieces, 1); };
-  const auto megabytes = [](std::uint64_t bytes) { return io::fixed(double(bytes) / 1e6, 0); };
+  const auto ms = [&](double seconds) { return fixed(1000 * seconds / pieces, 1); };
+  const auto megabytes = [](std::uint64_t bytes) { return fixed(double(bytes) / 1e6, 0); };
   table.add({std::to_string(size), ms(s.total_s), ms(s.prune_s), ms(s.dock_s), ms(master_s),
-             io::fixed(grown.start_s, 1), io::fixed(grown.first_piece_s, 1), megabytes(grown.peak_bytes),
+             fixed(grown.start_s, 1), fixed(grown.first_piece_s, 1), megabytes(grown.peak_bytes),
              megabytes(grown.device_bytes)});
   sizes.push_back({{"shapes", size},
                    {"pieces", s.rounds},
@@ -125,13 +125,13 @@ std::string explanation(int pieces, int size_px, std::size_t originals) {
 
 Report bench_library(const Setting& setting, const LibraryOptions& options) {
   const std::vector<std::uint32_t> sizes = chosen_sizes(options.sizes, setting.quick);
-  const io::LibraryFile library(options.library);
+  const LibraryFile library(options.library);
   const int size_px = setting.quick ? 200 : 1000;
   const Canvas canvas = make_rectangle_canvas(size_px, size_px);
   CollageSettings settings;
   settings.stop.pieces = setting.quick ? 3 : 20;
 
-  io::TextTable table({"shapes", "ms a piece", "prune", "dock", "objective, merge", "start s", "first piece s",
+  TextTable table({"shapes", "ms a piece", "prune", "dock", "objective, merge", "start s", "first piece s",
                        "peak memory MB", "device MB"});
   Report report;
   report.json = report_head("library", setting);

@@ -6,10 +6,10 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "bench/report.h"
-#include "io/artwork/artwork_render.h"
-#include "io/atomic_file.h"
-#include "io/number_text.h"
-#include "io/xml_writer.h"
+#include "artwork/artwork_render.h"
+#include "files/atomic_file.h"
+#include "text/number_text.h"
+#include "text/xml_writer.h"
 
 namespace tessera::bench {
 namespace {
@@ -23,11 +23,11 @@ constexpr const char* kGrey = "#999999";
 constexpr const char* kInk = "#222222";
 constexpr std::array<const char*, 6> kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"};
 
-std::string number(double value) { return io::fixed(value, 2); }
+std::string number(double value) { return fixed(value, 2); }
 
 class PanelDrawing {
  public:
-  PanelDrawing(io::XmlWriter& svg, const Panel& panel, double left) : svg_(svg), panel_(panel), left_(left + kLeft) {
+  PanelDrawing(XmlWriter& svg, const Panel& panel, double left) : svg_(svg), panel_(panel), left_(left + kLeft) {
     for (const Curve& curve : panel.curves) {
       for (const auto& [x, y] : curve.points) greatest_x_ = std::max(greatest_x_, x);
     }
@@ -80,7 +80,7 @@ class PanelDrawing {
     line(left_, bottom, left_ + width(), bottom, kInk, false);
     for (double x = 1; x <= greatest_x_; x *= 2) {
       line(x_at(x), bottom, x_at(x), bottom + 5, kInk, false);
-      text(x_at(x), bottom + 20, io::fixed(x, 0), "middle", 12);
+      text(x_at(x), bottom + 20, fixed(x, 0), "middle", 12);
     }
     text(left_ + width() / 2, bottom + 40, panel_.x_label, "middle", 13);
   }
@@ -93,7 +93,7 @@ class PanelDrawing {
   void y_axis() {
     line(left_, kTop, left_, kTop + height(), kInk, false);
     if (panel_.log_y) {
-      for (double y = 1; y <= panel_.greatest_y; y *= 2) y_tick(y, io::fixed(y, 0));
+      for (double y = 1; y <= panel_.greatest_y; y *= 2) y_tick(y, fixed(y, 0));
     } else {
       for (int step = 0; step <= 5; ++step)
         y_tick(panel_.greatest_y * step / 5, short_number(panel_.greatest_y * step / 5));
@@ -115,7 +115,7 @@ class PanelDrawing {
     }
   }
 
-  io::XmlWriter& svg_;
+  XmlWriter& svg_;
   const Panel& panel_;
   double left_;
   double greatest_x_ = 2;
@@ -126,7 +126,7 @@ class PanelDrawing {
 std::string plot_svg(const std::vector<Panel>& panels) {
   const std::string width = number(kPanelWidth * double(panels.size()));
   const std::string height = number(kHeight);
-  io::XmlWriter svg;
+  XmlWriter svg;
   svg.start("svg").attribute("xmlns", "http://www.w3.org/2000/svg");
   svg.attribute("width", width).attribute("height", height).attribute("font-family", "sans-serif");
   svg.start("rect").attribute("width", width).attribute("height", height).attribute("fill", "#ffffff").end();
@@ -135,16 +135,16 @@ std::string plot_svg(const std::vector<Panel>& panels) {
 }
 
 void check_plot_can_be_written(const std::string& path) {
-  for (const char* ending : {".svg", ".png"}) io::check_can_be_written(path + ending);
+  for (const char* ending : {".svg", ".png"}) check_can_be_written(path + ending);
 }
 
 void write_plot(const std::vector<Panel>& panels, const std::string& path) {
   const std::string svg = plot_svg(panels);
-  io::write_file_atomically(path + ".svg", svg);
+  write_file_atomically(path + ".svg", svg);
   const std::vector<std::uint8_t> bytes(svg.begin(), svg.end());
   std::vector<std::uint8_t> png;
-  cv::imencode(".png", io::render_artwork(bytes, path + ".svg", kPngWidth_px), png);
-  io::write_file_atomically(path + ".png", png);
+  cv::imencode(".png", render_artwork(bytes, path + ".svg", kPngWidth_px), png);
+  write_file_atomically(path + ".png", png);
 }
 
 }  // namespace tessera::bench

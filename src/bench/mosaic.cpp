@@ -7,19 +7,19 @@
 
 #include "bench/benchmarks.h"
 #include "bench/devices.h"
-#include "bench/metapixel.h"
-#include "bench/program_run.h"
+#include "bench/baselines/metapixel.h"
+#include "bench/baselines/program_run.h"
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
-#include "io/atomic_file.h"
-#include "io/csv_text.h"
-#include "io/job/overlay.h"
-#include "io/mosaic/mosaic_plan.h"
-#include "io/number_text.h"
-#include "io/result/card_input.h"
-#include "io/result/collage_files.h"
-#include "io/result/mosaic_file.h"
-#include "io/text_table.h"
+#include "files/atomic_file.h"
+#include "text/csv_text.h"
+#include "job/canvas/overlay.h"
+#include "products/mosaic/mosaic_plan.h"
+#include "text/number_text.h"
+#include "result/card_input.h"
+#include "result/collage_files.h"
+#include "result/mosaic_file.h"
+#include "text/text_table.h"
 
 namespace tessera::bench {
 namespace {
@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kOurs = "tessera";
 
-struct Outcome {
+struct SeenMosaic {
   std::string image;
   std::string maker;  // kOurs, or metapixel with its ground
   std::string picture;
@@ -62,16 +62,16 @@ class ScratchFolder {
 MosaicOptions whole(MosaicOptions options, bool quick) {
   const MosaicOptions defaults;
   if (options.grounds.empty()) options.grounds = {"#f3f0ec", "#404040"};
-  if (quick && options.pieces == defaults.pieces) options.pieces = io::kFewestMosaicPieces;
+  if (quick && options.pieces == defaults.pieces) options.pieces = kFewestMosaicPieces;
   return options;
 }
 
 void check(const MosaicOptions& options) {
   if (std::getenv("OMPI_COMM_WORLD_SIZE"))
     throw InputError("bench mosaic starts tessera mosaic itself: give it without mpirun");
-  if (options.pieces < io::kFewestMosaicPieces || options.pieces > io::kMostMosaicPieces) {
+  if (options.pieces < kFewestMosaicPieces || options.pieces > kMostMosaicPieces) {
     throw InputError("--pieces: found " + std::to_string(options.pieces) + "; allowed: " +
-                     std::to_string(io::kFewestMosaicPieces) + " to " + std::to_string(io::kMostMosaicPieces));
+                     std::to_string(kFewestMosaicPieces) + " to " + std::to_string(kMostMosaicPieces));
   }
   for (const std::string& ground : options.grounds) {
     if (ground.size() != 7 || ground[0] != '#' ||
@@ -83,9 +83,9 @@ void check(const MosaicOptions& options) {
 
 /// Opaque BGR, as tessera mosaic sees it.
 cv::Mat image_of(const std::string& path) {
-  io::Drawers drawers(io::photo_drawer_settings(1));
+  Drawers drawers(photo_drawer_settings(1));
   cv::Mat bgr;
-  cv::cvtColor(io::whole_overlay(path, "--image", 1024, drawers), bgr, cv::COLOR_BGRA2BGR);
+  cv::cvtColor(whole_overlay(path, "--image", 1024, drawers), bgr, cv::COLOR_BGRA2BGR);
   return bgr;
 }
 
@@ -94,7 +94,7 @@ std::string name_of(std::size_t number, const std::string& image) {
   return std::to_string(number + 1) + "_" + fs::path(image).stem().string();
 }
 
-Outcome our_mosaic(const Setting& setting, const MosaicOptions& options, const std::string& image,
+SeenMosaic our_mosaic(const Setting& setting, const MosaicOptions& options, const std::string& image,
                    const std::string& stem) {
   std::vector<std::string> command = {options.program,
                                       "mosaic",
@@ -115,12 +115,12 @@ Outcome our_mosaic(const Setting& setting, const MosaicOptions& options, const s
   const Stopwatch watch;
   run_program(command);
   const double seconds = watch.seconds();
-  const io::ResultCard card = io::read_card(stem);
+  const ResultCard card = read_card(stem);
   if (!card.afar) throw EnvironmentError(stem + "/card.json: does not say what is seen from afar");
   return {image, kOurs, stem + "/collage.png", card.quality.pieces, seconds, *card.afar};
 }
 
-Outcome peers_mosaic(const io::LibraryFile& library, const std::string& image, const std::string& ground,
+SeenMosaic peers_mosaic(const LibraryFile& library, const std::string& image, const std::string& ground,
                      std::size_t pieces, const std::string& stem) {
   const ScratchFolder scratch;
   const cv::Mat picture = image_of(image);
@@ -132,17 +132,17 @@ Outcome peers_mosaic(const io::LibraryFile& library, const std::string& image, c
   make_metapixel_mosaic(tiles, shown, grid, mosaic);
   const double seconds = watch.seconds();
   const auto count = std::size_t(grid.columns) * std::size_t(grid.rows);
-  return {image, "metapixel on " + ground, mosaic, count, seconds, io::mosaic_from_afar(mosaic, {shown}, count)};
+  return {image, "metapixel on " + ground, mosaic, count, seconds, mosaic_from_afar(mosaic, {shown}, count)};
 }
 
-std::string table_of(const std::vector<Outcome>& outcomes) {
-  io::TextTable table({"mosaic", "image", "pieces", "CIEDE2000", "SSIM", "at a piece's size", "SSIM", "s"});
-  for (const Outcome& o : outcomes) {
+std::string table_of(const std::vector<SeenMosaic>& outcomes) {
+  TextTable table({"mosaic", "image", "pieces", "CIEDE2000", "SSIM", "at a piece's size", "SSIM", "s"});
+  for (const SeenMosaic& o : outcomes) {
     const auto& piece = o.seen.at_piece_size;
     table.add({o.maker, fs::path(o.image).filename().string(), std::to_string(o.pieces),
-               io::fixed(o.seen.at_100_px.colour_difference, 2), io::fixed(o.seen.at_100_px.structure, 3),
-               piece ? io::fixed(piece->colour_difference, 2) : "-", piece ? io::fixed(piece->structure, 3) : "-",
-               io::fixed(o.seconds, 1)});
+               fixed(o.seen.at_100_px.colour_difference, 2), fixed(o.seen.at_100_px.structure, 3),
+               piece ? fixed(piece->colour_difference, 2) : "-", piece ? fixed(piece->structure, 3) : "-",
+               fixed(o.seconds, 1)});
   }
   return table.text();
 }
@@ -154,7 +154,7 @@ Json figures_json(const AfarFigures& figures) {
           {"ssim", rounded(figures.structure)}};
 }
 
-Json row_json(const Outcome& o) {
+Json row_json(const SeenMosaic& o) {
   const auto& piece = o.seen.at_piece_size;
   return {{"image", o.image},
           {"mosaic", o.maker},
@@ -165,14 +165,14 @@ Json row_json(const Outcome& o) {
           {"seconds", rounded(o.seconds)}};
 }
 
-std::string csv_of(const std::vector<Outcome>& outcomes) {
+std::string csv_of(const std::vector<SeenMosaic>& outcomes) {
   std::string text = "image,mosaic,pieces,ciede2000,ssim,piece_ciede2000,piece_ssim,seconds\n";
-  for (const Outcome& o : outcomes) {
-    text += io::csv_text_cell(o.image) + "," + io::csv_text_cell(o.maker) + "," + std::to_string(o.pieces) + "," +
-            io::fixed(o.seen.at_100_px.colour_difference, 3) + "," + io::fixed(o.seen.at_100_px.structure, 3);
+  for (const SeenMosaic& o : outcomes) {
+    text += csv_text_cell(o.image) + "," + csv_text_cell(o.maker) + "," + std::to_string(o.pieces) + "," +
+            fixed(o.seen.at_100_px.colour_difference, 3) + "," + fixed(o.seen.at_100_px.structure, 3);
     const auto& piece = o.seen.at_piece_size;
-    text += piece ? "," + io::fixed(piece->colour_difference, 3) + "," + io::fixed(piece->structure, 3) : ",,";
-    text += "," + io::fixed(o.seconds, 3) + "\n";
+    text += piece ? "," + fixed(piece->colour_difference, 3) + "," + fixed(piece->structure, 3) : ",,";
+    text += "," + fixed(o.seconds, 3) + "\n";
   }
   return text;
 }
@@ -182,15 +182,15 @@ std::string csv_of(const std::vector<Outcome>& outcomes) {
 Report bench_mosaic(const Setting& setting, const MosaicOptions& asked) {
   const MosaicOptions options = whole(asked, setting.quick);
   check(options);
-  const io::LibraryFile library(options.library);
+  const LibraryFile library(options.library);
   for (const std::string& image : options.images) image_of(image);  // a slip of the pen costs no mosaic
   const std::string folder = fs::path(setting.out).replace_extension().string();
-  io::create_output_directory(folder);
+  create_output_directory(folder);
   const std::string csv = folder + ".csv";
-  io::check_can_be_written(csv);
+  check_can_be_written(csv);
   const bool with_peer = has_metapixel();
 
-  std::vector<Outcome> outcomes;
+  std::vector<SeenMosaic> outcomes;
   for (std::size_t i = 0; i < options.images.size(); ++i) {
     const std::string& image = options.images[i];
     const std::string stem = folder + "/" + name_of(i, image);
@@ -203,7 +203,7 @@ Report bench_mosaic(const Setting& setting, const MosaicOptions& asked) {
       outcomes.push_back(peers_mosaic(library, image, ground, pieces, stem));
     }
   }
-  io::write_file_atomically(csv, csv_of(outcomes));
+  write_file_atomically(csv, csv_of(outcomes));
 
   Report report;
   report.json = report_head("mosaic", setting);
@@ -213,7 +213,7 @@ Report bench_mosaic(const Setting& setting, const MosaicOptions& asked) {
                       {"set", options.settings},
                       {"metapixel", with_peer},
                       {"rows", Json::array()}});
-  for (const Outcome& outcome : outcomes) report.json["rows"].push_back(row_json(outcome));
+  for (const SeenMosaic& outcome : outcomes) report.json["rows"].push_back(row_json(outcome));
   report.text =
       table_of(outcomes) + "\n" + std::to_string(library.size()) +
       " drawings. Seen from afar: 100 px wide, then with a px for each piece. CIEDE2000: how far colours are "

@@ -4,16 +4,16 @@
 #include "bench/benchmarks.h"
 #include "bench/device_peak.h"
 #include "bench/devices.h"
-#include "bench/formula_shapes.h"
+#include "bench/inputs/formula_shapes.h"
 #include "bench/timing.h"
-#include "bench/varied_shapes.h"
+#include "bench/inputs/varied_shapes.h"
 #include "core/field/free_field.h"
 #include "core/field/target_curve.h"
 #include "core/matching/match_round.h"
 #include "core/matching/pair_limits.h"
-#include "io/number_text.h"
-#include "io/text_table.h"
-#include "worker/opencl_devices.h"
+#include "text/number_text.h"
+#include "text/text_table.h"
+#include "worker/devices/opencl_devices.h"
 #include "worker/opencl_matcher.h"
 
 namespace tessera::bench {
@@ -75,7 +75,7 @@ PairScene make_scene(const PairsOptions& options, bool quick) {
     scene.kind = "blobs";
     set_scene(scene, blobs, samples, size_px);
   } else {
-    const io::LibraryFile file(options.library);
+    const LibraryFile file(options.library);
     const auto varied = std::make_shared<VariedShapes>(file);
     scene.shapes = options.shapes > 0 ? options.shapes : file.size();
     scene.context = make_matching_context(scene.settings, scene.shapes);
@@ -184,7 +184,7 @@ PairRates measure(const PairScene& scene, const Setting& setting) {
 }
 
 std::string table_text(const PairRates& rates) {
-  io::TextTable table({"PAD pair tests", "pairs/s", "a core and s", "scan / this"});
+  TextTable table({"PAD pair tests", "pairs/s", "a core and s", "scan / this"});
   const auto row = [&](const std::string& name, double rate, int cores) {
     table.add({name, short_number(rate), short_number(rate / cores), short_number(rates.device / rate)});
   };
@@ -202,10 +202,10 @@ std::string explanation(const PairScene& scene, const PairRates& rates) {
   const DeviceTimes& times = rates.times;
   return "The best " + std::to_string(scene.wanted()) + " pairs of each of " + std::to_string(scene.samples.size()) +
          " target samples, " + std::to_string(scene.shapes) + " " + scene.kind + ": " +
-         io::fixed(1000 * times.index_s, 1) + " ms by the index, " + io::fixed(1000 * times.scan_s, 1) +
+         fixed(1000 * times.index_s, 1) + " ms by the index, " + fixed(1000 * times.scan_s, 1) +
          " ms by a scan,\nwhich is told how far to look. Blocks of " + std::to_string(kIndexFanOut) +
          " PADs looked at, to find the same pairs: " +
-         io::fixed(100 * double(times.index_blocks) / double(std::max<std::uint64_t>(1, times.scan_blocks)), 2) +
+         fixed(100 * double(times.index_blocks) / double(std::max<std::uint64_t>(1, times.scan_blocks)), 2) +
          " %.\n" + short_number(scene.pairs()) + " pairs (" + short_number(100 * rates.below_beta) +
          " % nearer than beta), " + std::to_string(rates.cores) + " cores. Selection (scale, sign, local minima, " +
          "histogram) is in the device's\ntimes and in no limit; pairs that are skipped count as tested. Counted: " +

@@ -9,11 +9,11 @@
 #include "bench/line_plot.h"
 #include "core/base/error.h"
 #include "core/replacing/own_replacer.h"
-#include "io/available_cores.h"
-#include "io/library/library_file.h"
-#include "io/library/library_shapes.h"
-#include "io/number_text.h"
-#include "io/text_table.h"
+#include "files/available_cores.h"
+#include "library/storage/library_file.h"
+#include "library/library_shapes.h"
+#include "text/number_text.h"
+#include "text/text_table.h"
 #include "master/collage_loop.h"
 
 namespace tessera::bench {
@@ -32,7 +32,7 @@ master::CollageResult improved(const Canvas& canvas, CollageSettings settings, M
                                double seconds) {
   settings.improve.seconds = seconds;
   settings.stop.seconds = seconds;
-  OwnReplacer replacer(shapes, io::available_cores(), [] {});
+  OwnReplacer replacer(shapes, available_cores(), [] {});
   master::SilentObserver silent;
   return master::make_collage(canvas, settings, matcher, shapes, silent, {}, &replacer);
 }
@@ -43,9 +43,9 @@ struct Way {
 };
 constexpr Way kWays[] = {{"pieces that move and are exchanged", true}, {"ruin and recreate alone", false}};
 
-void add_row(const Way& way, const RunStatistics& s, const Quality& q, io::TextTable& table, Json& rows) {
-  table.add({way.name, io::fixed(s.total_s, 1), std::to_string(s.trials), io::fixed(100 * q.coverage, 2),
-             io::fixed(100 * q.overlap, 3), q.balance ? io::fixed(q.balance->evenness, 2) : "-",
+void add_row(const Way& way, const RunStatistics& s, const Quality& q, TextTable& table, Json& rows) {
+  table.add({way.name, fixed(s.total_s, 1), std::to_string(s.trials), fixed(100 * q.coverage, 2),
+             fixed(100 * q.overlap, 3), q.balance ? fixed(q.balance->evenness, 2) : "-",
              std::to_string(q.pieces), std::to_string(q.distinct_shapes)});
   rows.push_back({{"relax", way.relax},
                   {"seconds", rounded(s.total_s)},
@@ -66,17 +66,17 @@ Report bench_quality(const Setting& setting, const SquareJob& job, int seconds) 
   }
   const std::string plot = std::filesystem::path(setting.out).replace_extension().string();
   if (!plot.empty()) check_plot_can_be_written(plot);
-  const io::LibraryFile library(job.library);
+  const LibraryFile library(job.library);
   const int size_px = setting.quick ? std::min(job.size_px, 160) : job.size_px;
   const std::vector<double> marks_s = marks_up_to(setting.quick ? 2 : seconds);
   CollageSettings settings;
   settings.seed = job.seed;
   settings.pieces.min_scale_px = job.scale_px[0];
   settings.pieces.max_scale_px = job.scale_px[1];
-  io::LibraryShapes shapes(library);
+  LibraryShapes shapes(library);
   const Canvas canvas = make_rectangle_canvas(size_px, size_px);
 
-  io::TextTable table({"improving by", "s", "trials", "coverage %", "overlap %", "balance", "pieces", "shapes"});
+  TextTable table({"improving by", "s", "trials", "coverage %", "overlap %", "balance", "pieces", "shapes"});
   Report report;
   report.json = report_head("quality", setting);
   report.json.update({{"library", job.library},

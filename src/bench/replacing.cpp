@@ -12,10 +12,10 @@
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
 #include "core/replacing/own_replacer.h"
-#include "io/library/library_file.h"
-#include "io/library/library_shapes.h"
-#include "io/number_text.h"
-#include "io/text_table.h"
+#include "library/storage/library_file.h"
+#include "library/library_shapes.h"
+#include "text/number_text.h"
+#include "text/text_table.h"
 #include "master/collage_loop.h"
 
 namespace tessera::bench {
@@ -111,7 +111,7 @@ class MeasuringReplacer : public Replacer {
 
 /// A collage that repeats itself, so often that it fills the canvas: what a batch of a large one looks like, without
 /// the hour that it takes to fill.
-std::vector<Placement> tiled_collage(const io::LibraryFile& library, ShapeSource& shapes, CollageSettings settings,
+std::vector<Placement> tiled_collage(const LibraryFile& library, ShapeSource& shapes, CollageSettings settings,
                                      int size_px, const std::string& devices) {
   const int tiles = (size_px + kLargestTile_px - 1) / kLargestTile_px;
   const int tile_px = size_px / tiles;
@@ -154,7 +154,7 @@ ReplacingCase measured_batch(const Canvas& canvas, const CollageSettings& settin
 }
 
 std::string text_of(const ReplacingCase& c) {
-  io::TextTable table({"a batch of replacement trials", ""});
+  TextTable table({"a batch of replacement trials", ""});
   double request_bytes = 0, reply_bytes = 0;
   for (const MeasuredWindow& w : c.windows) {
     request_bytes += w.request_bytes;
@@ -165,14 +165,14 @@ std::string text_of(const ReplacingCase& c) {
   table.add({"pieces", std::to_string(c.pieces)});
   table.add({"windows", std::to_string(c.windows.size())});
   table.add({"trials", std::to_string(c.trials())});
-  table.add({"a trial, one core", io::fixed(1000 * c.work_s() / double(c.trials()), 2) + " ms"});
-  table.add({"all trials, one core", io::fixed(c.work_s(), 2) + " s"});
-  table.add({"master's own work", io::fixed(1000 * c.master_s, 1) + " ms"});
-  table.add({"a question, packed", io::fixed(1000 * c.request_s, 3) + " ms, " +
-                                       io::fixed(request_bytes / windows / 1000, 1) + " kB a window"});
-  table.add({"a question, unpacked", io::fixed(1000 * c.unpack_s, 3) + " ms a window"});
+  table.add({"a trial, one core", fixed(1000 * c.work_s() / double(c.trials()), 2) + " ms"});
+  table.add({"all trials, one core", fixed(c.work_s(), 2) + " s"});
+  table.add({"master's own work", fixed(1000 * c.master_s, 1) + " ms"});
+  table.add({"a question, packed", fixed(1000 * c.request_s, 3) + " ms, " +
+                                       fixed(request_bytes / windows / 1000, 1) + " kB a window"});
+  table.add({"a question, unpacked", fixed(1000 * c.unpack_s, 3) + " ms a window"});
   table.add({"an answer, packed",
-             io::fixed(1000 * c.reply_s, 3) + " ms, " + io::fixed(reply_bytes / windows / 1000, 1) + " kB a window"});
+             fixed(1000 * c.reply_s, 3) + " ms, " + fixed(reply_bytes / windows / 1000, 1) + " kB a window"});
   return table.text();
 }
 
@@ -180,13 +180,13 @@ std::string text_of(const ReplacingCase& c) {
 
 Report bench_replacing(const Setting& setting, const SquareJob& job) {
   check(job);
-  const io::LibraryFile library(job.library);
+  const LibraryFile library(job.library);
   const int size_px = setting.quick ? std::min(job.size_px, 300) : job.size_px;
   CollageSettings settings;
   settings.seed = job.seed;
   settings.pieces.min_scale_px = job.scale_px[0];
   settings.pieces.max_scale_px = job.scale_px[1];
-  io::LibraryShapes shapes(library);
+  LibraryShapes shapes(library);
   const std::vector<Placement> pieces = tiled_collage(library, shapes, settings, size_px, setting.devices);
   const ReplacingCase found =
       measured_batch(make_rectangle_canvas(size_px, size_px), settings, pieces, shapes, std::uint32_t(library.size()));

@@ -1,7 +1,7 @@
 #include "bench/replacing_case.h"
 
 #include "core/base/error.h"
-#include "io/regular_file.h"
+#include "files/regular_file.h"
 
 namespace tessera::bench {
 namespace {
@@ -37,7 +37,7 @@ Json to_json(const ReplacingCase& c) {
 
 ReplacingCase read_replacing_case(const std::string& path) {
   constexpr std::size_t kMostBytes = std::size_t(64) << 20;
-  const Json report = Json::parse(io::read_regular_file(path, kMostBytes), nullptr, false);
+  const Json report = Json::parse(read_regular_file(path, kMostBytes), nullptr, false);
   try {
     const Json& batch = report.at("batch");
     ReplacingCase c;

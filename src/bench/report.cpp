@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "io/atomic_file.h"
-#include "io/number_text.h"
+#include "files/atomic_file.h"
+#include "text/number_text.h"
 
 namespace tessera::bench {
 
@@ -15,10 +15,10 @@ std::string short_number(double value) {
   return text;
 }
 
-double rounded(double value) { return io::rounded(value, 3); }
+double rounded(double value) { return tessera::rounded(value, 3); }
 
 void write_report(const Report& report, const std::string& path) {
-  io::write_file_atomically(path, report.json.dump(2) + "\n");
+  write_file_atomically(path, report.json.dump(2) + "\n");
 }
 
 }  // namespace tessera::bench

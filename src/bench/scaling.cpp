@@ -7,17 +7,17 @@
 #include "bench/amdahl.h"
 #include "bench/benchmarks.h"
 #include "bench/devices.h"
-#include "bench/enlarged_library.h"
+#include "bench/inputs/enlarged_library.h"
 #include "bench/line_plot.h"
-#include "bench/program_run.h"
+#include "bench/baselines/program_run.h"
 #include "bench/scaling_case.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
-#include "io/atomic_file.h"
-#include "io/number_text.h"
-#include "io/result/collage_files.h"
-#include "io/result/result_file.h"
-#include "io/text_table.h"
+#include "files/atomic_file.h"
+#include "text/number_text.h"
+#include "result/collage_files.h"
+#include "result/result_file.h"
+#include "text/text_table.h"
 
 namespace tessera::bench {
 namespace {
@@ -89,7 +89,7 @@ Plan make_plan(const Setting& setting, const ScalingOptions& options, std::size_
 }
 
 /// Beside the runs, where the library itself has another size.
-std::map<std::uint32_t, std::string> libraries_of_sizes(const Plan& plan, const io::LibraryFile& library) {
+std::map<std::uint32_t, std::string> libraries_of_sizes(const Plan& plan, const LibraryFile& library) {
   std::map<std::uint32_t, std::string> paths;
   for (const std::uint32_t shapes : plan.shapes) {
     if (shapes == library.size()) {
@@ -105,7 +105,7 @@ std::map<std::uint32_t, std::string> libraries_of_sizes(const Plan& plan, const 
 std::string write_job(const Plan& plan, const std::string& library) {
   const std::string path = plan.folder + "/job.toml";
   const std::string side = std::to_string(plan.options.size_px);
-  io::write_file_atomically(path, "[library]\nfile = \"" + library + "\"\n[canvas]\nsize_px = [" + side + ", " + side +
+  write_file_atomically(path, "[library]\nfile = \"" + library + "\"\n[canvas]\nsize_px = [" + side + ", " + side +
                                       "]\n[stop]\npieces = " + std::to_string(plan.options.pieces) +
                                       "\n[devices]\nuse = \"" + plan.devices + "\"\n[output]\nwidth_px = 64\n");
   return path;
@@ -121,13 +121,13 @@ Json run_once(const Plan& plan, int workers, std::uint32_t shapes, const std::st
   command.insert(command.end(), {"-n", std::to_string(workers + 1), plan.options.program, "collage",
                                  write_job(plan, library), "--quiet", "--out", out});
   run_program(command);
-  return Json::parse(io::read_result_file(out, "card.json")).at("ranks");
+  return Json::parse(read_result_file(out, "card.json")).at("ranks");
 }
 
 void check_same_pieces(const Plan& plan) {
   for (const std::uint32_t shapes : plan.shapes) {
     const auto pieces = [&](int workers) {
-      return io::read_result_file(result_folder(plan, workers, shapes), "pieces.geojson");
+      return read_result_file(result_folder(plan, workers, shapes), "pieces.geojson");
     };
     for (const int workers : plan.workers) {
       if (pieces(workers) != pieces(plan.workers.front())) {
@@ -139,7 +139,7 @@ void check_same_pieces(const Plan& plan) {
 }
 
 /// Every case in turn, again and again, so that what else the machine does falls on all alike.
-std::vector<Repeated> run_all(const Plan& plan, const io::LibraryFile& library) {
+std::vector<Repeated> run_all(const Plan& plan, const LibraryFile& library) {
   const std::map<std::uint32_t, std::string> libraries = libraries_of_sizes(plan, library);
   std::vector<Repeated> cases;
   for (const std::uint32_t shapes : plan.shapes) {
@@ -221,16 +221,16 @@ AmdahlFit fit(const std::vector<Compared>& strong, double (*seconds)(const Repea
 }
 
 std::string case_rows(const std::vector<Compared>& series, bool weak) {
-  io::TextTable table({weak ? "weak" : "strong", "shapes", "loop s", "speed-up", "efficiency", "undisturbed s",
+  TextTable table({weak ? "weak" : "strong", "shapes", "loop s", "speed-up", "efficiency", "undisturbed s",
                        "speed-up", "master %", "undisturbed"});
   for (const Compared& c : series) {
     const double growth = weak ? c.more_workers() : 1;  // of the work
     const double speed_up = growth * loop_s(*c.base) / loop_s(*c.run);
     const double quiet_speed_up = growth * undisturbed_s(*c.base) / undisturbed_s(*c.run);
     table.add({count_text(std::size_t(c.run->workers), "worker"), std::to_string(c.run->shapes),
-               io::fixed(loop_s(*c.run), 3), io::fixed(speed_up, 2), io::fixed(speed_up / c.more_workers(), 2),
-               io::fixed(undisturbed_s(*c.run), 3), io::fixed(quiet_speed_up, 2), io::fixed(master_percent(*c.run), 1),
-               io::fixed(undisturbed_master_percent(*c.run), 1)});
+               fixed(loop_s(*c.run), 3), fixed(speed_up, 2), fixed(speed_up / c.more_workers(), 2),
+               fixed(undisturbed_s(*c.run), 3), fixed(quiet_speed_up, 2), fixed(master_percent(*c.run), 1),
+               fixed(undisturbed_master_percent(*c.run), 1)});
   }
   return table.text();
 }
@@ -277,9 +277,9 @@ std::string csv(const std::vector<Repeated>& cases) {
     text += std::to_string(c.workers) + "," + std::to_string(c.shapes);
     for (const double value :
          {t.loop_s, t.undisturbed_s(), t.serial_s(), t.count_s, t.dock_s, t.refine_s, t.messages_s, t.busiest_s}) {
-      text += "," + io::fixed(value, 6);
+      text += "," + fixed(value, 6);
     }
-    text += "," + io::fixed(t.bytes_to_worker, 0) + "," + io::fixed(t.bytes_from_worker, 0) + "\n";
+    text += "," + fixed(t.bytes_to_worker, 0) + "," + fixed(t.bytes_from_worker, 0) + "\n";
   }
   return text;
 }
@@ -312,8 +312,8 @@ void plot(const std::vector<Compared>& strong, const std::vector<Compared>& weak
 /// Where loops are long enough, on two numbers of workers at least: of others a line fits anything.
 std::string amdahl_text(const Plan& plan, bool quick, const AmdahlFit& wall, const AmdahlFit& quiet) {
   if (quick || plan.workers.size() < 2) return "";
-  return " Amdahl, strong: serial " + io::fixed(100 * wall.serial_share(), 1) +
-         " % of one worker's loop, undisturbed " + io::fixed(100 * quiet.serial_share(), 1) + " %.";
+  return " Amdahl, strong: serial " + fixed(100 * wall.serial_share(), 1) +
+         " % of one worker's loop, undisturbed " + fixed(100 * quiet.serial_share(), 1) + " %.";
 }
 
 std::string explanation(const Plan& plan, const std::string& amdahl) {
@@ -328,10 +328,10 @@ std::string explanation(const Plan& plan, const std::string& amdahl) {
 
 Report bench_scaling(const Setting& setting, const ScalingOptions& options) {
   check(options);
-  const io::LibraryFile library(options.library);
+  const LibraryFile library(options.library);
   const Plan plan = make_plan(setting, options, library.size());
-  io::prepare_output_directory(plan.folder);
-  io::check_can_be_written(plan.folder + ".csv");
+  prepare_output_directory(plan.folder);
+  check_can_be_written(plan.folder + ".csv");
   check_plot_can_be_written(plan.folder);
   setenv("POCL_MAX_PTHREAD_COUNT", "1", 0);  // a worker has a core, however many there are
   const std::vector<Repeated> cases = run_all(plan, library);
@@ -340,7 +340,7 @@ Report bench_scaling(const Setting& setting, const ScalingOptions& options) {
   const std::vector<Compared> weak = weak_series(cases, plan);
   const AmdahlFit wall = fit(strong, loop_s);
   const AmdahlFit quiet = fit(strong, undisturbed_s);
-  io::write_file_atomically(plan.folder + ".csv", csv(cases));
+  write_file_atomically(plan.folder + ".csv", csv(cases));
   plot(strong, weak, plan.folder);
 
   Report report;

@@ -1,7 +1,7 @@
 #include "bench/scaling_case.h"
 
 #include "core/base/error.h"
-#include "io/regular_file.h"
+#include "files/regular_file.h"
 
 namespace tessera::bench {
 namespace {
@@ -58,7 +58,7 @@ ScalingCase scaling_case(const Json& ranks, std::uint32_t shapes, const std::str
 
 std::vector<ScalingCase> read_scaling_cases(const std::string& path) {
   constexpr std::size_t kMostBytes = std::size_t(64) << 20;
-  const Json report = Json::parse(io::read_regular_file(path, kMostBytes), nullptr, false);
+  const Json report = Json::parse(read_regular_file(path, kMostBytes), nullptr, false);
   if (report.is_discarded() || !report.contains("cases") || report.at("cases").empty()) {
     throw InputError(path + ": has no cases; allowed: the JSON file of tessera bench scaling");
   }

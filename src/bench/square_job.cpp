@@ -1,6 +1,6 @@
 #include "bench/benchmarks.h"
 #include "core/base/error.h"
-#include "io/number_text.h"
+#include "text/number_text.h"
 
 namespace tessera::bench {
 

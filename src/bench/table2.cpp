@@ -8,9 +8,9 @@
 #include "core/base/error.h"
 #include "core/field/canvas.h"
 #include "core/matching/matcher.h"
-#include "io/library/library_shapes.h"
-#include "io/number_text.h"
-#include "io/text_table.h"
+#include "library/library_shapes.h"
+#include "text/number_text.h"
+#include "text/text_table.h"
 #include "master/collage_loop.h"
 
 namespace tessera::bench {
@@ -31,7 +31,7 @@ struct SizedRun {
   std::size_t candidates = 0;
 };
 
-SizedRun run_row(const Table2Row& row, const io::LibraryFile& library, const Canvas& canvas,
+SizedRun run_row(const Table2Row& row, const LibraryFile& library, const Canvas& canvas,
                  const std::string& devices_use) {
   SizedRun run;
   run.candidates = std::min<std::size_t>(library.size(), std::size_t(row.candidates));
@@ -42,7 +42,7 @@ SizedRun run_row(const Table2Row& row, const io::LibraryFile& library, const Can
     if (run.tries++ > 0) settings.pieces.max_scale_px *= kSmaller;
     settings.pieces.min_scale_px = std::max(kLeastScale_px, settings.pieces.max_scale_px / kScaleRatio);
     const auto matcher = library_matcher(library, run.candidates, settings, devices_use);
-    io::LibraryShapes shapes(library);
+    LibraryShapes shapes(library);
     master::SilentObserver silent;
     run.result = master::make_collage(canvas, settings, *matcher, shapes, silent);
   } while (run.result.statistics.stopped_by != "pieces" && run.tries < kMostTries);
@@ -116,8 +116,7 @@ Json run_json(const SizedRun& run, const Canvas& canvas) {
           {"filled_fraction", rounded(filled_fraction(run, canvas))}};
 }
 
-void add_lines(io::TextTable& table, const Table2Row& row, const SizedRun& run) {
-  using io::fixed;
+void add_lines(TextTable& table, const Table2Row& row, const SizedRun& run) {
   const RunStatistics& s = run.result.statistics;
   const StagePercents share = stage_percents(s);
   const std::string figure(row.figure);
@@ -148,13 +147,13 @@ std::string remarks(const Table2Row& row, const SizedRun& run) {
 }  // namespace
 
 Report bench_table2(const Setting& setting, const Table2Options& options) {
-  const io::LibraryFile library(options.library);
+  const LibraryFile library(options.library);
   const bool default_quick = setting.quick && options.rows.empty();
   const std::vector<Table2Row> rows = chosen_rows(default_quick ? std::vector<std::string>{"19"} : options.rows);
   const int size_px = setting.quick ? 300 : 1000;
   const Canvas canvas = make_rectangle_canvas(size_px, size_px);
 
-  io::TextTable table({"", "candidates", "PADs a shape", "iterations", "docking choices", "pruned %", "total s",
+  TextTable table({"", "candidates", "PADs a shape", "iterations", "docking choices", "pruned %", "total s",
                        "prune %", "dock %", "objective %", "merge %"});
   Report report;
   report.json = report_head("table2", setting);

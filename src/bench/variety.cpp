@@ -2,12 +2,12 @@
 
 #include "bench/benchmarks.h"
 #include "bench/devices.h"
-#include "bench/model_file.h"
-#include "bench/varied_shapes.h"
+#include "bench/inputs/model_file.h"
+#include "bench/inputs/varied_shapes.h"
 #include "core/base/error.h"
 #include "core/collage/quality.h"
-#include "io/number_text.h"
-#include "io/text_table.h"
+#include "text/number_text.h"
+#include "text/text_table.h"
 #include "master/collage_loop.h"
 #include "worker/device_group.h"
 
@@ -35,10 +35,10 @@ void add(Means& means, const Quality& quality, double seconds, double part) {
   means.ms_per_piece += part * 1000 * seconds / double(std::max<std::size_t>(1, quality.pieces));
 }
 
-void add_row(std::uint32_t shapes, std::uint32_t pairs, const Means& means, io::TextTable& table, Json& rows) {
-  table.add({std::to_string(shapes), pairs == 0 ? "none" : std::to_string(pairs), io::fixed(100 * means.coverage, 2),
-             io::fixed(100 * means.overlap, 3), io::fixed(100 * means.shared_boundary, 1), io::fixed(means.balance, 2),
-             io::fixed(means.pieces, 0), io::fixed(means.distinct_shapes, 0), io::fixed(means.ms_per_piece, 0)});
+void add_row(std::uint32_t shapes, std::uint32_t pairs, const Means& means, TextTable& table, Json& rows) {
+  table.add({std::to_string(shapes), pairs == 0 ? "none" : std::to_string(pairs), fixed(100 * means.coverage, 2),
+             fixed(100 * means.overlap, 3), fixed(100 * means.shared_boundary, 1), fixed(means.balance, 2),
+             fixed(means.pieces, 0), fixed(means.distinct_shapes, 0), fixed(means.ms_per_piece, 0)});
   rows.push_back({{"shapes", shapes},
                   {"pairs", pairs},
                   {"coverage_percent", rounded(100 * means.coverage)},
@@ -85,7 +85,7 @@ Report bench_variety(const Setting& setting, const SquareJob& job, const Variety
   const VarietyOptions options = whole(asked, setting.quick);
   check(job);
   check(options);
-  const io::LibraryFile library(job.library);
+  const LibraryFile library(job.library);
   VariedShapes shapes(library);
   const int size_px = setting.quick ? std::min(job.size_px, 160) : job.size_px;
   const Canvas canvas = make_rectangle_canvas(size_px, size_px);
@@ -94,7 +94,7 @@ Report bench_variety(const Setting& setting, const SquareJob& job, const Variety
   settings.pieces.max_scale_px = job.scale_px[1];
   settings.improve.trials = 0;
 
-  io::TextTable table({"shapes", "pairs", "coverage %", "overlap %", "shared boundary %", "balance", "pieces",
+  TextTable table({"shapes", "pairs", "coverage %", "overlap %", "shared boundary %", "balance", "pieces",
                        "different", "ms a piece"});
   Report report;
   report.json = report_head("variety", setting);

@@ -6,19 +6,19 @@
 #include "bench/benchmarks.h"
 #include "cli/commands.h"
 #include "cli/list_option.h"
-#include "cli/terminal.h"
+#include "terminal/terminal.h"
 #include "core/base/error.h"
-#include "io/atomic_file.h"
-#include "io/number_text.h"
-#include "io/own_program.h"
-#include "io/regular_file.h"
-#include "io/result/collage_files.h"
-#include "worker/opencl_devices.h"
+#include "files/atomic_file.h"
+#include "text/number_text.h"
+#include "files/own_program.h"
+#include "files/regular_file.h"
+#include "result/collage_files.h"
+#include "worker/devices/opencl_devices.h"
 
 namespace tessera::cli {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kBenchExamples =
     "Examples:\n"
     "  tessera bench pairs\n"
     "  tessera bench pairs --library out/animals.h5 --shapes 10000\n"
@@ -41,16 +41,16 @@ void check_is_report(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return;
   std::array<std::uint8_t, 1> first{};
-  if (io::read_at(path, io::open_regular_file(path), 0, first) == 1 && first[0] != '{')
+  if (read_at(path, open_regular_file(path), 0, first) == 1 && first[0] != '{')
     throw InputError("--out: found " + path + ", which is there and is no JSON file; give another name");
 }
 
 int run(const bench::Setting& setting, const Benchmark& benchmark) {
   worker::chosen_devices(setting.devices, {}, "--devices");  // what is wrong with it shows at once, by this name
   const std::filesystem::path folder = std::filesystem::path(setting.out).parent_path();
-  io::prepare_output_directory(folder.empty() ? "." : folder.string());
+  prepare_output_directory(folder.empty() ? "." : folder.string());
   check_is_report(setting.out);
-  io::check_can_be_written(setting.out);
+  check_can_be_written(setting.out);
   bench::Setting told = setting;
   told.progress = print_message;
   const bench::Report report = benchmark(told);
@@ -109,7 +109,7 @@ void add_square_job_options(CLI::App& sub, bench::SquareJob& job) {
   const auto take_sizes = [&job](const std::vector<float>& given) { job.scale_px = {given[0], given[1]}; };
   add_list_option<float>(sub, "--scale-px", take_sizes, "Sizes of the smallest and the largest piece, px",
                          {.type_name = "MIN,MAX", .count = 2})
-      ->default_str(io::significant(double(job.scale_px[0]), 6) + "," + io::significant(double(job.scale_px[1]), 6));
+      ->default_str(significant(double(job.scale_px[0]), 6) + "," + significant(double(job.scale_px[1]), 6));
   sub.add_option("--size", job.size_px, "Sides of the canvas, px")->type_name("PX")->capture_default_str();
   sub.add_option("--seed", job.seed, "Start of the random numbers")->type_name("N")->capture_default_str();
 }
@@ -190,7 +190,7 @@ void add_mosaic(CLI::App& bench, Command& selected) {
   CLI::App* sub = add_benchmark(bench, selected, "mosaic",
                                 "tessera mosaic beside metapixel, on the same drawings: what is seen from afar",
                                 [options](const bench::Setting& s) {
-                                  options->program = io::own_program();
+                                  options->program = own_program();
                                   return bench::bench_mosaic(s, *options);
                                 });
   add_library_option(*sub, options->library);
@@ -215,7 +215,7 @@ void add_scaling(CLI::App& bench, Command& selected) {
   const auto options = std::make_shared<bench::ScalingOptions>();
   CLI::App* sub = add_benchmark(bench, selected, "scaling", "Speed-up with more workers; starts mpirun itself",
                                 [options](const bench::Setting& s) {
-                                  options->program = io::own_program();
+                                  options->program = own_program();
                                   return bench::bench_scaling(s, *options);
                                 });
   add_library_option(*sub, options->library);
@@ -239,7 +239,7 @@ void add_scaling(CLI::App& bench, Command& selected) {
 
 void add_bench_command(CLI::App& app, Command& selected) {
   CLI::App* bench = app.add_subcommand("bench", "Measure this machine against the paper and the alternatives");
-  bench->footer(kExamples);
+  bench->footer(kBenchExamples);
   bench->require_subcommand(1);
   add_pairs(*bench, selected);
   add_benchmark(*bench, selected, "headline", "Two shapes with 25,000,000 docking positions", bench::bench_headline);

@@ -7,7 +7,7 @@
 
 #include "core/base/count_text.h"
 #include "core/base/split_text.h"
-#include "io/utf8_text.h"
+#include "text/utf8_text.h"
 
 namespace tessera::cli {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kNamesShown = 3;
 constexpr std::size_t kMergedShown = 10;
 
-std::string file_name(const std::string& path) { return io::printable_utf8(std::filesystem::path(path).filename()); }
+std::string file_name(const std::string& path) { return printable_utf8(std::filesystem::path(path).filename()); }
 
 /// Of a line that counts files.
 std::string count_column(std::size_t count) {
@@ -25,7 +25,7 @@ std::string count_column(std::size_t count) {
 }
 
 /// Where a reason has details after a colon (a parser's message), files are counted by what stands before it.
-std::string reason_class(const std::string& reason) { return io::printable_utf8(reason.substr(0, reason.find(": "))); }
+std::string reason_class(const std::string& reason) { return printable_utf8(reason.substr(0, reason.find(": "))); }
 
 /// Collections keep copies of one drawing in several folders: a name is shown once.
 std::string first_names(const std::vector<std::string>& paths) {
@@ -39,9 +39,9 @@ std::string first_names(const std::vector<std::string>& paths) {
   return joined(names);
 }
 
-std::string skipped_lines(const std::vector<io::UnusedFile>& skipped) {
+std::string skipped_lines(const std::vector<UnusedFile>& skipped) {
   std::map<std::string, std::vector<std::string>> paths_of_reason;
-  for (const io::UnusedFile& file : skipped) paths_of_reason[reason_class(file.reason)].push_back(file.path);
+  for (const UnusedFile& file : skipped) paths_of_reason[reason_class(file.reason)].push_back(file.path);
   std::vector<std::pair<std::string, std::vector<std::string>>> rows(paths_of_reason.begin(), paths_of_reason.end());
   std::stable_sort(rows.begin(), rows.end(),
                    [](const auto& a, const auto& b) { return a.second.size() > b.second.size(); });
@@ -52,10 +52,10 @@ std::string skipped_lines(const std::vector<io::UnusedFile>& skipped) {
   return text;
 }
 
-std::string merged_lines(const std::vector<io::LibraryBuildReport::Merged>& merged) {
+std::string merged_lines(const std::vector<LibraryBuildReport::Merged>& merged) {
   std::string text = "merged " + std::to_string(merged.size()) + " with the same silhouette and colour:\n";
   for (std::size_t i = 0; i < std::min(merged.size(), kMergedShown); ++i) {
-    text += "  " + file_name(merged[i].path) + " = " + io::printable_utf8(merged[i].name) + "\n";
+    text += "  " + file_name(merged[i].path) + " = " + printable_utf8(merged[i].name) + "\n";
   }
   if (merged.size() > kMergedShown) text += "  ... and " + std::to_string(merged.size() - kMergedShown) + " more\n";
   return text;
@@ -63,7 +63,7 @@ std::string merged_lines(const std::vector<io::LibraryBuildReport::Merged>& merg
 
 }  // namespace
 
-std::string build_summary(const io::LibraryBuildReport& report) {
+std::string build_summary(const LibraryBuildReport& report) {
   std::string text;
   if (!report.trimmed.empty()) {
     text += "parts that do not touch the largest one are not in the silhouettes of " +
@@ -88,7 +88,7 @@ std::string build_summary(const io::LibraryBuildReport& report) {
   return text;
 }
 
-std::string build_counts(const io::LibraryBuildReport& report) {
+std::string build_counts(const LibraryBuildReport& report) {
   std::string text = count_text(report.files, "file") + ": " + count_text(report.shapes, "shape");
   if (!report.merged.empty()) text += ", " + std::to_string(report.merged.size()) + " merged with these";
   if (!report.skipped.empty()) text += ", " + std::to_string(report.skipped.size()) + " skipped";

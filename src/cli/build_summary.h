@@ -3,15 +3,15 @@
 
 #include <string>
 
-#include "io/library/library_builder.h"
+#include "library/library_builder.h"
 
 namespace tessera::cli {
 
 /// What was merged and left out, and why files were skipped: for each reason how many, and the first names. Empty where
 /// nothing of the kind happened; otherwise whole lines.
-std::string build_summary(const io::LibraryBuildReport& report);
+std::string build_summary(const LibraryBuildReport& report);
 
 /// What became of all the files: "9 files: 5 shapes, 1 merged with these, 3 skipped".
-std::string build_counts(const io::LibraryBuildReport& report);
+std::string build_counts(const LibraryBuildReport& report);
 
 }  // namespace tessera::cli

@@ -1,12 +1,12 @@
 #include <memory>
 
-#include "cli/campaign_run.h"
+#include "run/campaign_run.h"
 #include "cli/commands.h"
 
 namespace tessera::cli {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kCampaignExamples =
     "Examples:\n"
     "  tessera campaign jobs/animals.toml --seeds 1-8\n"
     "  tessera campaign jobs/animals.toml --seeds 1-3 --set objective.gap_weight=0.5,1,2 --out out/gaps\n"
@@ -25,7 +25,7 @@ void add_campaign_command(CLI::App& app, Command& selected) {
   const auto arguments = std::make_shared<CampaignArguments>();
   CLI::App* campaign =
       app.add_subcommand("campaign", "Make a job's collage with several seeds and values, and rank them");
-  campaign->footer(kExamples);
+  campaign->footer(kCampaignExamples);
   campaign->add_option("JOB", arguments->job, "The job file")->required()->type_name("FILE");
   campaign->add_option("--seeds", arguments->seeds, "Seeds and ranges of them; 7 is the seed 7, not seven of them")
       ->type_name("1-8,12");

@@ -1,6 +1,6 @@
 #include <memory>
 
-#include "cli/card_run.h"
+#include "run/card_run.h"
 #include "cli/commands.h"
 #include "cli/list_option.h"
 
@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kMostPieces = 10'000'000;
 
-constexpr const char* kExamples =
+constexpr const char* kCardExamples =
     "Examples:\n"
     "  tessera card theirs.geojson --size 1000,800                        on a rectangle\n"
     "  tessera card theirs.geojson --canvas heart.svg --size 1200,1200    in a silhouette, scaled into that box\n"
@@ -33,7 +33,7 @@ constexpr const char* kExamples =
 void add_card_command(CLI::App& app, Command& selected) {
   const auto arguments = std::make_shared<CardArguments>();
   CLI::App* card = app.add_subcommand("card", "Measure anybody's collage as a quality card does");
-  card->footer(kExamples);
+  card->footer(kCardExamples);
   card->add_option("RESULT", arguments->pieces, "The pieces as polygons, the folder of a result, or a mosaic")
       ->required()
       ->type_name("FILE");

@@ -6,7 +6,7 @@
 namespace tessera::cli {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kCollageExamples =
     "Examples:\n"
     "  tessera collage jobs/animals.toml\n"
     "  tessera collage jobs/animals.toml --out small --set 'pieces.scale_px=[14, 90]' --set seed=3\n"
@@ -36,7 +36,7 @@ constexpr const char* kExamples =
 void add_collage_command(CLI::App& app, Command& selected) {
   const auto arguments = std::make_shared<CollageArguments>();
   CLI::App* collage = app.add_subcommand("collage", "Make the collage that a job file describes");
-  collage->footer(kExamples);
+  collage->footer(kCollageExamples);
   collage->add_option("JOB", arguments->job, "The job file")->required()->type_name("FILE");
   add_collage_options(*collage, *arguments);
   collage->callback([arguments, &selected] {

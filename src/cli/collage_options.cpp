@@ -1,5 +1,5 @@
 #include "cli/collage_options.h"
-#include "cli/terminal.h"
+#include "terminal/terminal.h"
 
 namespace tessera::cli {
 namespace {

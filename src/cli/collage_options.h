@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "cli/collage_run.h"
+#include "run/collage_run.h"
 
 namespace tessera::cli {
 

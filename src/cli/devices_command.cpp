@@ -1,12 +1,12 @@
 
 #include "cli/commands.h"
-#include "cli/terminal.h"
-#include "worker/device_list.h"
+#include "terminal/terminal.h"
+#include "worker/devices/device_list.h"
 
 namespace tessera::cli {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kDevicesExamples =
     "Examples:\n"
     "  tessera devices                                            of this machine\n"
     "  srun -N 4 --ntasks-per-node=1 tessera devices              of each node of an allocation\n"
@@ -21,7 +21,7 @@ constexpr const char* kExamples =
 void add_devices_command(CLI::App& app, Command& selected) {
   CLI::App* devices =
       app.add_subcommand("devices", "List the OpenCL devices of this machine, and what a job would use");
-  devices->footer(kExamples);
+  devices->footer(kDevicesExamples);
   devices->callback([&selected] {
     selected.run = [] {
       print_lines(worker::device_list());

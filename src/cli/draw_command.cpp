@@ -5,26 +5,26 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/collage_run.h"
-#include "cli/collage_warnings.h"
+#include "run/collage_run.h"
+#include "run/messages/collage_warnings.h"
 #include "cli/commands.h"
-#include "cli/result_drawing_run.h"
-#include "cli/terminal.h"
+#include "run/result_drawing_run.h"
+#include "terminal/terminal.h"
 #include "comm/stop_signals.h"
 #include "core/base/error.h"
 #include "core/base/split_text.h"
-#include "io/checkpoint/checkpoint_folder.h"
-#include "io/job/job_keys.h"
-#include "io/job/palette.h"
-#include "io/output_lock.h"
-#include "io/result/collage_files.h"
-#include "io/result/finished_result.h"
-#include "io/result/result_file.h"
+#include "checkpoint/checkpoint_folder.h"
+#include "job/job_keys.h"
+#include "job/palette.h"
+#include "files/output_lock.h"
+#include "result/collage_files.h"
+#include "result/finished_result.h"
+#include "result/result_file.h"
 
 namespace tessera::cli {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kDrawExamples =
     "Examples:\n"
     "  tessera draw out/animals                           collage.svg and collage.png again, as the job says\n"
     "  tessera draw out/animals --width 12000 --png       the picture alone, for print\n"
@@ -43,7 +43,7 @@ struct DrawArguments {
   std::string background;  // empty: not given
   std::string palette;     // empty: not given
   std::vector<std::string> settings;
-  io::PictureRequest request;
+  PictureRequest request;
   bool quiet = false;
 };
 
@@ -72,20 +72,20 @@ std::vector<std::string> drawing_keys(const DrawArguments& arguments) {
 }
 
 /// The job that a result was made by.
-io::Job job_of_result(const std::string& folder) {
+Job job_of_result(const std::string& folder) {
   try {
-    return io::read_result(folder).job;
+    return read_result(folder).job;
   } catch (const InputError& error) {
-    if (!io::CheckpointFolder(folder).has_any() || !io::holder_of_lock(io::folder_lock_path(folder)).empty()) throw;
+    if (!CheckpointFolder(folder).has_any() || !holder_of_lock(folder_lock_path(folder)).empty()) throw;
     throw InputError(std::string(error.what()) +
                      "; a checkpoint is there: tessera collage with --resume makes the result");
   }
 }
 
 /// Of what is asked for; what the result's job says was told when it was run.
-std::string idle_keys_warning(io::Job job, const std::vector<std::string>& keys) {
-  const io::Job before = job;
-  io::set_drawing_keys(job, keys);
+std::string idle_keys_warning(Job job, const std::vector<std::string>& keys) {
+  const Job before = job;
+  set_drawing_keys(job, keys);
   return joined_warnings(
       {job.output.dpi == before.output.dpi ? "" : idle_dpi_warning(job),
        job.colour.shift == before.colour.shift ? "" : idle_shift_warning(job),
@@ -93,17 +93,17 @@ std::string idle_keys_warning(io::Job job, const std::vector<std::string>& keys)
 }
 
 /// Throws InputError that names --palette, not the job key that the option sets, where the palette cannot be read.
-void check_palette(io::Job job, const std::vector<std::string>& keys, const std::string& palette) {
-  io::set_drawing_keys(job, keys);
-  io::load_palette(job, "--palette " + palette);
+void check_palette(Job job, const std::vector<std::string>& keys, const std::string& palette) {
+  set_drawing_keys(job, keys);
+  load_palette(job, "--palette " + palette);
 }
 
 /// Pictures of one result are none of another, nor of a run that is to go on.
 void check_takes_pictures(const std::string& folder) {
-  if (io::is_in_result(folder, io::kManifestName)) {
+  if (is_in_result(folder, kManifestName)) {
     throw InputError("--to " + folder + ": found a result there, allowed: a folder without one");
   }
-  if (io::CheckpointFolder(folder).has_any()) {
+  if (CheckpointFolder(folder).has_any()) {
     throw InputError("--to " + folder +
                      ": found the checkpoint of an interrupted run there, allowed: a folder without one");
   }
@@ -116,8 +116,8 @@ class DrawingLocks {
     if (!to.empty()) check_takes_pictures(to);  // nothing is written there
     lock_result(result, !to.empty());
     if (to.empty()) return;
-    io::prepare_output_directory(to);
-    pictures_.emplace(io::folder_lock_path(to), to);
+    prepare_output_directory(to);
+    pictures_.emplace(folder_lock_path(to), to);
     check_takes_pictures(to);  // nobody has made one since
   }
 
@@ -125,21 +125,21 @@ class DrawingLocks {
   /// A result where nothing can be written can be drawn elsewhere.
   void lock_result(const std::string& result, bool elsewhere) {
     try {
-      result_.emplace(io::folder_lock_path(result), result);
+      result_.emplace(folder_lock_path(result), result);
     } catch (const EnvironmentError&) {
       if (!elsewhere) throw;
     }
   }
 
-  std::optional<io::OutputLock> result_;
-  std::optional<io::OutputLock> pictures_;  // where they have a folder of their own
+  std::optional<OutputLock> result_;
+  std::optional<OutputLock> pictures_;  // where they have a folder of their own
 };
 
 int run(DrawArguments arguments) {
-  io::PictureRequest& wanted = arguments.request;
+  PictureRequest& wanted = arguments.request;
   if (!wanted.png && !wanted.svg && !wanted.pdf && !wanted.tiff) wanted.png = wanted.svg = true;
   wanted.keys = drawing_keys(arguments);
-  const io::Job job = job_of_result(arguments.folder);  // no lock is left where there is no result
+  const Job job = job_of_result(arguments.folder);  // no lock is left where there is no result
   if (!arguments.palette.empty()) check_palette(job, wanted.keys, arguments.palette);
   print_warning(idle_keys_warning(job, wanted.keys));
   const DrawingLocks locks(arguments.folder, wanted.to);
@@ -153,7 +153,7 @@ int run(DrawArguments arguments) {
 }
 
 CLI::Range width_range() {
-  const io::JobKey& key = *io::find_job_key("output", "width_px");
+  const JobKey& key = *find_job_key("output", "width_px");
   return {int(key.min), int(key.max)};
 }
 
@@ -162,7 +162,7 @@ bool is_colour(std::string_view text) {
 }
 
 std::string not_a_colour(const std::string& text) {
-  return is_colour(text) || text == io::kNoColour || text == io::kImageBackground
+  return is_colour(text) || text == kNoColour || text == kImageBackground
              ? ""
              : "found " + text + ", allowed: #rrggbb, none or image";
 }
@@ -173,7 +173,7 @@ std::string not_a_palette(const std::string& text) {
   const bool is_list = text.starts_with('#');
   return !is_list || std::all_of(colours.begin(), colours.end(), is_colour)
              ? ""
-             : "found " + text + ", allowed: " + joined(io::built_in_palettes()) +
+             : "found " + text + ", allowed: " + joined(built_in_palettes()) +
                    ", a palette file, or #rrggbb,#rrggbb,..";
 }
 
@@ -182,7 +182,7 @@ std::string not_a_palette(const std::string& text) {
 void add_draw_command(CLI::App& app, Command& selected) {
   const auto arguments = std::make_shared<DrawArguments>();
   CLI::App* draw = app.add_subcommand("draw", "Draw the pictures of a result, at any size");
-  draw->footer(kExamples);
+  draw->footer(kDrawExamples);
   draw->add_option("RESULT", arguments->folder, "The folder of the result")->required()->type_name("DIR");
   draw->add_option("--width", arguments->width_px,
                    "Of the pictures, which then have no size in mm; default: as the result's job says")

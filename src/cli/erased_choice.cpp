@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "io/job/canvas_file.h"
-#include "io/number_text.h"
-#include "io/result/erased_pieces.h"
-#include "io/result/polygon_pieces.h"
-#include "io/result/result_file.h"
+#include "job/canvas/canvas_file.h"
+#include "text/number_text.h"
+#include "result/erased_pieces.h"
+#include "result/polygon_pieces.h"
+#include "result/result_file.h"
 
 namespace tessera::cli {
 namespace {
@@ -15,15 +15,15 @@ namespace {
 /// As the command line has it.
 std::string text_of(const std::vector<float>& numbers) {
   std::string text;
-  for (const float number : numbers) text += (text.empty() ? "" : ",") + io::fixed(number, 1);
+  for (const float number : numbers) text += (text.empty() ? "" : ",") + fixed(number, 1);
   return text;
 }
 
 std::vector<int> numbered(const std::string& option, const std::vector<int>& given,
-                          const std::vector<io::PlacedPiece>& all) {
+                          const std::vector<PlacedPiece>& all) {
   const std::vector<int> pieces = piece_numbers(option, given, all.size());
   for (const int i : pieces) {
-    const io::PlacedPiece& piece = all[std::size_t(i)];
+    const PlacedPiece& piece = all[std::size_t(i)];
     if (!piece.locked) continue;
     throw InputError(option + ": found " + std::to_string(i) + ", \"" + piece.shape +
                      "\", which is locked; allowed: pieces without \"locked\" in pieces.geojson");
@@ -32,7 +32,7 @@ std::vector<int> numbered(const std::string& option, const std::vector<int>& giv
 }
 
 /// Locked ones stay, wherever they lie.
-std::vector<int> loose(const std::string& option, std::vector<int> pieces, const std::vector<io::PlacedPiece>& all) {
+std::vector<int> loose(const std::string& option, std::vector<int> pieces, const std::vector<PlacedPiece>& all) {
   const bool any = !pieces.empty();
   std::erase_if(pieces, [&](int i) { return all[std::size_t(i)].locked; });
   if (!pieces.empty()) return pieces;
@@ -40,26 +40,26 @@ std::vector<int> loose(const std::string& option, std::vector<int> pieces, const
                    ", needed: one at least that is not locked");
 }
 
-std::vector<int> in_box(const std::string& option, const std::vector<float>& px, const io::Job& job,
-                        const std::vector<io::PlacedPiece>& all) {
-  const std::vector<int> found = io::pieces_in({{px[0], px[1]}, {px[0] + px[2], px[1] + px[3]}}, all);
+std::vector<int> in_box(const std::string& option, const std::vector<float>& px, const Job& job,
+                        const std::vector<PlacedPiece>& all) {
+  const std::vector<int> found = pieces_in({{px[0], px[1]}, {px[0] + px[2], px[1] + px[3]}}, all);
   if (!found.empty()) return loose(option, found, all);
-  const Canvas canvas = io::canvas_of(job);
+  const Canvas canvas = canvas_of(job);
   throw InputError(
       option + ": found no piece with its centre in it; the canvas is " + std::to_string(canvas.width_px) + " x " +
       std::to_string(canvas.height_px) +
       " px, and X,Y,W,H are px of the canvas, not of collage.png: \"x_px\" and \"y_px\" in pieces.geojson");
 }
 
-std::vector<int> under_mask(const std::string& mask, const std::string& folder, const io::Job& job) {
+std::vector<int> under_mask(const std::string& mask, const std::string& folder, const Job& job) {
   constexpr double kWholly = 0.5;     // of a piece
   constexpr double kNearlyAll = 0.9;  // of the pieces
-  const Canvas canvas = io::canvas_of(job);
-  const io::ErasingMask marked = io::erasing_mask(mask, "--erase", canvas, io::path_in_result(folder, "collage.png"));
-  const std::string file = io::path_in_result(folder, "pieces.geojson");
-  const std::vector<JudgedPiece> pieces = io::read_polygon_pieces(file, canvas);
-  const std::vector<int> touched = io::pieces_under(marked.cells, pieces, canvas);
-  const std::size_t covered = io::pieces_under(marked.cells, pieces, canvas, kWholly).size();
+  const Canvas canvas = canvas_of(job);
+  const ErasingMask marked = erasing_mask(mask, "--erase", canvas, path_in_result(folder, "collage.png"));
+  const std::string file = path_in_result(folder, "pieces.geojson");
+  const std::vector<JudgedPiece> pieces = read_polygon_pieces(file, canvas);
+  const std::vector<int> touched = pieces_under(marked.cells, pieces, canvas);
+  const std::size_t covered = pieces_under(marked.cells, pieces, canvas, kWholly).size();
   if (marked.is_opaque && covered > 1 && double(covered) >= kNearlyAll * double(pieces.size())) {
     throw InputError("--erase " + mask + ": an opaque picture that covers " + std::to_string(covered) + " of " +
                      std::to_string(pieces.size()) +
@@ -83,8 +83,8 @@ std::vector<int> piece_numbers(const std::string& option, std::vector<int> piece
   return pieces;
 }
 
-std::vector<int> erased_pieces(const EraseArguments& arguments, const std::string& folder, const io::Job& job,
-                               const std::vector<io::PlacedPiece>& all) {
+std::vector<int> erased_pieces(const EraseArguments& arguments, const std::string& folder, const Job& job,
+                               const std::vector<PlacedPiece>& all) {
   if (!arguments.pieces.empty()) return numbered("--pieces", arguments.pieces, all);
   if (!arguments.swapped.empty()) return numbered("--swap", arguments.swapped, all);
   if (!arguments.box_px.empty()) {

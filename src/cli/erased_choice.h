@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "io/job/job_file.h"
-#include "io/result/placed_pieces.h"
+#include "job/job_file.h"
+#include "result/placed_pieces.h"
 
 namespace tessera::cli {
 
@@ -22,8 +22,8 @@ struct EraseArguments {
 /// Places of pieces, ascending, one at least and none that is locked: those in a rectangle or under a scribble stay.
 /// `folder`: of the result; `job`: the one that is to be run.
 /// Throws InputError that names the option, what was found and what is allowed.
-std::vector<int> erased_pieces(const EraseArguments& arguments, const std::string& folder, const io::Job& job,
-                               const std::vector<io::PlacedPiece>& all);
+std::vector<int> erased_pieces(const EraseArguments& arguments, const std::string& folder, const Job& job,
+                               const std::vector<PlacedPiece>& all);
 
 /// Ascending, each once. Throws InputError where one is none of `count` pieces.
 std::vector<int> piece_numbers(const std::string& option, std::vector<int> pieces, std::size_t count);

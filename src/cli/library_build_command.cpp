@@ -8,24 +8,24 @@
 #include <vector>
 
 #include "cli/build_summary.h"
-#include "cli/collage_warnings.h"
+#include "run/messages/collage_warnings.h"
 #include "cli/library_output.h"
-#include "cli/progress_bar.h"
-#include "cli/terminal.h"
+#include "terminal/progress_bar.h"
+#include "terminal/terminal.h"
 #include "comm/stop_signals.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
-#include "io/atomic_file.h"
-#include "io/available_cores.h"
-#include "io/drawing/drawers.h"
-#include "io/library/left_out_list.h"
-#include "io/library/library_builder.h"
-#include "io/output_lock.h"
+#include "files/atomic_file.h"
+#include "files/available_cores.h"
+#include "artwork/drawers/drawers.h"
+#include "library/left_out_list.h"
+#include "library/library_builder.h"
+#include "files/output_lock.h"
 
 namespace tessera::cli {
 namespace {
 
-constexpr char kExamples[] =
+constexpr char kLibraryBuildExamples[] =
     "Examples:\n"
     "  tessera library build /usr/share/openclipart/svg/animals -o animals.h5\n"
     "  tessera library build logos/ letters/a.png --glob '*.svg' --embed -o mine.h5\n"
@@ -39,47 +39,47 @@ struct BuildArguments {
   std::vector<std::string> sources;
   std::string output;
   std::string glob;
-  io::LibraryBuildSettings settings;
+  LibraryBuildSettings settings;
 };
 
-io::LibraryBuildReport build_with_progress(const BuildArguments& arguments, const io::ArtworkFiles& files) {
+LibraryBuildReport build_with_progress(const BuildArguments& arguments, const ArtworkFiles& files) {
   ProgressBar bar("library", files.paths.size());
-  const io::BuildProgress progress = [&](std::size_t done, std::size_t shapes) {
+  const BuildProgress progress = [&](std::size_t done, std::size_t shapes) {
     bar.update(done, count_text(shapes, "shape"));
   };
-  io::Drawers drawers({.processes = arguments.settings.files_at_a_time});
-  const io::LibraryBuildReport report = io::build_library(
-      files, arguments.output, arguments.settings, io::artwork_loader(drawers, arguments.settings.tracing), progress);
-  if (io::any_failed(drawers.layers())) print_warning(io::layers_note(drawers.layers()));
+  Drawers drawers({.processes = arguments.settings.files_at_a_time});
+  const LibraryBuildReport report = build_library(
+      files, arguments.output, arguments.settings, artwork_loader(drawers, arguments.settings.tracing), progress);
+  if (any_failed(drawers.layers())) print_warning(layers_note(drawers.layers()));
   return report;
 }
 
 /// Of a build that wrote nothing. The list of a library that stays is not replaced. Returns why the list could not be
 /// written; mostly empty.
-std::string tell_what_was_left_out(const BuildArguments& arguments, const io::LibraryBuildReport& report) {
+std::string tell_what_was_left_out(const BuildArguments& arguments, const LibraryBuildReport& report) {
   std::error_code error;
   if (std::filesystem::exists(arguments.output, error)) {
-    print_lines(io::left_out_list(report));
+    print_lines(left_out_list(report));
     return "";
   }
   try {
-    io::write_left_out_list(arguments.output, report);
-    print_line("all that was left out: %s", io::left_out_path(arguments.output).c_str());
+    write_left_out_list(arguments.output, report);
+    print_line("all that was left out: %s", left_out_path(arguments.output).c_str());
     return "";
   } catch (const EnvironmentError& failure) {
     return std::string("; ") + failure.what();
   }
 }
 
-[[noreturn]] void throw_not_written(const BuildArguments& arguments, const io::LibraryBuildReport& report) {
+[[noreturn]] void throw_not_written(const BuildArguments& arguments, const LibraryBuildReport& report) {
   const std::string list_problem = tell_what_was_left_out(arguments, report);
-  const io::UnusedFile& first = report.skipped.front();
+  const UnusedFile& first = report.skipped.front();
   const std::string why = report.shapes == 0 ? "no usable shape in " : "--strict; ";
   throw InputError(arguments.output + " was not written: " + why + build_counts(report) + "; the first is " +
                    first.path + ": " + first.reason + list_problem);
 }
 
-void throw_if_nothing_found(const BuildArguments& arguments, const io::ArtworkFiles& files) {
+void throw_if_nothing_found(const BuildArguments& arguments, const ArtworkFiles& files) {
   if (!files.paths.empty() || !files.left_out.empty()) return;
   throw InputError("no artwork in " + arguments.sources.front() +
                    (arguments.glob.empty() ? ": looked for svg, svgz, png, webp, tif, tiff, bmp, jpg and jpeg files"
@@ -95,20 +95,20 @@ int run(const BuildArguments& arguments) {
   check_is_number("--edge-opacity", arguments.settings.tracing.rules.edge_opacity);
   check_is_number("--delta-tau", arguments.settings.tracing.pad.delta_tau);
   const auto start = std::chrono::steady_clock::now();
-  const io::ArtworkFiles files = io::find_artwork(arguments.sources, arguments.glob);
+  const ArtworkFiles files = find_artwork(arguments.sources, arguments.glob);
   throw_if_nothing_found(arguments, files);
   check_replaceable(arguments.output);
-  const io::OutputLock lock(arguments.output + ".lock", arguments.output);
-  io::check_can_be_written(arguments.output);
-  io::check_left_out_list(arguments.output);
+  const OutputLock lock(arguments.output + ".lock", arguments.output);
+  check_can_be_written(arguments.output);
+  check_left_out_list(arguments.output);
   check_is_not_built_from(files.paths, arguments.output);
-  const io::LibraryBuildReport report = build_with_progress(arguments, files);
+  const LibraryBuildReport report = build_with_progress(arguments, files);
   const comm::StopDelay delay;  // for the list that belongs to it
   print_lines(build_summary(report));
   if (!report.written) throw_not_written(arguments, report);
-  io::write_left_out_list(arguments.output, report);
-  if (!io::left_out_list(report).empty()) {
-    print_line("all that was left out: %s", io::left_out_path(arguments.output).c_str());
+  write_left_out_list(arguments.output, report);
+  if (!left_out_list(report).empty()) {
+    print_line("all that was left out: %s", left_out_path(arguments.output).c_str());
   }
   const std::chrono::duration<double> elapsed_s = std::chrono::steady_clock::now() - start;
   print_line("%s, %.1f MB, %.1f s; of %s", arguments.output.c_str(),
@@ -121,11 +121,11 @@ int run(const BuildArguments& arguments) {
 
 void add_library_build_command(CLI::App& library, Command& selected) {
   const auto arguments = std::make_shared<BuildArguments>();
-  io::LibraryBuildSettings& settings = arguments->settings;
-  settings.files_at_a_time = io::available_cores();
+  LibraryBuildSettings& settings = arguments->settings;
+  settings.files_at_a_time = available_cores();
 
   CLI::App* build = library.add_subcommand("build", "Trace artwork files and write a library of shapes");
-  build->footer(kExamples);
+  build->footer(kLibraryBuildExamples);
   build->add_option("SOURCE", arguments->sources, "Artwork files, and folders that are searched to any depth")
       ->required();
   build->add_option("-o,--output", arguments->output, "The library file to write, replaced if it exists")

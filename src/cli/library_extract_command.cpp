@@ -11,23 +11,23 @@
 
 #include "cli/build_summary.h"
 #include "cli/library_output.h"
-#include "cli/progress_bar.h"
-#include "cli/terminal.h"
+#include "terminal/progress_bar.h"
+#include "terminal/terminal.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
-#include "io/atomic_file.h"
-#include "io/available_cores.h"
-#include "io/drawing/drawers.h"
-#include "io/elements/cut_outs.h"
-#include "io/elements/photo_extraction.h"
-#include "io/library/library_builder.h"
-#include "io/output_folder.h"
-#include "io/output_lock.h"
+#include "files/atomic_file.h"
+#include "files/available_cores.h"
+#include "artwork/drawers/drawers.h"
+#include "products/elements/cut_outs.h"
+#include "products/elements/photo_extraction.h"
+#include "library/library_builder.h"
+#include "files/output_folder.h"
+#include "files/output_lock.h"
 
 namespace tessera::cli {
 namespace {
 
-constexpr char kExamples[] =
+constexpr char kLibraryExtractExamples[] =
     "Examples:\n"
     "  tessera library extract wall.jpg --element-px 120 -o stones.h5 --overview found/\n"
     "  tessera library extract beach_*.jpg --element-px 60 --min 30 --max 200 -o pebbles.h5\n"
@@ -47,11 +47,11 @@ struct ExtractArguments {
   std::string ground;  // file
   int ground_px = 512;
   bool fill_holes = false;
-  io::ExtractionSettings settings;
+  ExtractionSettings settings;
 };
 
-std::string counts_text(const io::Extraction& extraction, const io::ExtractionSettings& settings) {
-  const io::FoundElements& found = extraction.found;
+std::string counts_text(const Extraction& extraction, const ExtractionSettings& settings) {
+  const FoundElements& found = extraction.found;
   const std::size_t count = found.elements.size();
   std::string text = count_text(count, "element");
   const auto add = [&](std::size_t left_out, const char* why) {
@@ -64,7 +64,7 @@ std::string counts_text(const io::Extraction& extraction, const io::ExtractionSe
   add(found.too_small, by_min ? "smaller than --min" : least);
   add(found.too_large, "larger than --max");
   add(found.too_many_pixels, "of more than 16 megapixels: a smaller copy of the photo will do");
-  if (found.too_small > 0 && !by_min && settings.enlarged < io::kMostEnlarged)
+  if (found.too_small > 0 && !by_min && settings.enlarged < kMostEnlarged)
     text += "; --enlarge " + std::to_string(settings.enlarged + 1) + " or more has smaller ones";
   return text;
 }
@@ -76,25 +76,25 @@ std::string overview_path(const ExtractArguments& arguments, const std::string& 
 
 void write_overview(const ExtractArguments& arguments, const std::string& photo, const std::vector<std::uint8_t>& png) {
   const std::string path = overview_path(arguments, photo);
-  io::write_file_atomically(path, png);
+  write_file_atomically(path, png);
   print_line("  overview: %s", path.c_str());
 }
 
-void write_ground(const ExtractArguments& arguments, const io::Extraction& extraction) {
-  io::write_file_atomically(arguments.ground, extraction.ground_png);
+void write_ground(const ExtractArguments& arguments, const Extraction& extraction) {
+  write_file_atomically(arguments.ground, extraction.ground_png);
   print_line("  ground: %s, %.0f %% of the photo", arguments.ground.c_str(), 100 * extraction.ground_part);
 }
 
-std::vector<io::CutOut> all_cut_outs(const ExtractArguments& arguments, io::Drawers& drawers) {
-  std::vector<io::CutOut> all;
+std::vector<CutOut> all_cut_outs(const ExtractArguments& arguments, Drawers& drawers) {
+  std::vector<CutOut> all;
   for (const std::string& photo : arguments.photos) {
-    io::ExtractionSettings settings = arguments.settings;
+    ExtractionSettings settings = arguments.settings;
     if (!arguments.ground.empty() && photo == arguments.photos.front()) settings.ground_px = arguments.ground_px;
-    io::Extraction extraction = io::extract_elements(photo, settings, drawers);
+    Extraction extraction = extract_elements(photo, settings, drawers);
     print_line("%s: %s", photo.c_str(), counts_text(extraction, settings).c_str());
     if (!arguments.overview.empty()) write_overview(arguments, photo, extraction.overview_png);
     if (!extraction.ground_png.empty()) write_ground(arguments, extraction);
-    for (io::CutOut& cut_out : extraction.cut_outs) all.push_back(std::move(cut_out));
+    for (CutOut& cut_out : extraction.cut_outs) all.push_back(std::move(cut_out));
   }
   if (all.empty()) {
     throw InputError(arguments.output + " was not written: no element is left of " +
@@ -105,18 +105,18 @@ std::vector<io::CutOut> all_cut_outs(const ExtractArguments& arguments, io::Draw
   return all;
 }
 
-io::LibraryBuildReport build(const ExtractArguments& arguments, const std::vector<io::CutOut>& cut_outs,
-                             io::Drawers& drawers) {
+LibraryBuildReport build(const ExtractArguments& arguments, const std::vector<CutOut>& cut_outs,
+                             Drawers& drawers) {
   ProgressBar bar("library", cut_outs.size());
-  const io::BuildProgress progress = [&](std::size_t done, std::size_t shapes) {
+  const BuildProgress progress = [&](std::size_t done, std::size_t shapes) {
     bar.update(done, count_text(shapes, "shape"));
   };
-  io::LibraryBuildSettings settings;
-  settings.files_at_a_time = io::available_cores();
+  LibraryBuildSettings settings;
+  settings.files_at_a_time = available_cores();
   settings.tracing.rules = {.keep_rectangles = true, .fill_holes = arguments.fill_holes};  // tiles; rings
-  io::ArtworkFiles files;
-  for (const io::CutOut& cut_out : cut_outs) files.paths.push_back(cut_out.path);
-  return io::build_library(files, arguments.output, settings, io::cut_out_loader(drawers, cut_outs, settings.tracing),
+  ArtworkFiles files;
+  for (const CutOut& cut_out : cut_outs) files.paths.push_back(cut_out.path);
+  return build_library(files, arguments.output, settings, cut_out_loader(drawers, cut_outs, settings.tracing),
                            progress);
 }
 
@@ -206,24 +206,24 @@ void check(const ExtractArguments& arguments) {
 class ExtractOutputs {
  public:
   explicit ExtractOutputs(const ExtractArguments& arguments) : library_(arguments.output + ".lock", arguments.output) {
-    io::check_can_be_written(arguments.output);
+    check_can_be_written(arguments.output);
     check_is_not_built_from(inputs(arguments), arguments.output);
     check_is_not_built_from(inputs(arguments), arguments.ground);
     if (!arguments.ground.empty()) {
       ground_.emplace(arguments.ground + ".lock", arguments.ground);
-      io::check_can_be_written(arguments.ground);
+      check_can_be_written(arguments.ground);
     }
     if (arguments.overview.empty()) return;
     overview_.emplace(arguments.overview);
-    overview_lock_.emplace(io::folder_lock_path(arguments.overview), arguments.overview);
-    for (const std::string& photo : arguments.photos) io::check_can_be_written(overview_path(arguments, photo));
+    overview_lock_.emplace(folder_lock_path(arguments.overview), arguments.overview);
+    for (const std::string& photo : arguments.photos) check_can_be_written(overview_path(arguments, photo));
   }
 
  private:
-  io::OutputLock library_;
-  std::optional<io::OutputLock> ground_;
-  std::optional<io::OutputFolder> overview_;
-  std::optional<io::OutputLock> overview_lock_;
+  OutputLock library_;
+  std::optional<OutputLock> ground_;
+  std::optional<OutputFolder> overview_;
+  std::optional<OutputLock> overview_lock_;
 };
 
 int run(ExtractArguments arguments) {
@@ -231,9 +231,9 @@ int run(ExtractArguments arguments) {
   check_replaceable(arguments.output);
   const ExtractOutputs outputs(arguments);
   arguments.settings.with_overview = !arguments.overview.empty();
-  io::Drawers drawers(io::photo_drawer_settings(io::available_cores()));
-  const std::vector<io::CutOut> cut_outs = all_cut_outs(arguments, drawers);
-  const io::LibraryBuildReport report = build(arguments, cut_outs, drawers);
+  Drawers drawers(photo_drawer_settings(available_cores()));
+  const std::vector<CutOut> cut_outs = all_cut_outs(arguments, drawers);
+  const LibraryBuildReport report = build(arguments, cut_outs, drawers);
   print_lines(build_summary(report));
   if (!report.written) throw InputError(arguments.output + " was not written: no element has a usable silhouette");
   print_line("%s, %s, %.1f MB", arguments.output.c_str(), count_text(report.shapes, "shape").c_str(),
@@ -248,7 +248,7 @@ void add_library_extract_command(CLI::App& library, Command& selected) {
   constexpr double kMostSide_px = 50'000;
   CLI::App* extract =
       library.add_subcommand("extract", "Find stones, tiles, coins in photos and make a library of them");
-  extract->footer(kExamples);
+  extract->footer(kLibraryExtractExamples);
   extract->add_option("PHOTO", arguments->photos, "Photographs, of any number of elements each")->required();
   extract->add_option("-o,--output", arguments->output, "The library file to write, replaced if it exists")
       ->required()
@@ -267,7 +267,7 @@ void add_library_extract_command(CLI::App& library, Command& selected) {
       ->add_option("--enlarge", arguments->settings.enlarged,
                    "Search and cut up the photo so many times larger; the other options stay in its own px. A library "
                    "needs elements of 24 px (square root of the area), and twice that for good outlines")
-      ->check(CLI::Range(1, io::kMostEnlarged));
+      ->check(CLI::Range(1, kMostEnlarged));
   extract->add_flag("--fill-holes", arguments->fill_holes, "What an element encloses counts as the shape: of rings");
   extract
       ->add_option("--labels", arguments->settings.labels,

@@ -5,17 +5,17 @@
 #include <string>
 #include <vector>
 
-#include "cli/terminal.h"
+#include "terminal/terminal.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
-#include "io/atomic_file.h"
-#include "io/library/contact_sheet.h"
-#include "io/library/library_file.h"
+#include "files/atomic_file.h"
+#include "library/contact_sheet.h"
+#include "library/storage/library_file.h"
 
 namespace tessera::cli {
 namespace {
 
-constexpr char kExamples[] =
+constexpr char kLibraryInfoExamples[] =
     "Examples:\n"
     "  tessera library info animals.h5\n"
     "  tessera library info animals.h5 --sheet animals.png\n"
@@ -33,7 +33,7 @@ std::size_t samples_per_shape() {
   return samples;
 }
 
-void print_counts(const io::LibraryFile& library, const io::LibrarySummary& summary) {
+void print_counts(const LibraryFile& library, const LibrarySummary& summary) {
   const PadParameters pad = library.pad_parameters();
   print_line("library         %s", library.path().c_str());
   print_line("shapes          %zu", summary.shapes);
@@ -56,7 +56,7 @@ void print_levels() {
   }
 }
 
-void print_bytes(const io::LibrarySummary& summary) {
+void print_bytes(const LibrarySummary& summary) {
   print_lines("\n");
   print_line("part                 bytes  bytes a shape");
   const auto row = [&](const std::string& part, std::uint64_t bytes) {
@@ -67,9 +67,9 @@ void print_bytes(const io::LibrarySummary& summary) {
   row("file", summary.file_bytes);
 }
 
-void print_names(const io::LibraryFile& library) {
+void print_names(const LibraryFile& library) {
   constexpr std::size_t kNamesAtATime = 1024;
-  constexpr io::LibraryParts kNames{.outline = false, .field = false, .levels = 0, .artwork = false, .original = false};
+  constexpr LibraryParts kNames{.outline = false, .field = false, .levels = 0, .artwork = false, .original = false};
   for (std::size_t at = 0; at < library.size() && printing_works(); at += kNamesAtATime) {
     for (const Shape& shape : library.read(at, at + kNamesAtATime, kNames)) print_line("%s", shape.name.c_str());
   }
@@ -77,17 +77,17 @@ void print_names(const io::LibraryFile& library) {
 
 int run(const InfoArguments& arguments) {
   check_sheet(arguments.sheet);
-  const io::LibraryFile library(arguments.library);
+  const LibraryFile library(arguments.library);
   if (arguments.names) {
     print_names(library);
     return 0;
   }
-  const io::LibrarySummary summary = library.summary();
+  const LibrarySummary summary = library.summary();
   print_counts(library, summary);
   print_levels();
   print_bytes(summary);
   if (arguments.sheet.empty()) return 0;
-  const std::size_t shown = io::write_contact_sheet(library, arguments.sheet);
+  const std::size_t shown = write_contact_sheet(library, arguments.sheet);
   print_lines("\n");
   print_line("%s: %s", arguments.sheet.c_str(), count_text(shown, "shape").c_str());
   return 0;
@@ -98,13 +98,13 @@ int run(const InfoArguments& arguments) {
 void check_sheet(const std::string& sheet) {
   if (sheet.empty()) return;
   if (!sheet.ends_with(".png")) throw InputError("--sheet: found " + sheet + ", allowed: a name that ends in .png");
-  io::check_can_be_written(sheet);
+  check_can_be_written(sheet);
 }
 
 void add_library_info_command(CLI::App& library, Command& selected) {
   const auto arguments = std::make_shared<InfoArguments>();
   CLI::App* info = library.add_subcommand("info", "Show what is in a library");
-  info->footer(kExamples);
+  info->footer(kLibraryInfoExamples);
   info->add_option("LIBRARY", arguments->library, "The library file")->required()->type_name("LIB.h5");
   info->add_option("--sheet", arguments->sheet, "Write a picture of its shapes (PNG)")->type_name("SHEET.png");
   info->add_flag("--names", arguments->names, "Print the names of the shapes instead, one a line")->excludes("--sheet");

@@ -8,7 +8,7 @@
 namespace tessera::cli {
 namespace {
 
-constexpr char kExamples[] =
+constexpr char kLibraryMergeExamples[] =
     "Examples:\n"
     "  tessera library merge animals.h5 birds.h5 -o zoo.h5\n"
     "Nothing is traced again. A shape with outline and colour of an earlier one is left out and told; shapes of one\n"
@@ -17,12 +17,12 @@ constexpr char kExamples[] =
     "read\n"
     "several libraries without merging them: library.files in docs/job-format.md.";
 
-struct CopyArguments {
-  io::LibraryChoice choice;
+struct MergeArguments {
+  LibraryChoice choice;
   std::string output;
 };
 
-int run(const CopyArguments& arguments) {
+int run(const MergeArguments& arguments) {
   copy_to_library(arguments.choice, arguments.output);
   return 0;
 }
@@ -30,9 +30,9 @@ int run(const CopyArguments& arguments) {
 }  // namespace
 
 void add_library_merge_command(CLI::App& library, Command& selected) {
-  const auto arguments = std::make_shared<CopyArguments>();
+  const auto arguments = std::make_shared<MergeArguments>();
   CLI::App* merge = library.add_subcommand("merge", "Make one library of several");
-  merge->footer(kExamples);
+  merge->footer(kLibraryMergeExamples);
   merge->add_option("LIBRARY", arguments->choice.files, "The libraries, two or more, in the order of their shapes")
       ->required()
       ->expected(2, -1)

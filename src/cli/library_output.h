@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "io/library/library_view.h"
+#include "library/library_view.h"
 
 namespace tessera::cli {
 
@@ -17,6 +17,6 @@ void check_replaceable(const std::string& output);
 /// Copies what `choice` says into a new library, with progress on stderr and what came of it on stdout. What `choice`
 /// reads is never replaced. The list of what an earlier build of `output` left out is replaced by that of the twins.
 /// Throws InputError and EnvironmentError; then nothing has changed.
-void copy_to_library(const io::LibraryChoice& choice, const std::string& output);
+void copy_to_library(const LibraryChoice& choice, const std::string& output);
 
 }  // namespace tessera::cli

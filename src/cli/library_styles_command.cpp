@@ -8,20 +8,20 @@
 #include <vector>
 
 #include "cli/library_info_command.h"
-#include "cli/terminal.h"
+#include "terminal/terminal.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "core/style/style_groups.h"
-#include "io/library/library_file.h"
-#include "io/library/style_reference.h"
-#include "io/library/style_sheet.h"
-#include "io/number_text.h"
-#include "io/utf8_text.h"
+#include "library/storage/library_file.h"
+#include "library/style_reference.h"
+#include "library/style_sheet.h"
+#include "text/number_text.h"
+#include "text/utf8_text.h"
 
 namespace tessera::cli {
 namespace {
 
-constexpr char kExamples[] =
+constexpr char kLibraryStylesExamples[] =
     "Examples:\n"
     "  tessera library styles clipart.h5                        what styles there are\n"
     "  tessera library styles clipart.h5 --sheet styles.png     see them: a group after the other\n"
@@ -43,12 +43,12 @@ struct Styles {
   std::vector<StylePlace> places;
 };
 
-Styles styles_of(const io::LibraryFile& library) {
+Styles styles_of(const LibraryFile& library) {
   constexpr std::size_t kHeadsAtATime = 1024;
   Styles styles;
   for (std::size_t at = 0; at < library.size(); at += kHeadsAtATime) {
-    for (const io::ShapeHead& head : library.heads(at, std::min(library.size(), at + kHeadsAtATime))) {
-      if (!head.style.known()) throw InputError(io::unknown_style_text(library.path(), head.name));
+    for (const ShapeHead& head : library.heads(at, std::min(library.size(), at + kHeadsAtATime))) {
+      if (!head.style.known()) throw InputError(unknown_style_text(library.path(), head.name));
       styles.names.push_back(head.name);
       styles.features.push_back(head.style);
       styles.places.push_back(style_place(head.style));
@@ -78,15 +78,15 @@ void print_names(const Styles& styles, const std::vector<StyleGroup>& groups) {
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const StylePlace& typical = styles.places[groups[g].members.front()];
     for (const std::uint32_t i : groups[g].members) {
-      const std::string distance = io::fixed(double(style_distance(styles.places[i], typical)), 2);
-      print_lines(std::to_string(g + 1) + "\t" + distance + "\t" + io::printable_utf8(styles.names[i]) + "\n");
+      const std::string distance = fixed(double(style_distance(styles.places[i], typical)), 2);
+      print_lines(std::to_string(g + 1) + "\t" + distance + "\t" + printable_utf8(styles.names[i]) + "\n");
     }
   }
 }
 
 int run(const StylesArguments& arguments) {
   check_sheet(arguments.sheet);
-  const io::LibraryFile library(arguments.library);
+  const LibraryFile library(arguments.library);
   const Styles styles = styles_of(library);
   const std::vector<StyleGroup> groups = style_groups(styles.places, arguments.groups);
   if (arguments.names) {
@@ -95,7 +95,7 @@ int run(const StylesArguments& arguments) {
   }
   print_table(styles, groups);
   if (arguments.sheet.empty()) return 0;
-  const std::size_t shown = io::write_style_sheet(library, groups, arguments.sheet);
+  const std::size_t shown = write_style_sheet(library, groups, arguments.sheet);
   print_lines("\n");
   print_line("%s: %s", arguments.sheet.c_str(), count_text(shown, "shape").c_str());
   return 0;
@@ -106,7 +106,7 @@ int run(const StylesArguments& arguments) {
 void add_library_styles_command(CLI::App& library, Command& selected) {
   const auto arguments = std::make_shared<StylesArguments>();
   CLI::App* styles = library.add_subcommand("styles", "Sort a library's drawings by style");
-  styles->footer(kExamples);
+  styles->footer(kLibraryStylesExamples);
   styles->add_option("LIBRARY", arguments->library, "The library file")->required()->type_name("LIB.h5");
   styles->add_option("--groups", arguments->groups, "How many groups of like style")
       ->check(CLI::Range(1, 64))

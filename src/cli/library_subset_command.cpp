@@ -9,7 +9,7 @@
 namespace tessera::cli {
 namespace {
 
-constexpr char kExamples[] =
+constexpr char kLibrarySubsetExamples[] =
     "Examples:\n"
     "  tessera library subset animals.h5 --include 'cat*' --include 'dog*' --exclude '*bird*' -o pets.h5\n"
     "  tessera library subset clipart.h5 --style-like owl --closest 200 -o like_the_owl.h5\n"
@@ -20,13 +20,13 @@ constexpr char kExamples[] =
     "of these; a name that is the pattern letter by letter wins. Quote it, or the shell takes it for files. A job can\n"
     "also choose by itself: library.include and library.exclude in docs/job-format.md.";
 
-struct CopyArguments {
-  io::LibraryChoice choice;
+struct SubsetArguments {
+  LibraryChoice choice;
   std::string output;
 };
 
-int run(const CopyArguments& arguments) {
-  const io::StyleChoice& style = arguments.choice.style;
+int run(const SubsetArguments& arguments) {
+  const StyleChoice& style = arguments.choice.style;
   if (arguments.choice.names.empty() && style.like.empty())
     throw InputError("library subset: nothing is chosen; needed: --include, --exclude or --style-like");
   if (!style.like.empty() && !style.closest && !style.within)
@@ -38,9 +38,9 @@ int run(const CopyArguments& arguments) {
 }  // namespace
 
 void add_library_subset_command(CLI::App& library, Command& selected) {
-  const auto arguments = std::make_shared<CopyArguments>();
+  const auto arguments = std::make_shared<SubsetArguments>();
   CLI::App* subset = library.add_subcommand("subset", "Make a library of some shapes of another");
-  subset->footer(kExamples);
+  subset->footer(kLibrarySubsetExamples);
   subset
       ->add_option_function<std::string>(
           "LIBRARY", [arguments](const std::string& file) { arguments->choice.files = {file}; }, "The library file")
@@ -51,7 +51,7 @@ void add_library_subset_command(CLI::App& library, Command& selected) {
   };
   add_globs("--include", arguments->choice.names.include, "Shapes with such names; may be repeated; default: all");
   add_globs("--exclude", arguments->choice.names.exclude, "But not those with such names; may be repeated");
-  io::StyleChoice& style = arguments->choice.style;
+  StyleChoice& style = arguments->choice.style;
   CLI::Option* like = add_globs("--style-like", style.like,
                                 "Shapes drawn like this one; may be repeated; auto: the style that prevails");
   subset->add_option("--closest", style.closest, "So many of them, the nearest in style")

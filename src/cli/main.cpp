@@ -16,10 +16,10 @@
 #include <vector>
 
 #include "cli/commands.h"
-#include "cli/exit_codes.h"
-#include "cli/foreign_end.h"
-#include "cli/terminal.h"
-#include "cli/time_limit.h"
+#include "terminal/exit_codes.h"
+#include "run/foreign_end.h"
+#include "terminal/terminal.h"
+#include "run/time_limit.h"
 #include "comm/in_process_communicator.h"
 #include "comm/launcher_check.h"
 #include "comm/mpi_guard.h"
@@ -28,8 +28,8 @@
 #include "core/base/error.h"
 #include "core/base/kept_memory.h"
 #include "core/base/version.h"
-#include "io/lack_of_memory.h"
-#include "io/leftover_file.h"
+#include "files/lack_of_memory.h"
+#include "files/leftover_file.h"
 
 namespace tessera::cli {
 namespace {
@@ -224,14 +224,14 @@ int run(int argc, char** argv) {
   occupy_standard_descriptors();
   ignore_closed_pipes();
   keep_freed_memory();
-  comm::end_at_once_when_signalled(io::remove_leftover_files);
+  comm::end_at_once_when_signalled(remove_leftover_files);
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of its writer, who then cleans up
   std::signal(SIGCHLD, SIG_DFL);  // whoever started us may have ignored it: then nobody learns how a child ended
   const Command command = parsed_command(argc, argv);
   const comm::RankProgram program{
       .run =
           [&](comm::Communicator& ranks) {
-            return io::with_lack_of_memory_named([&] { return printed_exit_code(run_command(command, ranks)); });
+            return with_lack_of_memory_named([&] { return printed_exit_code(run_command(command, ranks)); });
           },
       .report_error = print_message};
   if (started_by_launcher()) return comm::run_mpi_job(argc, argv, program, patience_of(command));
@@ -245,7 +245,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   const int exit_code = tessera::cli::run(argc, argv);
-  if (exit_code != tessera::cli::kUnfinishedExitCode) return exit_code;
+  if (exit_code != tessera::kUnfinishedExitCode) return exit_code;
   // A question that was given up may still be compiled by a thread of PoCL's, which crashes where LLVM is taken down.
   std::fflush(nullptr);
   std::_Exit(exit_code);

@@ -8,23 +8,23 @@
 
 #include "cli/collage_options.h"
 #include "cli/commands.h"
-#include "cli/exit_codes.h"
-#include "cli/job_output.h"
-#include "cli/shell_word.h"
-#include "cli/terminal.h"
+#include "terminal/exit_codes.h"
+#include "run/job_output.h"
+#include "terminal/shell_word.h"
+#include "terminal/terminal.h"
 #include "comm/stop_signals.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
-#include "io/elements/photo_extraction.h"
-#include "io/job/job_file.h"
-#include "io/library/library_view.h"
-#include "io/mosaic/face_search.h"
-#include "io/mosaic/mosaic_files.h"
+#include "products/elements/photo_extraction.h"
+#include "job/job_file.h"
+#include "library/library_view.h"
+#include "products/mosaic/face_search.h"
+#include "products/mosaic/mosaic_files.h"
 
 namespace tessera::cli {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kMosaicExamples =
     "Examples:\n"
     "  tessera mosaic portrait.jpg tiles.h5\n"
     "  tessera mosaic portrait.jpg tiles.h5 emoji.h5 --pieces 8000 --shift 8 --out large\n"
@@ -43,21 +43,21 @@ constexpr const char* kExamples =
 constexpr double kMostShift = 100;  // CIEDE2000: between any two colours
 
 struct MosaicArguments {
-  io::MosaicRequest request;
+  MosaicRequest request;
   CollageArguments collage;
   bool job_only = false;
 };
 
-std::string job_path(const io::MosaicRequest& request) {
+std::string job_path(const MosaicRequest& request) {
   return request.job.empty() ? std::filesystem::path(request.image).stem().string() + ".toml" : request.job;
 }
 
 /// All files or none. What is wrong with the overrides is wrong with the command: it leaves nothing behind.
-void write_checked(const MosaicArguments& arguments, const io::Mosaic& mosaic) {
+void write_checked(const MosaicArguments& arguments, const Mosaic& mosaic) {
   const comm::StopDelay delay;
-  const std::vector<std::string> new_files = io::write_mosaic(mosaic);
+  const std::vector<std::string> new_files = write_mosaic(mosaic);
   try {
-    io::load_job(arguments.request.job, arguments.collage.overrides);
+    load_job(arguments.request.job, arguments.collage.overrides);
   } catch (const InputError&) {
     std::error_code ignored;
     for (const std::string& path : new_files) std::filesystem::remove(path, ignored);
@@ -65,7 +65,7 @@ void write_checked(const MosaicArguments& arguments, const io::Mosaic& mosaic) {
   }
 }
 
-void print_faces(const io::MosaicRequest& request, const io::Mosaic& mosaic) {
+void print_faces(const MosaicRequest& request, const Mosaic& mosaic) {
   if (const int faces = mosaic.faces.value_or(0); faces > 0) {
     print_line("%s, with the smallest pieces on eyes and mouth%s", count_text(std::size_t(faces), "face").c_str(),
                faces > 1 ? "s" : "");
@@ -88,22 +88,22 @@ std::string next_command(const MosaicArguments& arguments) {
 }
 
 void write_job(const MosaicArguments& arguments) {
-  io::MosaicRequest request = arguments.request;
+  MosaicRequest request = arguments.request;
   if (std::isnan(request.shift)) throw InputError("--shift: found nan, allowed: a number");
-  const io::LibraryView library({.files = request.libraries, .names = {}});  // a slip of the pen costs no time
+  const LibraryView library({.files = request.libraries, .names = {}});  // a slip of the pen costs no time
   request.shapes = library.size();
-  request.face_cascade = io::face_cascade_file();
-  io::Drawers drawers(io::photo_drawer_settings(1));
-  const io::Mosaic mosaic = io::make_mosaic(request, drawers);
+  request.face_cascade = face_cascade_file();
+  Drawers drawers(photo_drawer_settings(1));
+  const Mosaic mosaic = make_mosaic(request, drawers);
   write_checked(arguments, mosaic);
-  const io::MosaicPlan& plan = mosaic.plan;
+  const MosaicPlan& plan = mosaic.plan;
   if (arguments.collage.quiet) return;
   const std::string regions = mosaic.regions > 0 ? "; " + count_text(std::size_t(mosaic.regions), "region") + ": " +
-                                                       io::region_picture_path(request.job)
+                                                       region_picture_path(request.job)
                                                  : "";
   print_line("%s: %d x %d px, about %d pieces of %g to %g px out of %s; sizes: %s%s", request.job.c_str(),
              plan.canvas_px.width, plan.canvas_px.height, plan.pieces, plan.min_scale_px, plan.max_scale_px,
-             count_text(library.size(), "shape").c_str(), io::size_map_path(request.job).c_str(), regions.c_str());
+             count_text(library.size(), "shape").c_str(), size_map_path(request.job).c_str(), regions.c_str());
   print_faces(request, mosaic);
   if (arguments.job_only) print_line("next: %s", next_command(arguments).c_str());
   print_now();
@@ -112,7 +112,7 @@ void write_job(const MosaicArguments& arguments) {
 /// Rank 0: the job, and then the collage.
 int write_and_run(const MosaicArguments& arguments, comm::Communicator& ranks) {
   const std::string& job = arguments.request.job;
-  const JobOutput output(arguments.collage, {io::size_map_path(job), io::region_picture_path(job)}, arguments.job_only);
+  const JobOutput output(arguments.collage, {size_map_path(job), region_picture_path(job)}, arguments.job_only);
   write_job(arguments);
   return arguments.job_only ? kDoneExitCode : collage_exit_code(arguments.collage, ranks);
 }
@@ -129,9 +129,9 @@ int run(MosaicArguments arguments, comm::Communicator& ranks) {
 
 void add_mosaic_command(CLI::App& app, Command& selected) {
   const auto arguments = std::make_shared<MosaicArguments>();
-  io::MosaicRequest& request = arguments->request;
+  MosaicRequest& request = arguments->request;
   CLI::App* mosaic = app.add_subcommand("mosaic", "Show an image by the colours of a library's pieces");
-  mosaic->footer(kExamples);
+  mosaic->footer(kMosaicExamples);
   mosaic->add_option("IMAGE", request.image, "What is to be seen from afar")->required()->type_name("FILE");
   mosaic->add_option("LIB", request.libraries, "Libraries of the pieces")->required()->type_name("LIB.h5");
   mosaic->add_option("--pieces", request.pieces, "About so many pieces, 100 to 40000; more show more of the image")

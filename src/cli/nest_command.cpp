@@ -2,12 +2,12 @@
 
 #include "cli/commands.h"
 #include "cli/list_option.h"
-#include "cli/nest_run.h"
+#include "run/nesting/nest_run.h"
 
 namespace tessera::cli {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kNestExamples =
     "Examples:\n"
     "  tessera nest parts.svg --strip 600                      the shortest strip, 600 mm high: out/parts\n"
     "  tessera nest parts.dxf --sheet 1000,500 --spacing 2     as few sheets as it takes, 2 mm between pieces\n"
@@ -29,7 +29,7 @@ constexpr const char* kExamples =
 void add_nest_command(CLI::App& app, Command& selected) {
   const auto arguments = std::make_shared<NestArguments>();
   CLI::App* command = app.add_subcommand("nest", "Lay shapes of fixed sizes densely on a strip or on sheets");
-  command->footer(kExamples);
+  command->footer(kNestExamples);
   command->add_option("INPUT", arguments->input, "What is laid")->required()->type_name("PATH");
   command
       ->add_option("--strip", arguments->strip_mm,

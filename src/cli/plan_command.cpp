@@ -2,23 +2,23 @@
 #include <string>
 #include <vector>
 
-#include "cli/checked_job.h"
-#include "cli/collage_warnings.h"
+#include "run/checked_job.h"
+#include "run/messages/collage_warnings.h"
 #include "cli/commands.h"
-#include "cli/plan_estimate.h"
-#include "cli/plan_text.h"
-#include "cli/terminal.h"
+#include "plan/plan_estimate.h"
+#include "plan/plan_text.h"
+#include "terminal/terminal.h"
 #include "core/base/error.h"
 #include "core/field/free_field.h"
 #include "core/matching/sized_settings.h"
-#include "io/job/job_file.h"
-#include "io/job/palette.h"
-#include "io/job/picture_size.h"
+#include "job/job_file.h"
+#include "job/palette.h"
+#include "job/picture_size.h"
 
 namespace tessera::cli {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kPlanExamples =
     "Examples:\n"
     "  tessera plan jobs/animals.toml --ranks 5\n"
     "  tessera plan my.toml --set quality=best          with eight times as much improving as the usual \"good\"\n"
@@ -37,16 +37,16 @@ struct PlanArguments {
 };
 
 PlanInput plan_input(const PlanArguments& arguments) {
-  io::Job job = io::load_job(arguments.job, arguments.overrides);
-  const io::LibraryView library = checked_library(job);
+  Job job = load_job(arguments.job, arguments.overrides);
+  const LibraryView library = checked_library(job);
   Canvas canvas = checked_canvas(library, job);
   const double room_part = limit_to_room(library, job, canvas);
   if (room_part >= 1) print_warning(outline_alone_warning(job, canvas));
-  io::load_palette(job);  // what is wrong with it shows before the queue, too
-  const io::OutputSpec output = io::on_paper(job.output, job.canvas, canvas);
+  load_palette(job);  // what is wrong with it shows before the queue, too
+  const OutputSpec output = on_paper(job.output, job.canvas, canvas);
   const CollageSettings settings = with_sizes_times(job.size_factor, job.settings);
   const Window nodes = free_field_grid(canvas, settings.pieces).nodes();
-  const cv::Size picture_px = io::picture_size_px(output, canvas);
+  const cv::Size picture_px = picture_size_px(output, canvas);
   const MatchingContext context = make_matching_context(settings, std::uint32_t(library.size()));
   return {.settings = settings,
           .canvas_px2 = room_part * canvas.area_px2,
@@ -77,7 +77,7 @@ int run(const PlanArguments& arguments) {
 void add_plan_command(CLI::App& app, Command& selected) {
   const auto arguments = std::make_shared<PlanArguments>();
   CLI::App* plan = app.add_subcommand("plan", "Estimate what a job needs on a cluster");
-  plan->footer(kExamples);
+  plan->footer(kPlanExamples);
   plan->add_option("JOB", arguments->job, "The job file")->required()->type_name("FILE");
   plan->add_option("--ranks", arguments->ranks, "A master and workers")
       ->type_name("N")

@@ -11,30 +11,30 @@
 #include <vector>
 
 #include "cli/collage_options.h"
-#include "cli/collage_warnings.h"
+#include "run/messages/collage_warnings.h"
 #include "cli/commands.h"
-#include "cli/exit_codes.h"
-#include "cli/job_output.h"
+#include "terminal/exit_codes.h"
+#include "run/job_output.h"
 #include "cli/list_option.h"
-#include "cli/progress_bar.h"
-#include "cli/shell_word.h"
-#include "cli/terminal.h"
-#include "cli/time_limit.h"
+#include "terminal/progress_bar.h"
+#include "terminal/shell_word.h"
+#include "terminal/terminal.h"
+#include "run/time_limit.h"
 #include "comm/stop_signals.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "core/base/interrupted.h"
-#include "core/puzzle/puzzle_solver.h"
-#include "io/new_folder.h"
-#include "io/number_text.h"
-#include "io/puzzle/puzzle_making.h"
-#include "io/puzzle/puzzle_solving.h"
-#include "io/utf8_text.h"
+#include "products/puzzle/puzzle_solver.h"
+#include "files/new_folder.h"
+#include "text/number_text.h"
+#include "products/puzzle/puzzle_making.h"
+#include "products/puzzle/puzzle_solving.h"
+#include "text/utf8_text.h"
 
 namespace tessera::cli {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kPuzzleExamples =
     "Examples:\n"
     "  tessera puzzle make photo.jpg --pieces 36 --out jigsaw      jigsaw/pieces/piece_001.png ..., jigsaw/truth\n"
     "  tessera library build jigsaw/pieces -o jigsaw.h5 --puzzle\n"
@@ -68,7 +68,7 @@ const std::map<std::string, CutStyle> kCuts = {
     {"tabs", CutStyle::tabs}, {"polygons", CutStyle::polygons}, {"rectangles", CutStyle::rectangles}};
 
 struct MakeArguments {
-  io::PuzzleRequest request;
+  PuzzleRequest request;
   std::string folder;
   std::string cut = "tabs";
 };
@@ -81,17 +81,17 @@ std::string folder_of(const MakeArguments& arguments) {
 }
 
 int make(MakeArguments arguments) {
-  io::PuzzleRequest& request = arguments.request;
+  PuzzleRequest& request = arguments.request;
   request.style = kCuts.at(arguments.cut);
   const std::string out = folder_of(arguments);
-  io::NewFolder new_folder(out);
-  io::Drawers drawers(io::photo_drawer_settings(1));
-  const io::MadePuzzle made = io::make_puzzle(request, drawers);
+  NewFolder new_folder(out);
+  Drawers drawers(photo_drawer_settings(1));
+  const MadePuzzle made = make_puzzle(request, drawers);
   {
     const comm::StopDelay delay;  // before, a signal ends the command at once
     if (!new_folder.write(made.files, comm::stop_signalled)) return kUnfinishedExitCode;
   }
-  const std::string folder = io::printable_utf8(out);
+  const std::string folder = printable_utf8(out);
   print_line("%s: %s of a picture of %d x %d px", folder.c_str(), count_text(std::size_t(made.pieces), "piece").c_str(),
              made.width_px, made.height_px);
   const std::string library = shell_word(out + ".h5");
@@ -103,7 +103,7 @@ int make(MakeArguments arguments) {
 }
 
 struct SolveArguments {
-  io::SolvingRequest request;
+  SolvingRequest request;
   CollageArguments collage;
   bool job_only = false;
 };
@@ -112,7 +112,7 @@ std::string listed(const std::vector<std::string>& names) {
   constexpr std::size_t kMost = 10;
   std::string text;
   for (std::size_t i = 0; i < std::min(kMost, names.size()); ++i)
-    text += (i > 0 ? ", " : "") + io::printable_utf8(names[i]);
+    text += (i > 0 ? ", " : "") + printable_utf8(names[i]);
   return names.size() > kMost ? text + " and " + count_text(names.size() - kMost, "other") : text;
 }
 
@@ -121,20 +121,20 @@ bool has_frame(const SolveArguments& arguments) {
 }
 
 /// The size of all pieces together, and the option that gives the frame that size.
-std::string loose_size(const io::SolvedPuzzle& solved) {
+std::string loose_size(const SolvedPuzzle& solved) {
   const std::string width = std::to_string(solved.loose_width_px), height = std::to_string(solved.loose_height_px);
   return width + " x " + height + " px (--size " + width + "," + height + ", or the same turned)";
 }
 
 /// How to go on where all pieces fit each other, but not in the frame.
-std::string shape_advice(const io::SolvedPuzzle& solved) {
+std::string shape_advice(const SolvedPuzzle& solved) {
   return "; without a frame all of them fit each other: the frame of " + std::to_string(solved.width_px) + " x " +
          std::to_string(solved.height_px) + " px has another shape or size than the puzzle, which takes " +
          loose_size(solved);
 }
 
 /// How to go on where pieces found no place, by what was given.
-std::string advice(const SolveArguments& arguments, const io::SolvedPuzzle& solved) {
+std::string advice(const SolveArguments& arguments, const SolvedPuzzle& solved) {
   if (!has_frame(arguments)) return "";
   if (solved.loose_width_px > 0) return shape_advice(solved);
   const std::string shape =
@@ -144,7 +144,7 @@ std::string advice(const SolveArguments& arguments, const io::SolvedPuzzle& solv
 }
 
 /// What is not as it should be, beside pieces that are left over.
-std::string doubt(const SolveArguments& arguments, const io::SolvedPuzzle& solved) {
+std::string doubt(const SolveArguments& arguments, const SolvedPuzzle& solved) {
   constexpr double kLeastFilled = 0.99;
   if (solved.gaps > kMostPuzzleGaps)
     return "there are narrow gaps between pieces: not all of them belong where they lie";
@@ -161,19 +161,19 @@ std::string doubt(const SolveArguments& arguments, const io::SolvedPuzzle& solve
 }
 
 std::string erosion_text(double erosion_px) {
-  return erosion_px > 0 ? "; they are " + io::fixed(erosion_px, 2) + " px smaller all round than they were cut" : "";
+  return erosion_px > 0 ? "; they are " + fixed(erosion_px, 2) + " px smaller all round than they were cut" : "";
 }
 
 /// How far pieces lie from where they belong: those that are right, and where others are laid, those too.
 std::string off_text(const PuzzleAgreement& agreement) {
   if (agreement.laid == 0) return "none of them was laid";
-  const std::string right = io::fixed(agreement.worst_px, 2) + " px off at most";
+  const std::string right = fixed(agreement.worst_px, 2) + " px off at most";
   if (agreement.right == agreement.laid) return right;
   return "these " + right + ", the other " + std::to_string(agreement.laid - agreement.right) +
-         " that were laid up to " + io::fixed(agreement.farthest_px, 2) + " px";
+         " that were laid up to " + fixed(agreement.farthest_px, 2) + " px";
 }
 
-void report(const SolveArguments& arguments, const io::SolvedPuzzle& solved) {
+void report(const SolveArguments& arguments, const SolvedPuzzle& solved) {
   if (!solved.left_over.empty()) {
     print_warning(std::to_string(solved.left_over.size()) + " of " + count_text(solved.pieces, "piece") +
                   " found no place" + (has_frame(arguments) ? " in the frame" : "") + ": " + listed(solved.left_over) +
@@ -182,13 +182,13 @@ void report(const SolveArguments& arguments, const io::SolvedPuzzle& solved) {
   print_warning(doubt(arguments, solved));
   if (!arguments.collage.quiet) {
     print_line("%s: %zu of %s on %d x %d px, %.2f %% of it covered, scale %.4g%s",
-               io::printable_utf8(arguments.request.job).c_str(), solved.placed,
+               printable_utf8(arguments.request.job).c_str(), solved.placed,
                count_text(solved.pieces, "piece").c_str(), solved.width_px, solved.height_px, 100 * solved.covered,
                solved.scale, erosion_text(solved.erosion_px).c_str());
   }
   if (solved.agreement) {  // who asks for it wants to know
     print_line("by %s: %d of %zu right (within 2 px, 1 degree, 1 %%), %s",
-               io::printable_utf8(arguments.request.truth).c_str(), solved.agreement->right, solved.pieces,
+               printable_utf8(arguments.request.truth).c_str(), solved.agreement->right, solved.pieces,
                off_text(*solved.agreement).c_str());
   }
   if (arguments.job_only && !arguments.collage.quiet)
@@ -232,7 +232,7 @@ int solve_and_report(SolveArguments& arguments, const comm::Communicator& ranks)
   try {
     SolvingWatch watch(arguments.collage, ranks);
     arguments.request.watch = [&](const PuzzleProgress& at) { watch.look(at); };
-    const io::SolvedPuzzle solved = io::write_solved_puzzle(arguments.request);
+    const SolvedPuzzle solved = write_solved_puzzle(arguments.request);
     report(arguments, solved);
     return solved.left_over.empty() ? kDoneExitCode : kIncompleteExitCode;
   } catch (const Interrupted&) {
@@ -243,7 +243,7 @@ int solve_and_report(SolveArguments& arguments, const comm::Communicator& ranks)
 
 /// Rank 0: the job, and then the collage.
 int solve_and_collage(SolveArguments& arguments, comm::Communicator& ranks) {
-  const JobOutput output(arguments.collage, {io::solution_path(arguments.request.job)}, arguments.job_only);
+  const JobOutput output(arguments.collage, {solution_path(arguments.request.job)}, arguments.job_only);
   const int solved = solve_and_report(arguments, ranks);
   if (solved == kUnfinishedExitCode || arguments.job_only) return solved;
   comm::end_stop_handlers();  // until the collage has something to lose
@@ -253,7 +253,7 @@ int solve_and_collage(SolveArguments& arguments, comm::Communicator& ranks) {
 
 /// Rank 0 alone lays the pieces and writes the job; the workers get it from there as of any collage.
 int solve(SolveArguments arguments, comm::Communicator& ranks) {
-  io::SolvingRequest& request = arguments.request;
+  SolvingRequest& request = arguments.request;
   if (request.job.empty()) request.job = std::filesystem::path(request.library).stem().string() + ".toml";
   if (request.scale && std::isnan(*request.scale)) throw InputError("--scale: found nan, allowed: a number");
   arguments.collage.job = request.job;
@@ -263,7 +263,7 @@ int solve(SolveArguments arguments, comm::Communicator& ranks) {
 
 void add_make(CLI::App& puzzle, Command& selected) {
   const auto arguments = std::make_shared<MakeArguments>();
-  io::PuzzleRequest& request = arguments->request;
+  PuzzleRequest& request = arguments->request;
   CLI::App* command = puzzle.add_subcommand("make", "Cut a picture into pieces that interlock, and mix them");
   command->footer(kMakeExamples);
   command->add_option("IMAGE", request.picture, "JPEG, PNG, TIFF, WebP or BMP; of an SVG its silhouette is cut")
@@ -281,7 +281,7 @@ void add_make(CLI::App& puzzle, Command& selected) {
 
 void add_solve(CLI::App& puzzle, Command& selected) {
   const auto arguments = std::make_shared<SolveArguments>();
-  io::SolvingRequest& request = arguments->request;
+  SolvingRequest& request = arguments->request;
   CLI::App* command = puzzle.add_subcommand("solve", "Lay a puzzle's pieces beside each other as they were cut");
   command->footer(kSolveExamples);
   command->add_option("LIB", request.library, "The pieces")->required()->type_name("LIB.h5");
@@ -316,7 +316,7 @@ void add_solve(CLI::App& puzzle, Command& selected) {
 
 void add_puzzle_command(CLI::App& app, Command& selected) {
   CLI::App* puzzle = app.add_subcommand("puzzle", "Jigsaws: cut pictures up, lay pieces together");
-  puzzle->footer(kExamples);
+  puzzle->footer(kPuzzleExamples);
   puzzle->require_subcommand(1);
   add_make(*puzzle, selected);
   add_solve(*puzzle, selected);

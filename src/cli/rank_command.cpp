@@ -1,12 +1,12 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "cli/ranking_run.h"
+#include "run/ranking_run.h"
 
 namespace tessera::cli {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kRankExamples =
     "Examples:\n"
     "  tessera rank out/campaign                        all results in a folder\n"
     "  tessera rank out/a out/b --out out/a_or_b\n"
@@ -29,7 +29,7 @@ constexpr const char* kExamples =
 void add_rank_command(CLI::App& app, Command& selected) {
   const auto arguments = std::make_shared<RankingArguments>();
   CLI::App* rank = app.add_subcommand("rank", "Compare results by their quality cards");
-  rank->footer(kExamples);
+  rank->footer(kRankExamples);
   rank->add_option("DIR", arguments->folders, "Results, or folders of results")->required()->type_name("DIR...");
   rank->add_option("--out", arguments->out, "Folder for the ranking; default: DIR where there is one, else out/ranking")
       ->type_name("DIR");

@@ -9,20 +9,20 @@
 #include "cli/commands.h"
 #include "cli/erased_choice.h"
 #include "cli/list_option.h"
-#include "cli/ranking_run.h"
-#include "cli/refined_result.h"
-#include "cli/terminal.h"
+#include "run/ranking_run.h"
+#include "run/refined_result.h"
+#include "terminal/terminal.h"
 #include "core/base/error.h"
-#include "io/job/job_keys.h"
-#include "io/output_folder.h"
-#include "io/output_lock.h"
-#include "io/result/collage_sheet.h"
-#include "io/result/placed_pieces.h"
+#include "job/job_keys.h"
+#include "files/output_folder.h"
+#include "files/output_lock.h"
+#include "render/collage_sheet.h"
+#include "result/placed_pieces.h"
 
 namespace tessera::cli {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kRefineExamples =
     "Examples:\n"
     "  tessera refine out/animals --relax                 all pieces move once: out/animals-relaxed\n"
     "  tessera refine out/animals --relax --trials 300    then pieces are exchanged, go out and others come in\n"
@@ -72,7 +72,7 @@ struct Action {
   std::vector<std::string> keys;
 };
 
-std::vector<std::string> names_of(const std::vector<int>& pieces, const std::vector<io::PlacedPiece>& all) {
+std::vector<std::string> names_of(const std::vector<int>& pieces, const std::vector<PlacedPiece>& all) {
   std::set<std::string> names;
   for (const int i : pieces) names.insert(all[std::size_t(i)].shape);
   return {names.begin(), names.end()};
@@ -80,7 +80,7 @@ std::vector<std::string> names_of(const std::vector<int>& pieces, const std::vec
 
 /// What is done to single pieces is noted in `result`.
 Action action_of(const RefineArguments& arguments, const std::string& job, RefinedResult& result) {
-  const std::vector<io::PlacedPiece> all = io::read_placed_pieces(result.folder);
+  const std::vector<PlacedPiece> all = read_placed_pieces(result.folder);
   result.locked = piece_numbers("--lock", arguments.locked, all.size());
   result.relaxes = arguments.relax;
   if (arguments.relax) return {"-relaxed", relaxing_keys(result, arguments.trials)};
@@ -89,7 +89,7 @@ Action action_of(const RefineArguments& arguments, const std::string& job, Refin
   }
   check_can_be_erased(result, all);
   const EraseArguments& erase = arguments.erase;
-  result.erased = erased_pieces(erase, result.folder, io::load_job(job, arguments.collage.overrides), all);
+  result.erased = erased_pieces(erase, result.folder, load_job(job, arguments.collage.overrides), all);
   if (!arguments.collage.quiet) {
     print_line("%zu of %zu %s", result.erased.size(), all.size(), all.size() == 1 ? "piece goes" : "pieces go");
   }
@@ -124,9 +124,9 @@ int make_variants(const RefineArguments& arguments, comm::Communicator& ranks) {
         "the new result makes an array of jobs");
   }
   const CollageArguments all = collage_of(arguments);
-  const std::uint64_t first_seed = io::load_job(all.job, all.overrides).settings.seed;
-  const io::OutputFolder folder(all.out);
-  const io::OutputLock lock(io::folder_lock_path(all.out), all.out);
+  const std::uint64_t first_seed = load_job(all.job, all.overrides).settings.seed;
+  const OutputFolder folder(all.out);
+  const OutputLock lock(folder_lock_path(all.out), all.out);
   RankingArguments ranking{.folders = {}, .out = all.out, .weights = {}};
   bool all_complete = true;
   for (int k = 0; k < arguments.variants; ++k) {
@@ -193,12 +193,12 @@ void add_actions(CLI::App& refine, RefineArguments& arguments) {
 void add_refine_command(CLI::App& app, Command& selected) {
   const auto arguments = std::make_shared<RefineArguments>();
   CLI::App* refine = app.add_subcommand("refine", "Improve a finished result without making it anew");
-  refine->footer(kExamples);
+  refine->footer(kRefineExamples);
   refine->add_option("RESULT", arguments->result, "The folder of the result")->required()->type_name("DIR");
   add_actions(*refine, *arguments);
   add_list_option(*refine, "--lock", arguments->locked, "These stay where they are, now and in later refinements",
                   {.type_name = "N,N.."});
-  const io::JobKey& trials = *io::find_job_key("improve", "trials");
+  const JobKey& trials = *find_job_key("improve", "trials");
   refine
       ->add_option("--trials", arguments->trials,
                    "Of improving, the first of which relaxes (improve.trials); default: 1, or one for each region")
@@ -209,7 +209,7 @@ void add_refine_command(CLI::App& app, Command& selected) {
       ->add_option("--variants", arguments->variants,
                    "So many results with as many seeds, from the job's on, in folders of DIR, ranked (tessera rank)")
       ->type_name("N")
-      ->check(CLI::Range(2, int(io::kMaxSheetCollages)));
+      ->check(CLI::Range(2, int(kMaxSheetCollages)));
   add_collage_options(*refine, arguments->collage,
                       "<RESULT>-relaxed, -deformed, -voronoi, -erased, -swapped or -variants");
   refine->callback([arguments, &selected] {

@@ -134,7 +134,7 @@ void serialize(Archive& archive, tessera::RepetitionCosts& costs, unsigned) {
 }
 
 template <class Archive>
-void serialize(Archive& archive, tessera::DrawnPiece& piece, unsigned) {
+void serialize(Archive& archive, tessera::PlacedDrawing& piece, unsigned) {
   archive& piece.drawing& piece.centre_px& piece.scale_px;
 }
 

@@ -10,7 +10,7 @@
 #include "core/geometry/extent.h"
 #include "core/matching/size_schedule.h"
 #include "core/shape/shape_field.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera::master {
 namespace {

@@ -19,7 +19,7 @@
 #include "core/field/target_curve.h"
 #include "core/matching/match_round.h"
 #include "core/matching/matching_context.h"
-#include "core/settings.h"
+#include "core/settings/settings.h"
 #include "core/shape/shape_source.h"
 #include "master/exact_checks.h"
 #include "master/kept_apart.h"

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "core/base/portable_math.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 #include "master/collage.h"
 
 namespace tessera::master {

@@ -16,7 +16,7 @@
 #include "core/base/stopwatch.h"
 #include "core/matching/sized_settings.h"
 #include "core/replacing/own_replacer.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 #include "master/collage.h"
 #include "master/filling.h"
 #include "master/improving.h"

@@ -7,7 +7,7 @@
 #include "core/field/canvas.h"
 #include "core/matching/matcher.h"
 #include "core/replacing/replacer.h"
-#include "core/settings.h"
+#include "core/settings/settings.h"
 #include "core/shape/shape_source.h"
 #include "master/checkpoint_keeper.h"
 #include "master/progress.h"

@@ -6,7 +6,7 @@
 #include "core/base/interrupted.h"
 #include "core/base/processor_time.h"
 #include "core/base/stopwatch.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera::master {
 namespace {

@@ -10,7 +10,7 @@
 #include "core/collage/objective.h"
 #include "core/relax/schedules.h"
 #include "core/replacing/repetition.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 #include "master/replacing.h"
 
 namespace tessera::master {
@@ -128,9 +128,9 @@ std::int64_t Improving::loss_256ths_px2() {
 
 std::int64_t Improving::repeated_256ths_px2() const {
   if (repetition_ == RepetitionCosts{}) return 0;
-  std::vector<DrawnPiece> pieces;
+  std::vector<PlacedDrawing> pieces;
   for (const Placement& p : collage_.placements()) {
-    pieces.push_back(drawn_piece(shapes_.silhouette(p.shape), p.canvas_from_shape));
+    pieces.push_back(placed_drawing(shapes_.silhouette(p.shape), p.canvas_from_shape));
   }
   return std::int64_t(256 * repetition_px2(std::move(pieces), repetition_, collage_.free().grid().period()));
 }

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "core/field/canvas.h"
-#include "core/settings.h"
+#include "core/settings/settings.h"
 
 namespace tessera::master {
 

@@ -11,7 +11,7 @@
 
 #include "core/collage/placement.h"
 #include "core/geometry/period.h"
-#include "core/settings.h"
+#include "core/settings/settings.h"
 #include "core/shape/shape_source.h"
 
 namespace tessera::master {

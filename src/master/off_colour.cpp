@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/matching/colour_fit.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera::master {
 

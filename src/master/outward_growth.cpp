@@ -7,7 +7,7 @@
 #include "core/base/portable_math.h"
 #include "core/field/piece_distance.h"
 #include "core/geometry/distance_transform.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera::master {
 namespace {

@@ -8,7 +8,7 @@
 #include "core/collage/clearing.h"
 #include "core/matching/stances.h"
 #include "core/relax/schedules.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 #include "master/kept_apart.h"
 
 namespace tessera::master {

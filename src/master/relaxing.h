@@ -13,7 +13,7 @@
 #include "core/field/free_field.h"
 #include "core/matching/pose_range.h"
 #include "core/relax/relaxation.h"
-#include "core/settings.h"
+#include "core/settings/settings.h"
 #include "core/shape/shape_source.h"
 
 namespace tessera::master {

@@ -50,7 +50,7 @@ bool holds(const Box& outer, const Box& inner) {
 
 /// Fills in what of these nodes is less than far from the edge; whether there is anything. Halves what may hold both:
 /// a raster of all would be most of the master's work.
-bool fill_near_edge(const CanvasEdge& canvas, const Window& nodes, float far_px, EdgeField& edge) {
+bool fill_near_edge(const EdgeDistance& canvas, const Window& nodes, float far_px, EdgeField& edge) {
   const auto at = [&](float x, float y) { return canvas.at((edge.distance.origin + Vec2{x, y}) * edge.node_px).value; };
   const Vec2 half{0.5f * float(nodes.x1 - nodes.x0 - 1), 0.5f * float(nodes.y1 - nodes.y0 - 1)};
   const float middle_px = at(float(nodes.x0) + half.x, float(nodes.y0) + half.y);
@@ -131,7 +131,7 @@ std::vector<Replacing::Lying> Replacing::lying(const std::vector<Placement>& pla
 EdgeField Replacing::edge_around(const Box& box) const {
   const Vec2 beyond{settings_.pieces.max_scale_px, settings_.pieces.max_scale_px};
   const Box seen{box.low - beyond, box.high + beyond};
-  const CanvasEdge canvas(free_);
+  const EdgeDistance canvas(free_);
   const float node_px = std::max(kLeastEdgeNode_px, settings_.pieces.min_scale_px / kEdgeNodesPerScale);
   const auto node = [node_px](float at_px) { return int(std::floor(at_px / node_px)); };
   const int x0 = node(seen.low.x), x1 = node(seen.high.x) + 2;
@@ -203,11 +203,11 @@ void Replacing::complete(ReplacementWindow& window) const {
 }
 
 /// The pieces but for some that may be felt as copies in the box, and their images on a seamless canvas.
-std::vector<DrawnPiece> Replacing::copies_around(const Box& box, const std::vector<Lying>& all,
+std::vector<PlacedDrawing> Replacing::copies_around(const Box& box, const std::vector<Lying>& all,
                                                  const std::vector<std::size_t>& but) const {
   const float reach_px = repetition_.reach_sizes * settings_.pieces.max_scale_px;
   const std::vector<Vec2> offsets = free_.grid().period().offsets();
-  std::vector<DrawnPiece> around;
+  std::vector<PlacedDrawing> around;
   auto skipped = but.begin();
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (skipped != but.end() && *skipped == i) {
@@ -215,7 +215,7 @@ std::vector<DrawnPiece> Replacing::copies_around(const Box& box, const std::vect
       continue;
     }
     for (const Vec2 offset : offsets) {
-      DrawnPiece piece = drawn_piece(all[i].piece.drawing, all[i].piece.canvas_from_shape);
+      PlacedDrawing piece = placed_drawing(all[i].piece.drawing, all[i].piece.canvas_from_shape);
       piece.centre_px = piece.centre_px + offset;
       if (within_reach(box, {piece.centre_px, piece.centre_px}, reach_px)) around.push_back(piece);
     }

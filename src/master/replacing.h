@@ -12,7 +12,7 @@
 #include "core/field/free_field.h"
 #include "core/matching/stances.h"
 #include "core/replacing/replacer.h"
-#include "core/settings.h"
+#include "core/settings/settings.h"
 #include "core/shape/shape_source.h"
 
 namespace tessera::master {
@@ -74,7 +74,7 @@ class Replacing {
   std::vector<Cut> cut_all(const std::vector<Lying>& all, std::size_t given, std::uint64_t key,
                            const std::function<void()>& look) const;
   Cut cut(const Box& box, const std::vector<Lying>& all, std::size_t given) const;
-  std::vector<DrawnPiece> copies_around(const Box& box, const std::vector<Lying>& all,
+  std::vector<PlacedDrawing> copies_around(const Box& box, const std::vector<Lying>& all,
                                         const std::vector<std::size_t>& but) const;
   void complete(ReplacementWindow& window) const;
   std::vector<ReplacementOutcome> asked(std::vector<Cut>& cuts, const std::vector<Lying>& all,

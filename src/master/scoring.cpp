@@ -7,7 +7,7 @@
 
 #include "core/collage/objective.h"
 #include "core/matching/colour_fit.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera::master {
 namespace {

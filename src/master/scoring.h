@@ -10,7 +10,7 @@
 #include "core/geometry/period.h"
 #include "core/matching/stances.h"
 #include "core/matching/use_limits.h"
-#include "core/settings.h"
+#include "core/settings/settings.h"
 #include "master/neighbour_colours.h"
 
 namespace tessera::master {

@@ -3,7 +3,7 @@
 #include "core/field/line_art.h"
 #include "core/matching/refinement.h"
 #include "core/shape/shape_field.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera::master {
 namespace {

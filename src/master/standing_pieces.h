@@ -9,7 +9,7 @@
 #include "core/collage/placement.h"
 #include "core/field/canvas.h"
 #include "core/shape/shape_source.h"
-#include "core/wishes.h"
+#include "core/settings/wishes.h"
 
 namespace tessera::master {
 

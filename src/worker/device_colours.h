@@ -6,7 +6,7 @@
 #include "core/matching/matching_context.h"
 #include "core/matching/near_colours.h"
 #include "records.h"
-#include "worker/opencl_runtime.h"
+#include "worker/devices/opencl_runtime.h"
 
 namespace tessera::worker {
 

@@ -7,7 +7,7 @@
 
 #include "core/matching/model_source.h"
 #include "records.h"
-#include "worker/opencl_runtime.h"
+#include "worker/devices/opencl_runtime.h"
 
 namespace tessera::worker {
 

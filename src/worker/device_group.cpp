@@ -5,7 +5,7 @@
 
 #include "core/matching/composite_matcher.h"
 #include "worker/device_speed.h"
-#include "worker/opencl_devices.h"
+#include "worker/devices/opencl_devices.h"
 #include "worker/opencl_matcher.h"
 
 namespace tessera::worker {

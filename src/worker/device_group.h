@@ -9,8 +9,8 @@
 #include "core/matching/matching_context.h"
 #include "core/matching/model_source.h"
 #include "worker/device_room.h"
-#include "worker/opencl_devices.h"
-#include "worker/opencl_runtime.h"
+#include "worker/devices/opencl_devices.h"
+#include "worker/devices/opencl_runtime.h"
 
 namespace tessera::worker {
 

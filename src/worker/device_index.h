@@ -3,7 +3,7 @@
 
 #include "core/matching/model_source.h"
 #include "worker/index_rows.h"
-#include "worker/opencl_runtime.h"
+#include "worker/devices/opencl_runtime.h"
 
 namespace tessera::worker {
 

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "core/base/launch_policy.h"
-#include "worker/arithmetic_probe.h"
-#include "worker/opencl_devices.h"
+#include "worker/devices/arithmetic_probe.h"
+#include "worker/devices/opencl_devices.h"
 
 namespace tessera::worker {
 

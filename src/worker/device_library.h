@@ -9,8 +9,8 @@
 #include "worker/device_contours.h"
 #include "worker/device_index.h"
 #include "worker/device_stances.h"
-#include "worker/kernel_options.h"
-#include "worker/opencl_runtime.h"
+#include "worker/devices/kernel_options.h"
+#include "worker/devices/opencl_runtime.h"
 #include "worker/pair_keypoints.h"
 #include "worker/shard.h"
 

@@ -20,12 +20,6 @@ constexpr double kUsablePart = 0.9;
 
 bool has_hosts_memory(const cl::Device& device) { return device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU; }
 
-std::string gigabytes(std::uint64_t bytes) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f GB", double(bytes) * 1e-9);
-  return text;
-}
-
 [[noreturn]] void throw_no_room(std::size_t shapes, const std::vector<DeviceRoom>& rooms,
                                 const std::vector<std::size_t>& most) {
   std::string found;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/pad/pad.h"
-#include "worker/opencl_runtime.h"
+#include "worker/devices/opencl_runtime.h"
 
 namespace tessera::worker {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/matching/stances.h"
-#include "worker/opencl_runtime.h"
+#include "worker/devices/opencl_runtime.h"
 #include "worker/shard.h"
 
 namespace tessera::worker {

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "worker/docked_shortlist.h"
-#include "worker/kernel_options.h"
+#include "worker/devices/kernel_options.h"
 #include "worker/list_room.h"
 
 namespace tessera::worker {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera::worker {
 

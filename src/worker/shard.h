@@ -7,7 +7,7 @@
 #include "core/matching/matcher.h"
 #include "core/matching/matching_context.h"
 #include "core/shape/shape_model.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 #include "records.h"
 #include "worker/index_rows.h"
 

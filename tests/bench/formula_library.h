@@ -1,8 +1,8 @@
 // A library file of formula shapes, in a folder of its own.
 #pragma once
 
-#include "bench/formula_shapes.h"
-#include "io/library/library_file.h"
+#include "bench/inputs/formula_shapes.h"
+#include "library/storage/library_file.h"
 #include "io/scratch_folder.h"
 
 namespace tessera::test {
@@ -10,7 +10,7 @@ namespace tessera::test {
 class FormulaLibrary {
  public:
   explicit FormulaLibrary(std::size_t count) : path_(folder_.path("blobs.h5")) {
-    io::LibraryWriter writer(path_, PadParameters{});
+    LibraryWriter writer(path_, PadParameters{});
     std::size_t number = 0;
     for (Shape& shape : bench::blob_shapes(count)) {
       shape.name = "blob " + std::to_string(number++);

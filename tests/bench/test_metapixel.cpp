@@ -1,5 +1,5 @@
 // The peer of mosaics, without the peer: how images are divided into tiles, and what drawings become.
-#include "bench/metapixel.h"
+#include "bench/baselines/metapixel.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -35,7 +35,7 @@ RC_GTEST_PROP(TileGridProperty, IsNeverTooLarge, ()) {
 TEST(Tiles, OutlinesAreNoTiles) {
   const test::FormulaLibrary library(3);
   const test::ScratchFolder folder;
-  EXPECT_THROW(write_tiles(io::LibraryFile(library.path()), "#ffffff", folder.path("")), InputError);
+  EXPECT_THROW(write_tiles(LibraryFile(library.path()), "#ffffff", folder.path("")), InputError);
 }
 
 }  // namespace

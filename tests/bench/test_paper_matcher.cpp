@@ -1,5 +1,5 @@
 // The paper's rule, as a matcher.
-#include "bench/paper_matcher.h"
+#include "bench/baselines/paper_matcher.h"
 
 #include <gtest/gtest.h>
 

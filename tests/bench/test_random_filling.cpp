@@ -1,5 +1,5 @@
 // Random filling overlaps nothing and keeps to its range of scales.
-#include "bench/random_filling.h"
+#include "bench/baselines/random_filling.h"
 
 #include <gtest/gtest.h>
 

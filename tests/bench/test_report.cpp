@@ -1,5 +1,5 @@
 #include "bench/report.h"
-#include "io/text_table.h"
+#include "text/text_table.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@ namespace tessera::bench {
 namespace {
 
 TEST(Report, TableAlignsItsColumns) {
-  io::TextTable table({"", "pieces", "s"});
+  TextTable table({"", "pieces", "s"});
   table.add({"ours", "12", "0.125"});
   table.add({"the paper", "7", ""});
   EXPECT_EQ(table.text(),

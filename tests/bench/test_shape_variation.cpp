@@ -1,5 +1,5 @@
 // Mirrored and stretched shapes are shapes like any other.
-#include "bench/shape_variation.h"
+#include "bench/inputs/shape_variation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // A library grown beyond its file.
-#include "bench/varied_shapes.h"
+#include "bench/inputs/varied_shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ TEST(VariedShapes, VariationsAreDistinctAndMild) {
 
 TEST(VariedShapes, AreValidAndTheSameWheneverAsked) {
   const test::FormulaLibrary file(3);
-  const io::LibraryFile library(file.path());
+  const LibraryFile library(file.path());
   VariedShapes shapes(library);
   for (std::uint32_t index = 0; index < 12; ++index) {
     const ShapeId id{index};
@@ -42,7 +42,7 @@ TEST(VariedShapes, AreValidAndTheSameWheneverAsked) {
 
 TEST(VariedShapes, ModelsAreThoseOfTheShapes) {
   const test::FormulaLibrary file(3);
-  const io::LibraryFile library(file.path());
+  const LibraryFile library(file.path());
   VariedShapes shapes(library);
   const MatchingContext context = make_matching_context(CollageSettings(), 12);
   const std::vector<ShapeModel> models = shapes.models({4, 9}, context);

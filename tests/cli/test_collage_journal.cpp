@@ -1,5 +1,5 @@
 // What a run keeps about itself, in the record for the card and in run.log.
-#include "cli/collage_journal.h"
+#include "run/collage_journal.h"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@ namespace {
 
 class Journal : public testing::Test {
  protected:
-  static io::RunRecord start() {
-    io::RunRecord record;
+  static RunRecord start() {
+    RunRecord record;
     record.version = "1.2";
     record.commit = "abc";
     record.command_line = "tessera collage my.toml";
@@ -39,7 +39,7 @@ TEST_F(Journal, keeps_what_happens_in_the_record_and_in_the_log) {
   journal_.resumed(from);
   journal_.warn("");
   journal_.keep_warning("no checkpoint");
-  const io::RunRecord& record = journal_.ended("full", 7);
+  const RunRecord& record = journal_.ended("full", 7);
   EXPECT_EQ(record.ranks.size(), 2u);
   EXPECT_EQ(record.resumed_from, "out/checkpoint.h5");
   EXPECT_EQ(record.resumed_pieces, 3u);

@@ -3,7 +3,7 @@
 
 #include <csignal>
 
-#include "cli/collage_progress.h"
+#include "run/collage_progress.h"
 #include "comm/stop_signals.h"
 
 namespace tessera::cli {

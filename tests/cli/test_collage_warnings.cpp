@@ -4,8 +4,8 @@
 #include <functional>
 #include <memory>
 
-#include "cli/collage_warnings.h"
-#include "cli/key_text.h"
+#include "run/messages/collage_warnings.h"
+#include "run/messages/key_text.h"
 #include "core/colour/colour_target.h"
 #include "core/field/keep_out.h"
 #include "support/synthetic_shapes.h"
@@ -14,7 +14,7 @@ namespace tessera::cli {
 namespace {
 
 TEST(EmptyResultWarning, says_what_keeps_pieces_out) {
-  const io::Job job;
+  const Job job;
   EXPECT_EQ(
       empty_result_warning("out/a", job, {}, {"smaller pieces", "a larger canvas.size_px (now [1000, 1000])"}),
       "out/a: the collage is empty: nothing fits; try smaller pieces; a larger canvas.size_px (now [1000, 1000])");
@@ -23,7 +23,7 @@ TEST(EmptyResultWarning, says_what_keeps_pieces_out) {
 }
 
 TEST(EmptyResultWarning, names_a_time_that_was_too_short) {
-  io::Job job;
+  Job job;
   job.settings.stop.seconds = 0.001;
   master::CollageResult result;
   result.statistics.stopped_by = "seconds";
@@ -34,14 +34,14 @@ TEST(EmptyResultWarning, names_a_time_that_was_too_short) {
 TEST(EmptyResultWarning, is_none_where_there_are_pieces_or_may_be_later) {
   master::CollageResult result;
   result.unfinished = true;
-  EXPECT_EQ(empty_result_warning("out/a", io::Job(), result, {}), "");
+  EXPECT_EQ(empty_result_warning("out/a", Job(), result, {}), "");
   result.unfinished = false;
   result.placements.resize(1);
-  EXPECT_EQ(empty_result_warning("out/a", io::Job(), result, {}), "");
+  EXPECT_EQ(empty_result_warning("out/a", Job(), result, {}), "");
 }
 
 TEST(IncompleteWarning, SaysWhatAFinishedResultLacks) {
-  io::ResultManifest manifest;
+  ResultManifest manifest;
   manifest.finished = true;
   EXPECT_EQ(incomplete_warning("out/a", manifest), "out/a: the collage is empty; run.log says why");
   manifest.shapes.resize(3);
@@ -53,7 +53,7 @@ TEST(IncompleteWarning, SaysWhatAFinishedResultLacks) {
 }
 
 TEST(KeyText, LengthsAreInMmWhereTheCanvasHasASizeOnPaper) {
-  io::Job job;
+  Job job;
   EXPECT_EQ(with_value(job, "pieces", "scale_px"), "pieces.scale_px (now [20, 160])");
   EXPECT_EQ(with_value(job, "pieces", "padding_px"), "pieces.padding_px (now 0)");
   EXPECT_EQ(length_text(job, 41.25), "41.2 px");
@@ -66,7 +66,7 @@ TEST(KeyText, LengthsAreInMmWhereTheCanvasHasASizeOnPaper) {
 }
 
 TEST(CollageWarnings, KeysThatMeanNothingAreTold) {
-  io::Job job;
+  Job job;
   EXPECT_EQ(idle_keys_warning(job), "");
   job.settings.pieces.overlap_px = 0.5f;
   EXPECT_EQ(idle_keys_warning(job), "");
@@ -79,7 +79,7 @@ TEST(CollageWarnings, KeysThatMeanNothingAreTold) {
       idle_keys_warning(job).substr(0, 140),
       "output.dpi (now 600) means nothing without a size on paper: output.width_mm, or canvas.size_mm; the picture is "
       "2000 px wide (output.width_px");
-  job.settings.pieces.overlap_px = io::Job().settings.pieces.overlap_px;
+  job.settings.pieces.overlap_px = Job().settings.pieces.overlap_px;
   EXPECT_EQ(idle_keys_warning(job), idle_dpi_warning(job));
   job.output.width_mm = 100;
   EXPECT_EQ(idle_keys_warning(job), "");
@@ -93,17 +93,17 @@ TEST(CollageWarnings, KeysThatMeanNothingAreTold) {
 }
 
 TEST(CollageWarnings, AFactorOfABackgroundThatIsNoPictureIsTold) {
-  io::Job job;
+  Job job;
   job.output.background_light = 0.5;
   EXPECT_EQ(idle_keys_warning(job),
             "output.background_light (now 0.5) means nothing without output.background = \"image\"");
   EXPECT_EQ(idle_keys_warning(job), idle_light_warning(job));
-  job.output.background = io::kImageBackground;
+  job.output.background = kImageBackground;
   EXPECT_EQ(idle_keys_warning(job), "");
 }
 
 TEST(CollageWarnings, KeysOfColourThatMeanNothingAreTold) {
-  io::Job job;
+  Job job;
   job.library_colours_within = 30;
   EXPECT_EQ(idle_keys_warning(job), "library.colours_within (now 30) means nothing without library.colours");
   job.library_colours = {"#ff0000"};
@@ -120,7 +120,7 @@ TEST(CollageWarnings, KeysOfColourThatMeanNothingAreTold) {
 }
 
 TEST(CollageWarnings, LimitsOfDeformingThatMeanNothingAreTold) {
-  io::Job job;
+  Job job;
   job.settings.deform.most_px = 2;
   EXPECT_EQ(idle_keys_warning(job), "deform.most_px (now 2) means nothing without deform.kind = \"capped\"");
   job.settings.deform.kind = DeformKind::voronoi;
@@ -130,7 +130,7 @@ TEST(CollageWarnings, LimitsOfDeformingThatMeanNothingAreTold) {
 }
 
 TEST(CollageWarnings, ALibraryThatCannotShowAnImageIsTold) {
-  io::Job job;
+  Job job;
   EXPECT_EQ(unable_library_warning(job, 5, true), "") << "there is no image";
   job.colour.image = "/portrait.png";
   EXPECT_EQ(unable_library_warning(job, 50, false), "");
@@ -143,7 +143,7 @@ TEST(CollageWarnings, ALibraryThatCannotShowAnImageIsTold) {
 }
 
 TEST(CollageWarnings, ALibraryThatIsUsedUpTellsSizesThatWouldFill) {
-  io::Job job;
+  Job job;
   job.settings.pieces.min_scale_px = 20;
   job.settings.pieces.max_scale_px = 100;
   master::CollageResult result;
@@ -166,7 +166,7 @@ TEST(CollageWarnings, ALibraryThatIsUsedUpTellsSizesThatWouldFill) {
 
 TEST(CollageWarnings, WhyPiecesAreNotRelaxed) {
   const auto warning = [](float min_scale_px, float max_scale_px, const std::function<void(CollageSettings&)>& change) {
-    io::Job job;
+    Job job;
     job.settings.pieces.min_scale_px = min_scale_px;
     job.settings.pieces.max_scale_px = max_scale_px;
     change(job.settings);
@@ -192,7 +192,7 @@ TEST(CollageWarnings, WhyPiecesAreNotRelaxed) {
 }
 
 TEST(CollageWarnings, RelaxingThatBringsNothingIsTold) {
-  io::Job job;
+  Job job;
   job.settings.pieces.min_scale_px = 40;
   master::CollageResult result;
   result.statistics.trials = 2;
@@ -215,7 +215,7 @@ TEST(CollageWarnings, PiecesThatStandBadlyAreTold) {
   const auto piece = [](float x_px) { return GivenPiece{ShapeId{0}, {40, 0, x_px, 50}}; };
   Canvas canvas = make_rectangle_canvas(400, 100);
   take_out(distance_to({KeepOutRectangle{{200, 50}, {20, 20}}}, canvas), canvas);
-  io::Job job;
+  Job job;
   job.tables["given"].resize(3);
   job.settings.wishes.given = {piece(0), piece(10), piece(200)};
   EXPECT_EQ(standing_warning(job, canvas, shape),

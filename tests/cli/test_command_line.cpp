@@ -1,9 +1,9 @@
 // The command line in the records of a run can be given to a shell again.
-#include "cli/command_line.h"
+#include "run/command_line.h"
 
 #include <gtest/gtest.h>
 
-#include "cli/shell_word.h"
+#include "terminal/shell_word.h"
 
 namespace tessera::cli {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "cli/collage_progress.h"
+#include "run/collage_progress.h"
 
 namespace tessera::cli {
 namespace {

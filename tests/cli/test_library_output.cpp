@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/build_summary.h"
-#include "cli/progress_bar.h"
+#include "terminal/progress_bar.h"
 
 namespace tessera::cli {
 namespace {
@@ -36,13 +36,13 @@ TEST(ProgressText, FitsTheTerminal) {
 }
 
 TEST(BuildSummary, IsEmptyWhereAllIsUsed) {
-  io::LibraryBuildReport report;
+  LibraryBuildReport report;
   report.files = report.shapes = 3;
   EXPECT_EQ(build_summary(report), "");
 }
 
 TEST(BuildSummary, CountsReasonsMostFrequentFirst) {
-  io::LibraryBuildReport report;
+  LibraryBuildReport report;
   report.trimmed = {"/a/deer.svg"};
   report.faint = {"/a/fly.svg"};
   report.hollow = {"/a/bicycle.svg", "/a/chair.svg"};
@@ -67,7 +67,7 @@ TEST(BuildSummary, CountsReasonsMostFrequentFirst) {
 }
 
 TEST(BuildCounts, AddUpToTheFiles) {
-  io::LibraryBuildReport report;
+  LibraryBuildReport report;
   report.files = report.shapes = 1;
   EXPECT_EQ(build_counts(report), "1 file: 1 shape");
   report.files = 9;

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "cli/plan_estimate.h"
-#include "cli/plan_text.h"
+#include "plan/plan_estimate.h"
+#include "plan/plan_text.h"
 #include "core/base/kept_memory.h"
 #include "core/matching/matching_context.h"
 #include "worker/shard.h"

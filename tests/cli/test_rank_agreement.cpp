@@ -1,5 +1,5 @@
 // What a worker compares with the master before the first round, over ranks that are threads.
-#include "cli/rank_agreement.h"
+#include "run/rank_agreement.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 
 #include "comm/in_process_communicator.h"
 #include "core/base/error.h"
-#include "io/job/overlays.h"
+#include "job/canvas/overlays.h"
 
-namespace tessera::io::test {
+namespace tessera::test {
 
 /// Without shapes.
 class NoLibrary : public ShapeLibrary {
@@ -27,7 +27,7 @@ class NoLibrary : public ShapeLibrary {
   std::string path_ = "none.h5";
 };
 
-}  // namespace tessera::io::test
+}  // namespace tessera::test
 
 namespace tessera::cli {
 namespace {
@@ -37,9 +37,9 @@ template <class Join>
 std::string complaint(Join join) {
   comm::InProcessNetwork network(2);
   std::jthread master([&network] {
-    io::Job job;
+    Job job;
     job.library = "/a/library.h5";
-    job.quality = io::QualityWord::none;  // an effective job has the number in its place
+    job.quality = QualityWord::none;  // an effective job has the number in its place
     job.settings.seed = 5;
     const auto ranks = network.connect(0);
     announce_run(*ranks, "master 1", job, 77);
@@ -55,7 +55,7 @@ std::string complaint(Join join) {
 
 TEST(RankAgreement, the_masters_job_arrives) {
   EXPECT_EQ(complaint([](comm::Communicator& ranks) {
-              const io::Job job = receive_job(ranks, "master 1");
+              const Job job = receive_job(ranks, "master 1");
               EXPECT_EQ(job.settings.seed, 5u);
               EXPECT_EQ(job.library, "/a/library.h5");
             }),
@@ -69,14 +69,14 @@ TEST(RankAgreement, pictures_over_the_canvas_arrive) {
     finest.data()[i] = {float(i) / 7, float(i) / 3, -1.f / 9, 0.7f};
   const auto target = std::make_shared<const ColourTarget>(finest, 1.7f);
   const auto sizes = std::make_shared<const SizeMap>(SizeMap{Grid<float>(5, 3, 0.3f), 0.7f});
-  const io::test::NoLibrary library;
+  const test::NoLibrary library;
   comm::InProcessNetwork network(2);
   std::jthread master([&] {
-    io::Job job;
-    io::set_overlays({target, sizes}, library, job);
+    Job job;
+    set_overlays({target, sizes}, library, job);
     announce_overlays(*network.connect(0), job);
   });
-  io::Job job;
+  Job job;
   receive_overlays(*network.connect(1), library, job);
   ASSERT_TRUE(job.settings.colour);
   EXPECT_EQ(job.settings.colour.target->texels(), target->texels());
@@ -89,8 +89,8 @@ TEST(RankAgreement, pictures_over_the_canvas_arrive) {
 TEST(RankAgreement, where_there_is_no_picture_none_arrives) {
   comm::InProcessNetwork network(2);
   std::jthread master([&] { announce_overlays(*network.connect(0), {}); });
-  io::Job job;
-  receive_overlays(*network.connect(1), io::test::NoLibrary(), job);
+  Job job;
+  receive_overlays(*network.connect(1), test::NoLibrary(), job);
   EXPECT_FALSE(job.settings.colour);
   EXPECT_FALSE(job.settings.pieces.size_map);
 }

@@ -1,5 +1,5 @@
 // What tessera refine makes of a result's job, and where it goes.
-#include "cli/refined_result.h"
+#include "run/refined_result.h"
 
 #include <gtest/gtest.h>
 
@@ -70,12 +70,12 @@ TEST(RefinedResult, WhatGoesMayBeMoreThanAnOverrideHolds) {
   for (int i = 0; i < 30'000; ++i) result.erased.push_back(i);
   result.locked = {30'000};
   result.not_anew = {"a*[b]"};
-  io::Job job;
+  Job job;
   job.path = "job.toml";
   job.library = "/own.h5";
   job.start.pieces = "/old";
-  job.start.keep = io::StartKeep::standing;
-  const io::Job made = with_pieces_of(result, job);
+  job.start.keep = StartKeep::standing;
+  const Job made = with_pieces_of(result, job);
   EXPECT_EQ(made.start.remove, result.erased);
   EXPECT_EQ(made.start.lock, result.locked);
   EXPECT_EQ(made.start.not_anew, result.not_anew);
@@ -86,7 +86,7 @@ TEST(RefinedResult, WhatGoesMayBeMoreThanAnOverrideHolds) {
 TEST(RefinedResult, ThoseWhosePiecesLieAboutSomewhereAreNotErased) {
   RefinedResult result = result_of({}, 2);
   const auto mistake = [&](bool exact) {
-    const std::vector<io::PlacedPiece> all = {{"a", {}, false, true}, {"b", {}, false, exact}};
+    const std::vector<PlacedPiece> all = {{"a", {}, false, true}, {"b", {}, false, exact}};
     return test::message_of([&] { check_can_be_erased(result, all); });
   };
   EXPECT_EQ(mistake(true), "");
@@ -122,13 +122,13 @@ TEST(RefinedResult, SaysWhichPiecesAreLocked) {
   RefinedResult result = result_of({}, 9);
   result.whole.job.start.pieces = "earlier";
   result.whole.job.tables["given"].resize(1);
-  io::Job now = result.whole.job;
+  Job now = result.whole.job;
   now.settings.wishes.given.resize(2);
   const auto mistake = [&] { return test::message_of([&] { check_is_the_same_collage(result, {.job = &now}); }); };
   EXPECT_EQ(mistake(), "");
   now.settings.wishes.given[1].locked = false;
   EXPECT_EQ(mistake().substr(0, 62), "out/a b: pieces.geojson does not say which pieces are locked, ");
-  result.whole.job.start.keep = io::StartKeep::free;
+  result.whole.job.start.keep = StartKeep::free;
   EXPECT_EQ(mistake(), "") << "only those of [[given]] are";
 }
 

@@ -1,5 +1,5 @@
 // What drawing a result tells about the layers around foreign drawings.
-#include "cli/result_drawing_run.h"
+#include "run/result_drawing_run.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 class ToldLayers : public testing::Test {
  protected:
   /// What is said on stderr.
-  std::string told(const io::DrawerLayers& layers) {
+  std::string told(const DrawerLayers& layers) {
     testing::internal::CaptureStderr();
     tell_layers("result", layers, log_);
     return testing::internal::GetCapturedStderr();
@@ -25,7 +25,7 @@ class ToldLayers : public testing::Test {
   }
 
   test::ScratchFolder scratch_;
-  io::RunLog log_{scratch_.path("")};
+  RunLog log_{scratch_.path("")};
 };
 
 TEST_F(ToldLayers, NothingWhereAllHold) {
@@ -34,12 +34,12 @@ TEST_F(ToldLayers, NothingWhereAllHold) {
 }
 
 TEST_F(ToldLayers, InTheLogAloneWhereTheKernelLacksOne) {
-  EXPECT_EQ(told({.files = io::LayerState::missing}), "");
+  EXPECT_EQ(told({.files = LayerState::missing}), "");
   EXPECT_NE(log().find(" info: Landlock, which this kernel lacks, "), std::string::npos) << log();
 }
 
 TEST_F(ToldLayers, AsAWarningWhereOneFailed) {
-  EXPECT_TRUE(told({.system_calls = io::LayerState::failed})
+  EXPECT_TRUE(told({.system_calls = LayerState::failed})
                   .starts_with("tessera: warning: result: seccomp, which failed here, "));
   EXPECT_NE(log().find(" warning: seccomp, which failed here, "), std::string::npos) << log();
 }

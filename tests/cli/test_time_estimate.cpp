@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "cli/time_estimate.h"
+#include "run/time_estimate.h"
 
 namespace tessera::cli {
 namespace {

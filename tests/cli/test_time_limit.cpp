@@ -4,7 +4,7 @@
 #include <cmath>
 #include <thread>
 
-#include "cli/time_limit.h"
+#include "run/time_limit.h"
 #include "core/base/error.h"
 
 namespace tessera::cli {

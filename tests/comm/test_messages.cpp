@@ -139,7 +139,7 @@ ReplacementWindow any_window() {
     return IncomingShape{ShapeId{any_index()}, ShapeId{any_index()}, any_poses(), any_float()};
   });
   window.drawn = any_vector([] { return DrawingArea{ShapeId{any_index()}, double(any_index()) / 7}; });
-  window.elsewhere = any_vector([] { return DrawnPiece{ShapeId{any_index()}, any_vec2(), any_float()}; });
+  window.elsewhere = any_vector([] { return PlacedDrawing{ShapeId{any_index()}, any_vec2(), any_float()}; });
   window.random = *rc::gen::arbitrary<std::uint64_t>();
   window.trials = any_index();
   window.first_temperature_px2 = any_float();

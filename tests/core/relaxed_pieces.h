@@ -11,7 +11,7 @@
 #include "core/field/canvas.h"
 #include "core/field/free_field.h"
 #include "core/relax/relaxation.h"
-#include "core/settings.h"
+#include "core/settings/settings.h"
 #include "support/synthetic_shapes.h"
 
 namespace tessera::relaxed_pieces {

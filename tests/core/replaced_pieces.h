@@ -59,7 +59,7 @@ inline EdgeField edge_field(const FreeField& free, const Box& box, float beyond_
   const int columns = int((box.width() + 2 * beyond_px) / kNode_px) + 3;
   const int rows = int((box.height() + 2 * beyond_px) / kNode_px) + 3;
   EdgeField edge{{Grid<float>(columns, rows), origin}, kNode_px};
-  const CanvasEdge canvas(free);
+  const EdgeDistance canvas(free);
   for (int j = 0; j < rows; ++j) {
     for (int i = 0; i < columns; ++i) {
       edge.distance.value(i, j) = canvas.at((origin + Vec2{float(i), float(j)}) * kNode_px).value;

@@ -4,7 +4,7 @@
 #include "core/colour/ciede2000.h"
 #include "core/matching/colour_fit.h"
 #include "core/matching/near_colours.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 #include "support/colours.h"
 
 namespace tessera {

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/matching/deck.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera {
 namespace {

@@ -11,7 +11,7 @@
 #include "core/matching/matcher.h"
 #include "core/matching/pair_selection.h"
 #include "core/matching/refinement.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 #include "support/random_curves.h"
 #include "support/synthetic_library.h"
 

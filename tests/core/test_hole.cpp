@@ -51,7 +51,7 @@ class HoleInACorner : public testing::Test {
   }
 
   const FreeField free_ = relaxed_pieces::rectangle(kCanvas_px);
-  const CanvasEdge edge_{free_};
+  const EdgeDistance edge_{free_};
   const Vec2 centre_{50, 60};
   const std::vector<Vec2> centres_ = {{95, 50}, {40, 115}};
   Hole hole_{centre_, kHalf_px, kCell_px, edge_};
@@ -186,7 +186,7 @@ class HoleOfAShape {
   }
 
   CanvasField field_;
-  CanvasEdge edge_;
+  EdgeDistance edge_;
 
  public:
   Hole hole;
@@ -241,7 +241,7 @@ TEST(HoleCandidates, KeepToScalesAndRotations) {
 /// Much fits there, and nothing as well as all others.
 TEST(HoleCandidates, OfAnOpenPlaceAreTheBestFirst) {
   const FreeField free = relaxed_pieces::rectangle(kCanvas_px);
-  const CanvasEdge edge(free);
+  const EdgeDistance edge(free);
   Hole open({50, 60}, 55, 1.5f, edge);
   open.add(laid(kDisc, pose(45, 0, {95, 50})));
   const std::vector<HoleGuest> guests = all_guests({20, 60, {}});
@@ -327,7 +327,7 @@ TEST(HoleCandidates, SofterNeighboursAreCoveredMore) {
 TEST(HoleCandidates, NothingFitsWhereThereIsNoHole) {
   Draws draws(1);
   const FreeField free = relaxed_pieces::rectangle(kCanvas_px);
-  Hole full(kMiddle, 30, 1.5f, CanvasEdge(free));
+  Hole full(kMiddle, 30, 1.5f, EdgeDistance(free));
   full.add(laid(kDisc, pose(300, 0, kMiddle)));
   EXPECT_TRUE(best(full, 30, all_guests({20, 60, {}}), kSoftness, draws).empty());
   const HoleOfAShape hole(1, pose(40, 0, kMiddle));

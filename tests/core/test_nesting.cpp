@@ -7,11 +7,11 @@
 #include <numeric>
 #include <thread>
 
-#include "core/nesting/nest_check.h"
-#include "core/nesting/nest_poles.h"
-#include "core/nesting/nest_random.h"
-#include "core/nesting/nesting.h"
-#include "core/nesting/search_outline.h"
+#include "products/nesting/layout/nest_check.h"
+#include "products/nesting/layout/nest_poles.h"
+#include "products/nesting/layout/nest_random.h"
+#include "products/nesting/layout/nesting.h"
+#include "products/nesting/layout/search_outline.h"
 
 namespace tessera {
 namespace {

@@ -4,7 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "core/collage/exact_terms.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 #include "support/synthetic_shapes.h"
 
 namespace tessera {

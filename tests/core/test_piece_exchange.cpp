@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "core/base/portable_math.h"
-#include "core/puzzle/piece_exchange.h"
-#include "core/puzzle/puzzle_truth.h"
+#include "products/puzzle/piece_exchange.h"
+#include "products/puzzle/puzzle_truth.h"
 
 namespace tessera {
 namespace {

@@ -7,7 +7,7 @@
 #include "core/field/nodes_near.h"
 #include "core/field/piece_distance.h"
 #include "core/geometry/distance_transform.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 #include "random_pieces.h"
 
 namespace tessera {

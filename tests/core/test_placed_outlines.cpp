@@ -7,7 +7,7 @@
 #include <ctime>
 
 #include "core/field/keep_out.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 #include "support/polygon_distance.h"
 #include "support/synthetic_shapes.h"
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <tuple>
 
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera {
 namespace {

@@ -8,12 +8,12 @@
 #include "core/base/portable_math.h"
 #include "core/geometry/closed_curve.h"
 #include "core/geometry/polygon.h"
-#include "core/puzzle/piece_erosion.h"
-#include "core/puzzle/polygon_parts.h"
-#include "core/puzzle/puzzle_contact.h"
-#include "core/puzzle/puzzle_cut.h"
-#include "core/puzzle/puzzle_solver.h"
-#include "core/puzzle/puzzle_truth.h"
+#include "products/puzzle/piece_erosion.h"
+#include "products/puzzle/polygon_parts.h"
+#include "products/puzzle/puzzle_contact.h"
+#include "products/puzzle/puzzle_cut.h"
+#include "products/puzzle/puzzle_solver.h"
+#include "products/puzzle/puzzle_truth.h"
 
 namespace tessera {
 namespace {

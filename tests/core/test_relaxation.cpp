@@ -163,7 +163,7 @@ class CoarseEdge : public testing::Test {
  protected:
   static constexpr float kNode_px = 2;
 
-  static CanvasField coarse(const CanvasEdge& edge, int columns, int rows, Vec2 origin) {
+  static CanvasField coarse(const EdgeDistance& edge, int columns, int rows, Vec2 origin) {
     CanvasField field{Grid<float>(columns, rows), origin};
     for (int j = 0; j < rows; ++j) {
       for (int i = 0; i < columns; ++i) {
@@ -174,7 +174,7 @@ class CoarseEdge : public testing::Test {
   }
 
   /// Also beyond the nodes of both. Where gradients jump, at ridges, nodes 2 px apart see it up to 2 px beside it.
-  static void expect_alike(const CanvasEdge& fine, const CanvasEdge& edge, float low_px, float high_px) {
+  static void expect_alike(const EdgeDistance& fine, const EdgeDistance& edge, float low_px, float high_px) {
     int alike = 0;
     int all = 0;
     for (float y = low_px; y < high_px; y += 1.9f) {
@@ -192,10 +192,10 @@ class CoarseEdge : public testing::Test {
 
 TEST_F(CoarseEdge, IsThatOfARectangle) {
   const FreeField canvas = rectangle(100);
-  const CanvasEdge fine(canvas);
+  const EdgeDistance fine(canvas);
   const CanvasField field = coarse(fine, 60, 60, {-5, -5});  // -10 to 108 px
-  expect_alike(fine, CanvasEdge(field, kNode_px), -9, 107);
-  EXPECT_FALSE(CanvasEdge(field, kNode_px).period().repeats());
+  expect_alike(fine, EdgeDistance(field, kNode_px), -9, 107);
+  EXPECT_FALSE(EdgeDistance(field, kNode_px).period().repeats());
 }
 
 TEST_F(CoarseEdge, IsThatOfADisc) {
@@ -204,9 +204,9 @@ TEST_F(CoarseEdge, IsThatOfADisc) {
     for (int x = 0; x < 200; ++x) coverage(x, y) = norm(Vec2{float(x) - 100, float(y) - 100}) < 80 ? 1.f : 0.f;
   }
   const FreeField canvas(make_mask_canvas(coverage), PieceSettings{});
-  const CanvasEdge fine(canvas);
+  const EdgeDistance fine(canvas);
   const CanvasField field = coarse(fine, 60, 60, {-5, -5});
-  const CanvasEdge edge(field, kNode_px);
+  const EdgeDistance edge(field, kNode_px);
   expect_alike(fine, edge, -4, 104);
   EXPECT_NEAR(edge.at({50, 50}).value, 40, 1.5f);
   EXPECT_NEAR(edge.at({70, 50}).gradient.x, -1, 0.1f) << "px a px, not a node";
@@ -214,8 +214,8 @@ TEST_F(CoarseEdge, IsThatOfADisc) {
 
 TEST_F(CoarseEdge, BeyondTheNodesItFallsByTheWay) {
   const FreeField canvas = rectangle(100);
-  const CanvasField field = coarse(CanvasEdge(canvas), 60, 60, {-5, -5});
-  const CanvasEdge edge(field, kNode_px);
+  const CanvasField field = coarse(EdgeDistance(canvas), 60, 60, {-5, -5});
+  const EdgeDistance edge(field, kNode_px);
   const float at_last = edge.at({107.9f, 50}).value;
   const FieldSample beyond = edge.at({138, 50});
   EXPECT_NEAR(beyond.value, at_last - 30, 0.5f);

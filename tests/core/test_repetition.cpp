@@ -20,7 +20,7 @@ ReplacementWindow window_of_drawings(const std::vector<DrawingArea>& drawn) {
   return window;
 }
 
-DrawnPiece copy_at(float x, float y, float scale_px, std::uint32_t drawing = 0) {
+PlacedDrawing copy_at(float x, float y, float scale_px, std::uint32_t drawing = 0) {
   return {ShapeId{drawing}, {x, y}, scale_px};
 }
 
@@ -63,13 +63,13 @@ TEST(Repetition, NearCopiesCostMoreThanFarOnes) {
 
 TEST(Repetition, OnASeamlessCanvasCopiesAreNearAcrossItsEdge) {
   const RepetitionCosts costs{0, 1, 1, 5};
-  const std::vector<DrawnPiece> pieces = {copy_at(10, 50, 20), copy_at(390, 50, 20)};
+  const std::vector<PlacedDrawing> pieces = {copy_at(10, 50, 20), copy_at(390, 50, 20)};
   EXPECT_EQ(repetition_px2(pieces, costs, {}), 0);
   EXPECT_NEAR(repetition_px2(pieces, costs, {400, 0}), 400 * (1 - 20. / 100), 1e-3);
 }
 
-std::vector<DrawnPiece> any_pieces() {
-  std::vector<DrawnPiece> pieces;
+std::vector<PlacedDrawing> any_pieces() {
+  std::vector<PlacedDrawing> pieces;
   for (int k = *rc::gen::inRange(0, 12); k > 0; --k) {
     const auto any = [](int low, int high) { return 0.01f * float(*rc::gen::inRange(100 * low, 100 * high)); };
     pieces.push_back(copy_at(any(0, 600), any(0, 600), any(20, 160), *rc::gen::inRange(0u, 4u)));
@@ -80,23 +80,23 @@ std::vector<DrawnPiece> any_pieces() {
 /// What a window's pieces cost changes as that of all the canvas' pieces does.
 TEST(Repetition, ItsEnergyIsThatOfAllPieces) {
   EXPECT_TRUE(rc::check([] {
-    const std::vector<DrawnPiece> stand = any_pieces();
+    const std::vector<PlacedDrawing> stand = any_pieces();
     ReplacementWindow window = window_of_drawings({});
     window.repetition.nearness = 0.7;
     for (std::uint32_t i = 0; i < 4; ++i) {
       double area_px2 = 0;
-      for (const DrawnPiece& p : stand) area_px2 += index_of(p.drawing) == i ? double(p.scale_px) * p.scale_px : 0;
+      for (const PlacedDrawing& p : stand) area_px2 += index_of(p.drawing) == i ? double(p.scale_px) * p.scale_px : 0;
       window.drawn.push_back({ShapeId{i}, area_px2});
     }
     window.elsewhere = stand;
     Repetition repetition(window);
-    const auto of_all_px2 = [&](const std::vector<DrawnPiece>& all) {
+    const auto of_all_px2 = [&](const std::vector<PlacedDrawing>& all) {
       return repetition_px2(all, window.repetition, {});
     };
-    const std::vector<DrawnPiece> added = any_pieces();
-    std::vector<DrawnPiece> all = stand;
+    const std::vector<PlacedDrawing> added = any_pieces();
+    std::vector<PlacedDrawing> all = stand;
     double cost_px2 = 0;
-    for (const DrawnPiece& piece : added) {
+    for (const PlacedDrawing& piece : added) {
       cost_px2 += repetition.cost_px2(piece);
       repetition.add(piece);
       all.push_back(piece);
@@ -105,7 +105,7 @@ TEST(Repetition, ItsEnergyIsThatOfAllPieces) {
     RC_ASSERT(std::abs(of_all_px2(all) - of_all_px2(stand) - cost_px2) < 0.1);
     std::reverse(all.begin(), all.end());
     RC_ASSERT(std::abs(of_all_px2(all) - of_all_px2(stand) - cost_px2) < 0.1);
-    for (const DrawnPiece& piece : added) repetition.remove(piece);
+    for (const PlacedDrawing& piece : added) repetition.remove(piece);
     RC_ASSERT(std::abs(repetition.energy_px2()) < 0.1);
   }));
 }

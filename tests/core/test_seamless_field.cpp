@@ -3,7 +3,7 @@
 #include <rapidcheck.h>
 
 #include "core/field/piece_distance.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 #include "target_layers.h"
 
 namespace tessera {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/matching/size_search.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera {
 namespace {

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "core/field/linked_contour.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 #include "target_layers.h"
 
 namespace tessera {

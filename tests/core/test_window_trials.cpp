@@ -148,7 +148,7 @@ TEST(WindowPieces, MayMoveThatAreFarEnoughInside) {
   constexpr float kRadius_px = 15;
   const auto may_move = [&](Vec2 centre) {
     window.moving = {window_piece(kDisc, pose(kRadius_px / kDiscRadius, 0, centre))};
-    return WindowPieces(window, shapes_by_id(), CanvasEdge(free)).may_move(0);
+    return WindowPieces(window, shapes_by_id(), EdgeDistance(free)).may_move(0);
   };
   EXPECT_TRUE(may_move(kMiddle));
   for (const Vec2 side : {Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1}, Vec2{0, -1}}) {
@@ -156,7 +156,7 @@ TEST(WindowPieces, MayMoveThatAreFarEnoughInside) {
     EXPECT_FALSE(may_move(kMiddle + side * (50 - 10 - kRadius_px + 0.5f)));
   }
   window.still = {window_piece(kDisc, pose(30, 0, kMiddle))};
-  EXPECT_FALSE(WindowPieces(window, shapes_by_id(), CanvasEdge(free)).may_move(1)) << "it stands still";
+  EXPECT_FALSE(WindowPieces(window, shapes_by_id(), EdgeDistance(free)).may_move(1)) << "it stands still";
 }
 
 /// Else what other windows do at the same time would meet it.
@@ -200,8 +200,8 @@ TEST(WindowTrials, ColdTrialsNeverRaiseTheEnergyOfTheWhole) {
     const auto energy_px2 = [&](const std::vector<ReplacedPiece>& pieces) {
       Repetition repetition(window);
       const double start_px2 = repetition.energy_px2();
-      for (const WindowPiece& p : window.moving) repetition.remove(drawn_piece(p.drawing, p.canvas_from_shape));
-      for (const ReplacedPiece& p : pieces) repetition.add(drawn_piece(p.shape, p.canvas_from_shape));
+      for (const WindowPiece& p : window.moving) repetition.remove(placed_drawing(p.drawing, p.canvas_from_shape));
+      for (const ReplacedPiece& p : pieces) repetition.add(placed_drawing(p.shape, p.canvas_from_shape));
       return relaxation.energy_px2(scene_of(window, pieces)) + repetition.energy_px2() - start_px2;
     };
     const double old_px2 = energy_px2(before(window));
@@ -346,7 +346,7 @@ TEST(WindowTrials, NextToACopyOtherDrawingsComeIn) {
   window.elsewhere = {{ShapeId{1}, kMiddle + Vec2{5000, 0}, 60}};
   const std::ptrdiff_t far = stars();
   ASSERT_GT(far, 0);
-  window.elsewhere = std::vector<DrawnPiece>(6, {ShapeId{1}, kMiddle, 60});
+  window.elsewhere = std::vector<PlacedDrawing>(6, {ShapeId{1}, kMiddle, 60});
   EXPECT_LT(stars(), far);
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "io/library/library_file.h"
+#include "library/storage/library_file.h"
 #include "support/matching_scene.h"
 
 namespace {
@@ -15,7 +15,7 @@ namespace {
 constexpr int kShapes = 20;
 
 void write_library(const std::string& path) {
-  tessera::io::LibraryWriter writer(path, tessera::PadParameters{});
+  tessera::LibraryWriter writer(path, tessera::PadParameters{});
   int number = 0;
   for (tessera::Shape& shape : tessera::test::formula_shapes(kShapes, tessera::PadParameters{})) {
     shape.name = "shape " + std::to_string(number++);

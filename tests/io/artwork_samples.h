@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "io/artwork/silhouette.h"
+#include "artwork/silhouette.h"
 
 namespace tessera::test {
 
@@ -41,14 +41,14 @@ inline cv::Mat disc_with_alpha() {
   return image;
 }
 
-inline double area_px2(const io::Silhouette& s) {
+inline double area_px2(const Silhouette& s) {
   double sum = 0;
   for (const float a : s.alpha.data()) sum += a;
   return sum;
 }
 
 /// Of the whole page.
-inline double area_fraction(const io::Silhouette& s) { return area_px2(s) / (double(s.width_px) * s.height_px); }
+inline double area_fraction(const Silhouette& s) { return area_px2(s) / (double(s.width_px) * s.height_px); }
 
 inline const std::string kDisc = R"(<circle cx="30" cy="25" r="20" fill="#ff0000"/>)";
 

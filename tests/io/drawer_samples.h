@@ -6,14 +6,14 @@
 
 #include "artwork_samples.h"
 #include "core/base/error.h"
-#include "io/drawing/drawers.h"
+#include "artwork/drawers/drawers.h"
 
 namespace tessera::test {
 
-inline const io::DrawerSettings kTwo{
+inline const DrawerSettings kTwo{
     .processes = 2, .seconds_per_drawing = 20, .bytes_per_process = std::size_t(256) << 20};
 
-inline std::string mistake(io::Drawers& drawers, const Bytes& bytes, int side_px = 300) {
+inline std::string mistake(Drawers& drawers, const Bytes& bytes, int side_px = 300) {
   try {
     drawers.render(bytes, "some/file.svg", side_px);
   } catch (const InputError& error) {

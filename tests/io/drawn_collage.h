@@ -4,15 +4,15 @@
 #include <opencv2/core.hpp>
 #include <string>
 
-#include "io/drawing/drawers.h"
-#include "io/result/picture_drawing.h"
-#include "io/result/shape_artworks.h"
-#include "io/result/stop_watcher.h"
-#include "io/result/svg_output.h"
+#include "artwork/drawers/drawers.h"
+#include "render/picture_drawing.h"
+#include "render/pieces/shape_artworks.h"
+#include "render/pieces/stop_watcher.h"
+#include "render/svg_output.h"
 
 namespace tessera::test {
 
-class SilentDrawing : public io::DrawingObserver {
+class SilentDrawing : public DrawingObserver {
  public:
   void progressed(const char*, std::size_t, std::size_t) override {}
   bool stop_requested() override { return false; }
@@ -20,26 +20,26 @@ class SilentDrawing : public io::DrawingObserver {
 
 /// The shapes of a report, ready to be drawn.
 struct DrawnCollage {
-  explicit DrawnCollage(const io::CollageReport& its_report, const io::DrawerSettings& settings = {.processes = 2})
+  explicit DrawnCollage(const CollageReport& its_report, const DrawerSettings& settings = {.processes = 2})
       : report(its_report),
         drawers(settings) {}
 
-  cv::Mat picture(const io::PictureLimits& limits = {}) {
+  cv::Mat picture(const PictureLimits& limits = {}) {
     cv::Mat whole;
-    io::draw_picture(report, artworks, limits, [&](const cv::Mat& rows) { whole.push_back(rows); });
+    draw_picture(report, artworks, limits, [&](const cv::Mat& rows) { whole.push_back(rows); });
     return whole;
   }
 
-  const io::CollageReport& report;
+  const CollageReport& report;
   SilentDrawing observer;
-  io::Drawers drawers;
-  io::StopWatcher stop{observer, drawers};
-  io::ShapeArtworks artworks{report, drawers, stop};
+  Drawers drawers;
+  StopWatcher stop{observer, drawers};
+  ShapeArtworks artworks{report, drawers, stop};
 };
 
-inline cv::Mat drawn_picture(const io::CollageReport& report) { return DrawnCollage(report).picture(); }
+inline cv::Mat drawn_picture(const CollageReport& report) { return DrawnCollage(report).picture(); }
 
-inline std::string drawn_svg(const io::CollageReport& report) {
+inline std::string drawn_svg(const CollageReport& report) {
   DrawnCollage drawn(report);
   return collage_svg(report, drawn.artworks);
 }

@@ -7,7 +7,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "io/elements/region_labels.h"
+#include "products/elements/segmentation/region_labels.h"
 
 namespace tessera::test {
 
@@ -20,7 +20,7 @@ struct ElementPhoto {
 inline ElementPhoto photographed(const cv::Mat& truth, const cv::Scalar& element, const cv::Scalar& gap) {
   cv::RNG random(11);
   cv::Mat photo(truth.size(), CV_32FC3, gap);
-  for (std::size_t i = 1; i < io::region_boxes(truth).size(); ++i) {
+  for (std::size_t i = 1; i < region_boxes(truth).size(); ++i) {
     photo.setTo(element + cv::Scalar::all(random.uniform(-15., 15.)), truth == int(i));
   }
   cv::Mat texture(truth.size(), CV_32F), noise(truth.size(), CV_32FC3);

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "io/checkpoint/checkpoint_columns.h"
-#include "io/checkpoint/checkpoint_seal.h"
-#include "io/library/hdf5_handles.h"
+#include "checkpoint/checkpoint_columns.h"
+#include "checkpoint/checkpoint_seal.h"
+#include "library/hdf5/hdf5_handles.h"
 #include "support/hostile_file.h"
 
 namespace tessera::test {
@@ -21,8 +21,8 @@ namespace tessera::test {
 class CheckpointForger {
  public:
   explicit CheckpointForger(std::uint32_t seed) : random_(seed) {
-    io::CheckpointColumns columns;
-    io::each_column(columns, [&](const char* path, auto&, int, const char*, const char*) { paths_.push_back(path); });
+    CheckpointColumns columns;
+    each_column(columns, [&](const char* path, auto&, int, const char*, const char*) { paths_.push_back(path); });
   }
 
   static constexpr int kKinds = 8;
@@ -46,7 +46,7 @@ class CheckpointForger {
 
   template <class Change>
   static void change(const std::string& path, Change change) {
-    const io::Hdf5Silence silence;  // what cannot be made is missing then
+    const Hdf5Silence silence;  // what cannot be made is missing then
     const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
     H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18);
     const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, access);
@@ -69,14 +69,14 @@ class CheckpointForger {
 
   static void seal_again(const std::string& path) {
     std::vector<std::uint8_t> bytes = bytes_of(path);
-    io::seal_checkpoint(bytes);
+    seal_checkpoint(bytes);
     write(path, bytes);
   }
 
   Forgery flipped(const std::string& path, bool sealed) {
     std::vector<std::uint8_t> bytes = bytes_of(path);
     for (std::size_t i = 1 + below(8); i > 0; --i) {
-      std::uint8_t& byte = bytes[sealed ? io::kSealBytes + below(bytes.size() - io::kSealBytes) : below(bytes.size())];
+      std::uint8_t& byte = bytes[sealed ? kSealBytes + below(bytes.size() - kSealBytes) : below(bytes.size())];
       byte = std::uint8_t(byte ^ (1 + below(255)));
     }
     write(path, bytes);
@@ -88,7 +88,7 @@ class CheckpointForger {
     const auto size = std::filesystem::file_size(path);
     const std::size_t left = below(size);
     std::filesystem::resize_file(path, left);
-    const bool sealed = left > io::kSealBytes && below(2) == 0;
+    const bool sealed = left > kSealBytes && below(2) == 0;
     if (sealed) seal_again(path);
     // What is filled up with zeros at the end is nobody's.
     return {"cut to " + std::to_string(left) + (sealed ? ", sealed again" : ""), sealed};

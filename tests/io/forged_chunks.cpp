@@ -10,7 +10,7 @@ struct Stored {
   std::uint32_t skipped_filters = 0;
 };
 
-Stored checked(const Bytes& content, const io::ChunkPacking& packing) {
+Stored checked(const Bytes& content, const ChunkPacking& packing) {
   return {with_checksum(packing.deflated ? deflated(content) : content)};
 }
 
@@ -24,7 +24,7 @@ Forgery on_chunk(const std::string& path, ForgingChance& chance, const std::stri
     const OpenColumn open = open_column(file, column);
     const std::size_t chunks = (open.rows() + open.chunk_rows() - 1) / open.chunk_rows();
     const std::size_t row = chance.below(chunks) * open.chunk_rows();
-    const io::ChunkPacking packing = packing_of(open, column);
+    const ChunkPacking packing = packing_of(open, column);
     const Stored stored = make(read_chunk_at(open, row, packing), packing);
     store_chunk_at(open, row, stored.bytes, stored.skipped_filters);
     H5Dclose(open.set);
@@ -35,14 +35,14 @@ Forgery on_chunk(const std::string& path, ForgingChance& chance, const std::stri
 }  // namespace
 
 Forgery chunk_that_inflates_to_less(const std::string& path, ForgingChance& chance) {
-  return on_chunk(path, chance, "a chunk that inflates to less", [&](Bytes content, const io::ChunkPacking& packing) {
+  return on_chunk(path, chance, "a chunk that inflates to less", [&](Bytes content, const ChunkPacking& packing) {
     content.resize(chance.below(content.size()));
     return checked(content, packing);
   });
 }
 
 Forgery chunk_that_inflates_to_more(const std::string& path, ForgingChance& chance) {
-  return on_chunk(path, chance, "a chunk that inflates to more", [&](Bytes content, const io::ChunkPacking& packing) {
+  return on_chunk(path, chance, "a chunk that inflates to more", [&](Bytes content, const ChunkPacking& packing) {
     const std::size_t extra[] = {1, 100, content.size(), 64u << 20};
     content.resize(content.size() + extra[chance.below(4)]);
     return checked(content, packing);
@@ -51,7 +51,7 @@ Forgery chunk_that_inflates_to_more(const std::string& path, ForgingChance& chan
 
 Forgery chunk_with_skipped_filters(const std::string& path, ForgingChance& chance) {
   return on_chunk(path, chance, "a chunk whose filters are skipped",
-                  [&](const Bytes& good, const io::ChunkPacking& packing) {
+                  [&](const Bytes& good, const ChunkPacking& packing) {
                     Bytes bytes = chance.below(2) == 0 ? good : packed(good, packing);
                     if (chance.below(2) == 0) bytes.resize(bytes.size() / 2);
                     return Stored{bytes, std::uint32_t(1 + chance.below(7))};
@@ -59,7 +59,7 @@ Forgery chunk_with_skipped_filters(const std::string& path, ForgingChance& chanc
 }
 
 Forgery chunk_of_random_bytes(const std::string& path, ForgingChance& chance) {
-  return on_chunk(path, chance, "a chunk of random bytes", [&](const Bytes& good, const io::ChunkPacking&) {
+  return on_chunk(path, chance, "a chunk of random bytes", [&](const Bytes& good, const ChunkPacking&) {
     Bytes bytes(chance.below(good.size() + 100));
     for (std::uint8_t& b : bytes) b = std::uint8_t(chance.bits());
     return Stored{with_checksum(bytes)};

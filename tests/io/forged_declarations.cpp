@@ -23,7 +23,7 @@ hid_t type_of_way(std::size_t way, const Column& column) {
   if (way == 2) type = H5Tcopy(H5T_C_S1), H5Tset_size(type, H5T_VARIABLE);
   if (way == 3) type = H5Tvlen_create(H5T_IEEE_F32LE);
   if (way == 4) type = H5Tcreate(H5T_COMPOUND, 4), H5Tinsert(type, "a", 0, H5T_IEEE_F32LE);
-  if (way == 5) type = H5Tcreate(H5T_OPAQUE, io::layout::element_bytes(column));
+  if (way == 5) type = H5Tcreate(H5T_OPAQUE, layout::element_bytes(column));
   if (way == 6) type = H5Tcopy(H5T_STD_REF_OBJ);
   return type;
 }
@@ -50,7 +50,7 @@ Forgery other_filters(const std::string& path, ForgingChance& chance) {
     const hid_t type = H5Dget_type(open.set);
     const hid_t space = H5Dget_space(open.set);
     const hid_t properties = filters_of_way(way, open.chunk);
-    std::vector<char> data(std::size_t(H5Dget_storage_size(open.set)) + open.rows() * io::layout::row_bytes(column));
+    std::vector<char> data(std::size_t(H5Dget_storage_size(open.set)) + open.rows() * layout::row_bytes(column));
     H5Dread(open.set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.data());
     H5Dclose(open.set);
     declare_anew(file, column, type, space, properties);

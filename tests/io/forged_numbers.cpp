@@ -23,11 +23,11 @@ Forgery put(const std::string& path, ForgingChance& chance, const Column& column
     const OpenColumn open = open_column(file, column);
     const std::size_t row = chance.below(open.rows());
     const std::size_t chunk_row = row - row % open.chunk_rows();
-    const io::ChunkPacking packing = packing_of(open, column);
+    const ChunkPacking packing = packing_of(open, column);
     std::vector<std::uint8_t> content = read_chunk_at(open, chunk_row, packing);
-    const std::size_t per_row = io::layout::elements_per_row(column);
+    const std::size_t per_row = layout::elements_per_row(column);
     const std::size_t element = (row - chunk_row) * per_row + chance.below(per_row);
-    change_element(content.data() + element * io::layout::element_bytes(column));
+    change_element(content.data() + element * layout::element_bytes(column));
     store_chunk_at(open, chunk_row, packed(content, packing));
     H5Dclose(open.set);
   });
@@ -50,11 +50,11 @@ Forgery absurd_number(const std::string& path, ForgingChance& chance) {
                                  20'000,
                                  3};
     const std::int64_t kWholes[] = {-1, 0, 1, INT16_MIN, INT32_MAX, std::int64_t(1) << 40, INT64_MAX, INT64_MIN};
-    if (column.element == io::layout::Element::float32) {
+    if (column.element == layout::Element::float32) {
       std::memcpy(at, &kFloats[chance.below(std::size(kFloats))], sizeof(float));
     } else {
       const std::int64_t value = kWholes[chance.below(std::size(kWholes))];
-      std::memcpy(at, &value, std::min<std::size_t>(sizeof value, io::layout::element_bytes(column)));
+      std::memcpy(at, &value, std::min<std::size_t>(sizeof value, layout::element_bytes(column)));
     }
   });
 }
@@ -62,14 +62,14 @@ Forgery absurd_number(const std::string& path, ForgingChance& chance) {
 Forgery flipped_content(const std::string& path, ForgingChance& chance) {
   const Column& column = chance.any_column();
   return put(path, chance, column, [&](std::uint8_t* at) {
-    at[chance.below(io::layout::element_bytes(column))] ^= std::uint8_t(1u << chance.below(8));
+    at[chance.below(layout::element_bytes(column))] ^= std::uint8_t(1u << chance.below(8));
   });
 }
 
 Forgery astray_offset(const std::string& path, ForgingChance& chance) {
   std::vector<Column> offsets;
   for (const Column& c : chance.columns()) {
-    if (c.element == io::layout::Element::int64) offsets.push_back(c);
+    if (c.element == layout::Element::int64) offsets.push_back(c);
   }
   return put(path, chance, offsets[chance.below(offsets.size())], [&](std::uint8_t* at) {
     const std::int64_t value = std::int64_t(chance.below(200'000)) - 1000;
@@ -79,11 +79,11 @@ Forgery astray_offset(const std::string& path, ForgingChance& chance) {
 
 Forgery forged_thumbnail(const std::string& path, ForgingChance& chance) {
   constexpr std::size_t kHeader_bytes = 33;  // signature and header of the first one
-  const Column column = io::layout::library_columns(5).thumbnail_bytes;
+  const Column column = layout::library_columns(5).thumbnail_bytes;
   std::size_t at = 0;
   change_library(path, [&](hid_t file) {
     const OpenColumn open = open_column(file, column);
-    const io::ChunkPacking packing = packing_of(open, column);
+    const ChunkPacking packing = packing_of(open, column);
     std::vector<std::uint8_t> content = read_chunk_at(open, 0, packing);
     at = chance.below(kHeader_bytes);
     content[at] = std::uint8_t(content[at] ^ (1 + chance.below(255)));

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "io/job/job_tables.h"
+#include "job/job_tables.h"
 
 namespace tessera::test {
 
@@ -28,7 +28,7 @@ class HostileJob {
 
   /// "section.key=value" with a value that the key may or may not take.
   std::string make_override() {
-    const io::JobKey& key = any_key();
+    const JobKey& key = any_key();
     return key.full_name() + "=" + value_for(key);
   }
 
@@ -40,7 +40,7 @@ class HostileJob {
     return items[below(std::uint32_t(items.size()))];
   }
 
-  const io::JobKey& any_key() { return any(io::job_keys()); }
+  const JobKey& any_key() { return any(job_keys()); }
 
   static std::string repeated(const std::string& text, std::size_t times) {
     std::string result;
@@ -55,13 +55,13 @@ class HostileJob {
     return text.str();
   }
 
-  static std::string with_line(const std::string& text, const io::JobKey& key, const std::string& line) {
+  static std::string with_line(const std::string& text, const JobKey& key, const std::string& line) {
     return key.section.empty() ? line + text : text + "[" + key.section + "]\n" + line;
   }
 
   /// So that legal jobs stay among the others, however many keys there are.
   std::string with_extreme(const std::string& text) {
-    const io::JobKey& key = any_key();
+    const JobKey& key = any_key();
     return with_line(text, key, key.name + " = " + extreme_of(key) + "\n");
   }
 
@@ -73,7 +73,7 @@ class HostileJob {
       default: break;
     }
     if (below(4) == 0) return text + row();
-    const io::JobKey& key = any_key();
+    const JobKey& key = any_key();
     std::string name = below(12) == 0 ? any(strange_names()) : key.name;
     if (name.ends_with("_px") && below(6) == 0) name.replace(name.size() - 3, 3, "_mm");
     return with_line(text, key, name + " = " + value_for(key) + "\n");
@@ -100,16 +100,16 @@ class HostileJob {
 
   /// Of a table that may come any number of times.
   std::string row() {
-    const io::JobTable& table = any(io::job_tables());
+    const JobTable& table = any(job_tables());
     std::string text = "[[" + table.name + "]]\n";
-    for (const io::JobKey& column : table.columns) {
+    for (const JobKey& column : table.columns) {
       if (below(3) == 0) continue;
       text += (below(12) == 0 ? any(strange_names()) : column.name) + " = " + value_for(column) + "\n";
     }
     return text;
   }
 
-  std::string value_for(const io::JobKey& key) {
+  std::string value_for(const JobKey& key) {
     const std::string min = number_text(key.min);
     const std::string max = number_text(key.max);
     switch (below(12)) {
@@ -127,31 +127,31 @@ class HostileJob {
   }
 
   /// Just allowed.
-  std::string extreme_of(const io::JobKey& key) {
+  std::string extreme_of(const JobKey& key) {
     const std::string end = number_text(below(2) == 0 ? key.min : key.max);
     switch (key.kind) {
-      case io::JobKind::number:
-      case io::JobKind::integer: return end;
-      case io::JobKind::flag: return "true";
-      case io::JobKind::intervals:
+      case JobKind::number:
+      case JobKind::integer: return end;
+      case JobKind::flag: return "true";
+      case JobKind::intervals:
         return any(std::vector<std::string>{"[" + number_text(key.min) + ", " + number_text(key.max) + "]", end,
                                             "[[" + end + "], [" + end + ", " + end + "]]",
                                             "[" + repeated(end + ", ", 15) + end + "]"});
-      case io::JobKind::point: return "[" + end + ", " + end + "]";
-      case io::JobKind::uses: return "[" + number_text(key.min) + ", " + end + "]";
-      case io::JobKind::name: return "\"" + std::string(400, '*') + "\"";
-      case io::JobKind::paper_size: return "[" + end + ", " + end + "]";
-      case io::JobKind::size: return "[16, " + end + "]";
-      case io::JobKind::devices:
-      case io::JobKind::word: return "\"" + any(key.words) + "\"";
-      case io::JobKind::file: return "\"" + std::string(2000, 'f') + "/../own.h5\"";
-      case io::JobKind::texts:
+      case JobKind::point: return "[" + end + ", " + end + "]";
+      case JobKind::uses: return "[" + number_text(key.min) + ", " + end + "]";
+      case JobKind::name: return "\"" + std::string(400, '*') + "\"";
+      case JobKind::paper_size: return "[" + end + ", " + end + "]";
+      case JobKind::size: return "[16, " + end + "]";
+      case JobKind::devices:
+      case JobKind::word: return "\"" + any(key.words) + "\"";
+      case JobKind::file: return "\"" + std::string(2000, 'f') + "/../own.h5\"";
+      case JobKind::texts:
         if (key.name == "not_anew") return "[]";  // all others take patterns
         return "[\"*\", \"" + std::string(2000, '*') + "[\", \"[[:alpha:]]\"]";
-      case io::JobKind::indices: return "[" + end + "]";
-      case io::JobKind::files: return "[\"own.h5\", \"own.h5\"]";
-      case io::JobKind::palette: return "[\"#FFFFFF\", \"#000000\"]";
-      case io::JobKind::colour: return "\"#FFFFFF\"";
+      case JobKind::indices: return "[" + end + "]";
+      case JobKind::files: return "[\"own.h5\", \"own.h5\"]";
+      case JobKind::palette: return "[\"#FFFFFF\", \"#000000\"]";
+      case JobKind::colour: return "\"#FFFFFF\"";
     }
     return {};
   }

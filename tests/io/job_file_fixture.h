@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "io/job/job_file.h"
+#include "job/job_file.h"
 #include "scratch_folder.h"
 #include "support/input_error.h"
 
-namespace tessera::io {
+namespace tessera {
 
 class JobFile : public testing::Test {
  protected:
@@ -29,4 +29,4 @@ class JobFile : public testing::Test {
   const std::string minimal_ = "[library]\nfile = \"animals.h5\"\n";
 };
 
-}  // namespace tessera::io
+}  // namespace tessera

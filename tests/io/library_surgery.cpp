@@ -25,7 +25,7 @@ std::vector<hsize_t> corner_at(const OpenColumn& open, std::size_t row) {
 }  // namespace
 
 std::vector<Column> all_columns() {
-  const io::layout::Columns c = io::layout::library_columns(5);
+  const layout::Columns c = layout::library_columns(5);
   std::vector<Column> all{c.name,
                           c.perimeter,
                           c.radius,
@@ -52,13 +52,13 @@ std::vector<Column> all_columns() {
                           c.drawn_scale,
                           c.colour_grid,
                           c.style};
-  for (const io::layout::LevelColumns& level : c.levels)
+  for (const layout::LevelColumns& level : c.levels)
     all.insert(all.end(), {level.points, level.perimeter, level.lengths, level.keypoints, level.convexity});
   return all;
 }
 
 void change_library(const std::string& path, const std::function<void(hid_t)>& change) {
-  const io::Hdf5Silence silence;
+  const Hdf5Silence silence;
   const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
   H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, access);
@@ -81,8 +81,8 @@ OpenColumn open_column(hid_t file, const Column& column) {
   return open;
 }
 
-io::ChunkPacking packing_of(const OpenColumn& open, const Column& column) {
-  return {open.chunk_rows() * io::layout::row_bytes(column), io::layout::element_bytes(column), column.compressed};
+ChunkPacking packing_of(const OpenColumn& open, const Column& column) {
+  return {open.chunk_rows() * layout::row_bytes(column), layout::element_bytes(column), column.compressed};
 }
 
 std::vector<std::uint8_t> deflated(const std::vector<std::uint8_t>& bytes) {
@@ -94,17 +94,17 @@ std::vector<std::uint8_t> deflated(const std::vector<std::uint8_t>& bytes) {
 }
 
 std::vector<std::uint8_t> with_checksum(std::vector<std::uint8_t> bytes) {
-  const std::uint32_t sum = io::fletcher32(bytes);
+  const std::uint32_t sum = fletcher32(bytes);
   for (int b = 0; b < 4; ++b) bytes.push_back(std::uint8_t(sum >> 8 * b));
   return bytes;
 }
 
-std::vector<std::uint8_t> packed(const std::vector<std::uint8_t>& content, const io::ChunkPacking& packing) {
+std::vector<std::uint8_t> packed(const std::vector<std::uint8_t>& content, const ChunkPacking& packing) {
   return with_checksum(packing.deflated ? deflated(shuffled(content, packing.element_bytes)) : content);
 }
 
-std::vector<std::uint8_t> read_chunk_at(const OpenColumn& open, std::size_t row, const io::ChunkPacking& packing) {
-  return io::read_chunk(open.set, corner_at(open, row), packing, "good");
+std::vector<std::uint8_t> read_chunk_at(const OpenColumn& open, std::size_t row, const ChunkPacking& packing) {
+  return read_chunk(open.set, corner_at(open, row), packing, "good");
 }
 
 void store_chunk_at(const OpenColumn& open, std::size_t row, const std::vector<std::uint8_t>& bytes,

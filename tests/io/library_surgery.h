@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "io/library/library_chunk.h"
-#include "io/library/library_layout.h"
+#include "library/storage/library_chunk.h"
+#include "library/storage/library_layout.h"
 
 namespace tessera::test {
 
-using io::layout::Column;
+using layout::Column;
 
 /// All data sets of a library.
 std::vector<Column> all_columns();
@@ -33,15 +33,15 @@ struct OpenColumn {
 /// The caller closes `set`.
 OpenColumn open_column(hid_t file, const Column& column);
 
-io::ChunkPacking packing_of(const OpenColumn& open, const Column& column);
+ChunkPacking packing_of(const OpenColumn& open, const Column& column);
 
 std::vector<std::uint8_t> deflated(const std::vector<std::uint8_t>& bytes);
 std::vector<std::uint8_t> with_checksum(std::vector<std::uint8_t> bytes);
 /// As the program would store `content`.
-std::vector<std::uint8_t> packed(const std::vector<std::uint8_t>& content, const io::ChunkPacking& packing);
+std::vector<std::uint8_t> packed(const std::vector<std::uint8_t>& content, const ChunkPacking& packing);
 
 /// The content of the chunk that begins at row `row`, and its replacement by bytes that are stored as they are.
-std::vector<std::uint8_t> read_chunk_at(const OpenColumn& open, std::size_t row, const io::ChunkPacking& packing);
+std::vector<std::uint8_t> read_chunk_at(const OpenColumn& open, std::size_t row, const ChunkPacking& packing);
 void store_chunk_at(const OpenColumn& open, std::size_t row, const std::vector<std::uint8_t>& bytes,
                     std::uint32_t skipped_filters = 0);
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/shape/shape.h"
-#include "io/library/library_layout.h"
+#include "library/storage/library_layout.h"
 
 namespace tessera::test {
 
@@ -26,7 +26,7 @@ class RandomShape {
     const int curves = whole(1, 4);
     for (int c = 0; c < curves; ++c) shape.outline.curves.push_back(points(whole(3, 40)));
     shape.field.extent = number(0.6f, 4);
-    shape.field.distance = Grid<float>(io::layout::kFieldNodes, io::layout::kFieldNodes);
+    shape.field.distance = Grid<float>(layout::kFieldNodes, layout::kFieldNodes);
     for (float& d : shape.field.distance.data()) d = number(-0.5f, 3);
     for (std::size_t k = 0; k < kSmoothingLevels.size(); ++k) fill_level(shape.levels[k], kSmoothingLevels[k]);
     fill_artwork(shape.artwork);

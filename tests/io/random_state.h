@@ -5,7 +5,7 @@
 #include <random>
 
 #include "core/collage/checkpoint_state.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera::test {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "io/result/collage_files.h"
+#include "result/collage_files.h"
 #include "support/synthetic_shapes.h"
 
 namespace tessera::test {
@@ -14,7 +14,7 @@ struct SampleCollage {
   SampleCollage() {
     job.path = "sample.toml";
     job.library = "/nowhere/sample.h5";
-    job.quality = io::QualityWord::none;  // an effective job has the number in its place
+    job.quality = QualityWord::none;  // an effective job has the number in its place
     job.output.width_px = 400;
     job.output.background = "#ffe0c0";
     report.job = &job;
@@ -32,11 +32,11 @@ struct SampleCollage {
     report.placements.push_back({shape, t, 0.75f, 12.5f});
   }
 
-  io::CheckpointOrigin origin() const { return {&job, 11, 22}; }
+  CheckpointOrigin origin() const { return {&job, 11, 22}; }
 
-  io::Job job;
+  Job job;
   Canvas canvas = make_rectangle_canvas(200, 100);
-  io::CollageReport report;
+  CollageReport report;
 };
 
 /// Gives a shape this file as its embedded artwork, on a page of `width` x `height` units; the shape's centre lies in

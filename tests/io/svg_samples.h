@@ -6,7 +6,7 @@
 #include <string>
 
 #include "drawn_collage.h"
-#include "io/artwork/artwork_render.h"
+#include "artwork/artwork_render.h"
 #include "sample_collage.h"
 
 namespace tessera::test {
@@ -15,7 +15,7 @@ namespace tessera::test {
 inline cv::Mat drawn(const std::string& svg, int width_px) {
   const std::span bytes(reinterpret_cast<const std::uint8_t*>(svg.data()), svg.size());
   cv::Mat bgr;
-  cv::cvtColor(io::render_artwork(bytes, "collage.svg", width_px), bgr, cv::COLOR_BGRA2BGR);
+  cv::cvtColor(render_artwork(bytes, "collage.svg", width_px), bgr, cv::COLOR_BGRA2BGR);
   return bgr;
 }
 

@@ -4,11 +4,11 @@
 
 #include <filesystem>
 
-#include "io/artwork/sha256.h"
-#include "io/result/artwork_original.h"
+#include "artwork/images/sha256.h"
+#include "render/pieces/artwork_original.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 namespace fs = std::filesystem;
@@ -87,4 +87,4 @@ TEST_F(Original, PipesDevicesAndFoldersAreNotOpened) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

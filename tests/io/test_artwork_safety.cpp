@@ -4,10 +4,10 @@
 
 #include "artwork_samples.h"
 #include "core/base/error.h"
-#include "io/artwork/artwork_render.h"
+#include "artwork/artwork_render.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using test::area_fraction;
@@ -104,4 +104,4 @@ TEST(ArtworkFile, Reads) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -13,11 +13,11 @@
 
 #include "core/base/error.h"
 #include "file_size_limit.h"
-#include "io/atomic_file.h"
+#include "files/atomic_file.h"
 #include "planted_files.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 namespace fs = std::filesystem;
@@ -214,4 +214,4 @@ TEST(AtomicFile, WhatCannotBeWrittenIsFoundBefore) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -1,16 +1,16 @@
 // What drawing needs of the canvas' files is checked before a run.
-#include "io/result/canvas_drawing.h"
+#include "render/canvas_drawing.h"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 
-#include "io/job/canvas_file.h"
+#include "job/canvas/canvas_file.h"
 #include "sample_collage.h"
 #include "scratch_folder.h"
 #include "support/input_error.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 /// A canvas of 60 x 60 px, or something to keep out of, which is soon drawn at 120 px, and at 4096 px takes half a minute.
@@ -62,4 +62,4 @@ TEST(CanvasDrawing, ARectangleNeedsNothing) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

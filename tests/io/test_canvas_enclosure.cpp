@@ -1,14 +1,14 @@
 // Which canvases are an outline alone.
-#include "io/job/canvas_enclosure.h"
+#include "job/canvas/canvas_enclosure.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "io/job/canvas_file.h"
+#include "job/canvas/canvas_file.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 class CanvasEnclosure : public testing::Test {
@@ -64,4 +64,4 @@ TEST_F(CanvasEnclosure, ZonesCountAsCovered) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

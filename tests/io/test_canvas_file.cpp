@@ -8,12 +8,12 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
-#include "io/job/canvas_edge.h"
-#include "io/job/canvas_file.h"
-#include "io/job/canvas_page.h"
+#include "job/canvas/canvas_edge.h"
+#include "job/canvas/canvas_file.h"
+#include "job/canvas/canvas_page.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 class CanvasFile : public testing::Test {
@@ -436,4 +436,4 @@ TEST(SeamlessCanvas, with_its_images_is_no_larger_than_a_canvas_may_be) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

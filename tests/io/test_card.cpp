@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "io/result/card_output.h"
+#include "result/card_output.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 Quality sample_quality() {
@@ -207,4 +207,4 @@ TEST(Card, ARunThatDidNothing) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -10,13 +10,13 @@
 #include <random>
 
 #include "core/base/error.h"
-#include "io/atomic_file.h"
-#include "io/checkpoint/checkpoint_file.h"
-#include "io/checkpoint/checkpoint_seal.h"
+#include "files/atomic_file.h"
+#include "checkpoint/checkpoint_file.h"
+#include "checkpoint/checkpoint_seal.h"
 #include "random_state.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 namespace fs = std::filesystem;
@@ -339,4 +339,4 @@ TEST_F(DamagedCheckpoint, FlagsAndOrder) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

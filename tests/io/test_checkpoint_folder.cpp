@@ -8,15 +8,15 @@
 
 #include "core/base/error.h"
 #include "file_size_limit.h"
-#include "io/atomic_file.h"
-#include "io/checkpoint/checkpoint_folder.h"
-#include "io/checkpoint/checkpoint_origin.h"
-#include "io/library/library_file.h"
+#include "files/atomic_file.h"
+#include "checkpoint/checkpoint_folder.h"
+#include "checkpoint/checkpoint_origin.h"
+#include "library/storage/library_file.h"
 #include "planted_files.h"
 #include "random_shape.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 namespace fs = std::filesystem;
@@ -258,4 +258,4 @@ TEST_F(Origin, ALibraryThatChanged) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

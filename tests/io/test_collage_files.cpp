@@ -8,14 +8,14 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "io/result/card_drawing.h"
-#include "io/result/placed_pieces.h"
-#include "io/result/result_manifest.h"
+#include "render/card_drawing.h"
+#include "result/placed_pieces.h"
+#include "result/result_manifest.h"
 #include "sample_collage.h"
 #include "scratch_folder.h"
 #include "support/input_error.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 namespace fs = std::filesystem;
@@ -187,4 +187,4 @@ TEST(CollageFiles, AShapeThatIsMissingFromTheReportIsABug) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

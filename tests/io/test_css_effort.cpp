@@ -5,9 +5,9 @@
 
 #include "artwork_samples.h"
 #include "core/base/error.h"
-#include "io/artwork/svg_import.h"
+#include "artwork/svg/svg_import.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using test::svg;
@@ -102,4 +102,4 @@ TEST(CssEffort, DefaultsOfManyElementsAreRefused) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -1,14 +1,14 @@
 // Matching of selectors gives what trying each combination of elements gives.
-#include "io/artwork/css_matching.h"
+#include "artwork/svg/css_matching.h"
 
 #include <gtest/gtest.h>
 
 #include <rapidcheck/gtest.h>
 
-#include "io/artwork/css_tokens.h"
-#include "io/artwork/xml_tree.h"
+#include "artwork/svg/css_tokens.h"
+#include "artwork/svg/xml_tree.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 const xmlNode* element_before(const xmlNode* node) {
@@ -101,4 +101,4 @@ TEST(CssMatching, PlacesAmongSiblings) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "io/artwork/css_declarations.h"
-#include "io/artwork/css_tokens.h"
+#include "artwork/svg/css_declarations.h"
+#include "artwork/svg/css_tokens.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 // clang-format off
@@ -103,4 +103,4 @@ TEST(CssTokens, NumbersStayTheNumbersThatTheyWere) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

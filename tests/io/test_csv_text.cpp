@@ -1,14 +1,14 @@
 // Texts from elsewhere in tables for spreadsheets. That tables are read rightly is for test_wishes_file.cpp.
-#include "io/csv_text.h"
+#include "text/csv_text.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <sstream>
 
-#include "io/utf8_text.h"
+#include "text/utf8_text.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 TEST(CsvTextCell, plain_texts_stay) {
@@ -59,4 +59,4 @@ RC_GTEST_PROP(CsvTextCell, is_one_cell_that_is_no_formula, ()) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

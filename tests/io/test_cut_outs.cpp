@@ -4,11 +4,11 @@
 #include <opencv2/imgproc.hpp>
 
 #include "artwork_samples.h"
-#include "io/elements/cut_outs.h"
-#include "io/library/library_file.h"
+#include "products/elements/cut_outs.h"
+#include "library/storage/library_file.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 const BuildProgress kSilent = [](std::size_t, std::size_t) {};
@@ -73,4 +73,4 @@ TEST_F(CutOuts, OfPhotosOfOneNameHaveNamesOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

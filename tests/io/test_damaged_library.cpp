@@ -9,11 +9,11 @@
 #include <random>
 
 #include "core/base/error.h"
-#include "io/library/library_file.h"
+#include "library/storage/library_file.h"
 #include "random_shape.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using test::RandomShape;
@@ -279,4 +279,4 @@ TEST_F(DamagedLibrary, AbsurdNumbers) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -8,14 +8,14 @@
 
 #include "core/base/error.h"
 #include "core/matching/matching_context.h"
-#include "io/library/hdf5_handles.h"
-#include "io/library/segment_bytes.h"
-#include "io/library/segment_columns.h"
-#include "io/library/shape_models.h"
+#include "library/hdf5/hdf5_handles.h"
+#include "library/storage/segment_bytes.h"
+#include "library/storage/segment_columns.h"
+#include "library/storage/shape_models.h"
 #include "io/scratch_folder.h"
 #include "support/many_shapes.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 /// A small library, to be damaged.
@@ -274,4 +274,4 @@ TEST_F(DamagedModels, ThatAreMissingAreMadeAnew) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

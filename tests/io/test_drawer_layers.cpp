@@ -12,7 +12,7 @@
 #include "drawer_samples.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using test::Bytes;
@@ -96,4 +96,4 @@ TEST(Drawers, ReadNothingInAPrivateFolder) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

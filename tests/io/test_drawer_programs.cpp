@@ -9,10 +9,10 @@
 #include <fstream>
 
 #include "drawer_samples.h"
-#include "io/drawing/drawer_protocol.h"
+#include "artwork/protocol/drawer_protocol.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using test::kDisc;
@@ -133,4 +133,4 @@ TEST(Drawers, InheritNeitherAnEnvironmentOfRanksNorOpenFiles) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -12,7 +12,7 @@
 #include "drawer_samples.h"
 #include "support/room_for_stacks.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using namespace std::chrono_literals;
@@ -98,4 +98,4 @@ TEST(Drawers, SuspensionLosesNoDrawing) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

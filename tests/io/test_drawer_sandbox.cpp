@@ -20,12 +20,12 @@
 #include <thread>
 #include <vector>
 
-#include "io/drawing/drawer_files.h"
-#include "io/drawing/drawer_landlock.h"
-#include "io/drawing/drawer_sandbox.h"
+#include "artwork/sandbox/drawer_files.h"
+#include "artwork/sandbox/drawer_landlock.h"
+#include "artwork/sandbox/drawer_sandbox.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 constexpr std::size_t kBytes = std::size_t(128) << 20;
@@ -307,4 +307,4 @@ TEST(ProcessLimits, ItDiesWithItsParent) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -9,12 +9,12 @@
 #include <thread>
 
 #include "drawer_samples.h"
-#include "io/artwork/artwork_render.h"
-#include "io/artwork/svg_import.h"
-#include "io/artwork/warped_svg.h"
-#include "io/drawing/shape_codec.h"
+#include "artwork/artwork_render.h"
+#include "artwork/svg/svg_import.h"
+#include "artwork/warping/warped_svg.h"
+#include "artwork/protocol/shape_codec.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using namespace std::chrono_literals;
@@ -187,4 +187,4 @@ TEST(Drawers, LeaveNoProcessBehind) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

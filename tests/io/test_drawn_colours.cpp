@@ -1,13 +1,13 @@
 // What pieces show within their outlines.
-#include "io/result/drawn_colours.h"
+#include "render/pieces/drawn_colours.h"
 
 #include <gtest/gtest.h>
 
-#include "io/elements/cut_outs.h"
+#include "products/elements/cut_outs.h"
 #include "sample_collage.h"
 #include "support/colours.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 /// A disc in the middle of a page of 96 px, as wide as the page.
@@ -70,4 +70,4 @@ TEST(DrawnColours, OfTheLibraryStandInForAThumbnail) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -9,12 +9,12 @@
 #include <iterator>
 
 #include "core/base/error.h"
-#include "io/atomic_file.h"
-#include "io/checkpoint/checkpoint_folder.h"
+#include "files/atomic_file.h"
+#include "checkpoint/checkpoint_folder.h"
 #include "recorded_disk.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using Steps = std::vector<std::string>;
@@ -131,4 +131,4 @@ TEST(DurableFiles, OfManyFilesAFlushThatFailsIsTold) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -1,5 +1,5 @@
 // Photos with known elements: all of them are found, nothing else, and the labels are what the header says.
-#include "io/elements/element_labels.h"
+#include "products/elements/element_labels.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "drawn_elements.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using test::ElementPhoto;
@@ -124,4 +124,4 @@ TEST(ElementLabels, RefusesWhatWouldNeedTooLargeACopy) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -4,18 +4,18 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "io/elements/boundary_map.h"
-#include "io/elements/colour_clusters.h"
-#include "io/elements/distance_split.h"
-#include "io/elements/gap_filter.h"
-#include "io/elements/label_scaling.h"
-#include "io/elements/merge_tree.h"
-#include "io/elements/region_labels.h"
-#include "io/elements/region_vote.h"
-#include "io/elements/relief_watershed.h"
-#include "io/elements/trim.h"
+#include "products/elements/segmentation/boundary_map.h"
+#include "products/elements/segmentation/colour_clusters.h"
+#include "products/elements/segmentation/distance_split.h"
+#include "products/elements/gap_filter.h"
+#include "products/elements/segmentation/label_scaling.h"
+#include "products/elements/segmentation/merge_tree.h"
+#include "products/elements/segmentation/region_labels.h"
+#include "products/elements/segmentation/region_vote.h"
+#include "products/elements/segmentation/relief_watershed.h"
+#include "products/elements/trim.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 int label_count(const cv::Mat& labels) { return int(region_boxes(labels).size()) - 1; }
@@ -282,4 +282,4 @@ TEST(Trim, NeverTakesMoreThanHalf) { EXPECT_EQ(RimmedStone(15, 24, 70, 30).area(
 TEST(Trim, LeavesWhatIsTooSmallAlone) { EXPECT_EQ(RimmedStone(3, 4, 70, 30).area(), disc_area(4)); }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -1,5 +1,5 @@
 // Which pieces are meant by who draws over a collage.
-#include "io/result/erased_pieces.h"
+#include "result/erased_pieces.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "scratch_folder.h"
 #include "support/input_error.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 PlacedPiece placed_at(float x, float y) { return {"a", {10, 0, x, y}}; }
@@ -168,4 +168,4 @@ TEST(ErasedPieces, MasksThatCannotBeMeantAreErrors) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

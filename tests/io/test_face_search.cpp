@@ -6,11 +6,11 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "io/mosaic/face_search.h"
-#include "io/mosaic/haar_cascade_file.h"
-#include "io/mosaic/saliency.h"
+#include "products/mosaic/face_search.h"
+#include "products/mosaic/haar_cascade_file.h"
+#include "products/mosaic/saliency.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 const HaarCascade& cascade() {
@@ -124,4 +124,4 @@ TEST(SaliencyOfPicture, RefusesColoursButNotWhatJpegMakesOfGrey) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -4,14 +4,14 @@
 #include <filesystem>
 
 #include "core/base/error.h"
-#include "io/job/job_difference.h"
-#include "io/result/finished_result.h"
-#include "io/result/result_manifest.h"
+#include "job/job_difference.h"
+#include "result/finished_result.h"
+#include "result/result_manifest.h"
 #include "sample_collage.h"
 #include "scratch_folder.h"
 #include "support/input_error.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 namespace fs = std::filesystem;
@@ -162,4 +162,4 @@ TEST(ResultDifferences, are_none_in_what_the_result_does_not_show) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -8,15 +8,15 @@
 #include <string>
 
 #include "core/pad/pad_index.h"
-#include "io/checkpoint/checkpoint_columns.h"
-#include "io/checkpoint/checkpoint_seal.h"
-#include "io/library/library_layout.h"
-#include "io/library/segment_layout.h"
-#include "io/number_text.h"
-#include "io/result/result_manifest.h"
+#include "checkpoint/checkpoint_columns.h"
+#include "checkpoint/checkpoint_seal.h"
+#include "library/storage/library_layout.h"
+#include "library/storage/segment_layout.h"
+#include "text/number_text.h"
+#include "result/result_manifest.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 std::string document(const std::string& name) {
@@ -168,4 +168,4 @@ TEST(ResultDocument, has_the_format_of_the_manifest) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -6,17 +6,17 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
-#include "io/job/overlays.h"
-#include "io/result/afar_measure.h"
-#include "io/result/card_drawing.h"
-#include "io/result/card_input.h"
-#include "io/result/result_file.h"
-#include "io/result/tones.h"
+#include "job/canvas/overlays.h"
+#include "render/afar_measure.h"
+#include "render/card_drawing.h"
+#include "result/card_input.h"
+#include "result/result_file.h"
+#include "render/pieces/tones.h"
 #include "sample_collage.h"
 #include "scratch_folder.h"
 #include "support/input_error.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 /// Straight BGRA of a smooth picture.
@@ -199,4 +199,4 @@ TEST_F(Measured, ForgedFiguresAreRefused) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -4,12 +4,12 @@
 #include <clocale>
 #include <nlohmann/json.hpp>
 
-#include "io/number_text.h"
-#include "io/pose.h"
-#include "io/result/geojson_output.h"
+#include "text/number_text.h"
+#include "text/pose.h"
+#include "result/geojson_output.h"
 #include "sample_collage.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using nlohmann::json;
@@ -125,4 +125,4 @@ TEST(NumberText, TheLocaleDoesNotMatter) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -4,10 +4,10 @@
 #include <opencv2/imgproc.hpp>
 
 #include "drawn_elements.h"
-#include "io/elements/ground_pixels.h"
-#include "io/elements/ground_synthesis.h"
+#include "products/elements/ground_pixels.h"
+#include "products/elements/ground_synthesis.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 const cv::Scalar kStone(160, 150, 140), kMortar(50, 70, 90);
@@ -125,4 +125,4 @@ TEST(GroundSynthesis, TakesPatchesAsLargeAsThereAreEnoughOf) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -5,14 +5,14 @@
 #include <opencv2/imgproc.hpp>
 
 #include "artwork_samples.h"
-#include "io/job/canvas_file.h"
-#include "io/result/canvas_drawing.h"
-#include "io/result/ground_strips.h"
+#include "job/canvas/canvas_file.h"
+#include "render/canvas_drawing.h"
+#include "render/ground_strips.h"
 #include "scratch_folder.h"
 #include "support/input_error.h"
 #include "svg_samples.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using namespace test;
@@ -245,4 +245,4 @@ TEST(Ground, Of16BitsAChannelIsShownWith8) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -4,10 +4,10 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "io/mosaic/haar_cascade_file.h"
+#include "products/mosaic/haar_cascade_file.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 /// One tree of two nodes in a window of 20 x 20 px: bright in the middle, and not bright everywhere.
@@ -120,4 +120,4 @@ TEST(HaarCascade, RefusesWhatWouldReadElsewhere) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

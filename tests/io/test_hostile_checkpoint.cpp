@@ -3,14 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "forged_checkpoint.h"
-#include "io/checkpoint/checkpoint_file.h"
-#include "io/job/job_file.h"
+#include "checkpoint/checkpoint_file.h"
+#include "job/job_file.h"
 #include "master/collage_loop.h"
 #include "scratch_folder.h"
 #include "support/divided_matcher.h"
 #include "support/hostile_file.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using test::ScratchFolder;
@@ -100,4 +100,4 @@ TEST_F(HostileCheckpoint, TwoHundredForgeries) { EXPECT_GT(try_forgeries(0, 200)
 TEST_F(HostileCheckpoint, DISABLED_ThousandsOfForgeries) { EXPECT_GT(try_forgeries(1000, 4000), 4000u / 2); }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

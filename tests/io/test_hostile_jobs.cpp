@@ -9,11 +9,11 @@
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
 #include "hostile_job.h"
-#include "io/job/job_file.h"
-#include "io/job/job_keys.h"
+#include "job/job_file.h"
+#include "job/job_keys.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 constexpr std::uint32_t kJobs = 200;
@@ -117,4 +117,4 @@ TEST(HostileJobs, AsTextToo) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

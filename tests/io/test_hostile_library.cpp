@@ -14,15 +14,15 @@
 #include "core/shape/shape_field.h"
 #include "forged_library.h"
 #include "hdf5_metadata.h"
-#include "io/library/library_file.h"
-#include "io/library/library_shapes.h"
-#include "io/result/artwork_original.h"
+#include "library/storage/library_file.h"
+#include "library/library_shapes.h"
+#include "render/pieces/artwork_original.h"
 #include "library_surgery.h"
 #include "scratch_folder.h"
 #include "support/hostile_file.h"
 #include "support/synthetic_library.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using test::ScratchFolder;
@@ -69,7 +69,7 @@ class HostileLibrary : public test::HostileFile {
     library.summary();
     library.content_digest();
     const std::vector<Shape> shapes = library.read(0, library.size(), kEverything);
-    io::LibraryShapes placed(library);
+    LibraryShapes placed(library);
     for (std::uint32_t i = 0; i < library.size(); ++i) {
       placed.shape(ShapeId{i});  // throws where its parts contradict each other
       artwork_original(shapes[i].artwork);
@@ -209,4 +209,4 @@ TEST_F(HostileLibrary, ThumbnailsThatAreLarge) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -1,16 +1,16 @@
 // colour.harmony: the hues of pieces, and that the pictures show them.
-#include "io/result/hue_turns.h"
+#include "render/hue_turns.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "io/artwork/colour_conversion.h"
-#include "io/result/sprite.h"
+#include "artwork/images/colour_conversion.h"
+#include "render/pieces/sprite.h"
 #include "svg_samples.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using namespace test;
@@ -191,4 +191,4 @@ TEST(HueTurns, PatchesLeaveTheBackgroundAlone) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

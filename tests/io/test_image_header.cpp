@@ -1,12 +1,12 @@
 // Sizes from headers, and headers that lie or end early.
-#include "io/artwork/image_header.h"
+#include "artwork/images/image_header.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
 #include <opencv2/imgcodecs.hpp>
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -65,4 +65,4 @@ TEST(ImageHeader, DamagedHeadersNeverReadBeyondTheEnd) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

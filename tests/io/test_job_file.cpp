@@ -2,10 +2,10 @@
 #include <filesystem>
 #include <numbers>
 
-#include "io/job/job_keys.h"
+#include "job/job_keys.h"
 #include "job_file_fixture.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 TEST_F(JobFile, needs_nothing_but_a_library) {
@@ -316,4 +316,4 @@ TEST_F(JobFile, what_has_no_edges_does_not_grow_outward) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

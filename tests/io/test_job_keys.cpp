@@ -5,12 +5,12 @@
 #include <fstream>
 #include <sstream>
 
-#include "io/job/job_file.h"
-#include "io/job/job_tables.h"
-#include "io/job/job_value.h"
-#include "io/nearest_name.h"
+#include "job/job_file.h"
+#include "job/job_tables.h"
+#include "job/job_value.h"
+#include "text/nearest_name.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 TEST(JobKeys, defaults_are_allowed) {
@@ -74,4 +74,4 @@ RC_GTEST_PROP(NearestName, edit_distance_is_a_metric, ()) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -3,7 +3,7 @@
 
 #include "job_file_fixture.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 TEST_F(JobFile, overrides_win_and_the_last_one_most) {
@@ -68,4 +68,4 @@ TEST_F(JobFile, paths_are_relative_to_the_file_or_the_working_directory) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

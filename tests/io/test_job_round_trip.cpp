@@ -5,10 +5,10 @@
 #include <cmath>
 #include <filesystem>
 
-#include "io/job/job_tables.h"
+#include "job/job_tables.h"
 #include "job_file_fixture.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 /// A value that the key takes, not always a round one.
@@ -98,4 +98,4 @@ TEST_F(JobFile, writes_defaults_as_one_would_write_them) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

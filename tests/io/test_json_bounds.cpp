@@ -1,5 +1,5 @@
 // What a JSON text has too much of is told from its characters, whatever parts they come in; files read in blocks.
-#include "io/json_bounds.h"
+#include "text/json_bounds.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/digest.h"
-#include "io/json_file.h"
+#include "text/json_file.h"
 #include "scratch_folder.h"
 #include "support/input_error.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using nlohmann::json;
@@ -111,4 +111,4 @@ TEST(JsonFile, IsTheWholeFileAndItsDigest) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

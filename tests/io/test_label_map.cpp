@@ -5,13 +5,13 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "drawn_collage.h"
-#include "io/result/label_map.h"
-#include "io/result/png_stream.h"
+#include "render/label_map.h"
+#include "render/png_stream.h"
 #include "sample_collage.h"
 #include "scratch_folder.h"
 #include "support/input_error.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using test::SampleCollage;
@@ -116,4 +116,4 @@ TEST(Labels, DoNotDependOnTheThreads) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -1,5 +1,5 @@
 // OpenCV's lack of memory is everybody's.
-#include "io/lack_of_memory.h"
+#include "files/lack_of_memory.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 TEST(LackOfMemory, OfOpenCvIsNamedAndOtherErrorsPass) {
@@ -20,4 +20,4 @@ TEST(LackOfMemory, OfOpenCvIsNamedAndOtherErrorsPass) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

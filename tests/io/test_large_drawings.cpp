@@ -4,11 +4,11 @@
 
 #include <filesystem>
 
-#include "io/nesting/nest_input.h"
+#include "products/nesting/nest_input.h"
 #include "large_file.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 const std::string kSvg = "<svg xmlns='http://www.w3.org/2000/svg'>";
@@ -202,4 +202,4 @@ TEST_F(LargeDrawings, InFoldersAreCounted) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -3,11 +3,11 @@
 #include <zlib.h>
 
 #include "drawer_samples.h"
-#include "io/artwork/reduced_picture.h"
+#include "artwork/images/reduced_picture.h"
 #include "large_file.h"
 #include "support/limited_child.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 constexpr int kWidth_px = 7000, kHeight_px = 7100;
@@ -126,4 +126,4 @@ TEST(ReducedPicture, KeepsPlacesAndSmallPictures) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

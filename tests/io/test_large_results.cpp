@@ -4,18 +4,18 @@
 #include <filesystem>
 
 #include "core/field/canvas.h"
-#include "io/file_blocks.h"
-#include "io/job/start_pieces.h"
-#include "io/result/card_drawing.h"
-#include "io/result/card_input.h"
-#include "io/result/placed_pieces.h"
-#include "io/result/polygon_features.h"
-#include "io/result/polygon_pieces.h"
-#include "io/result/result_manifest.h"
+#include "files/file_blocks.h"
+#include "job/pieces/start_pieces.h"
+#include "render/card_drawing.h"
+#include "result/card_input.h"
+#include "result/placed_pieces.h"
+#include "result/polygon_features.h"
+#include "result/polygon_pieces.h"
+#include "result/result_manifest.h"
 #include "large_file.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 const std::string kBegin = R"({"type":"FeatureCollection","features":[)";
@@ -125,4 +125,4 @@ TEST_F(LargeResults, CardsAndManifestsAreSmall) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

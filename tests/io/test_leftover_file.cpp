@@ -1,5 +1,5 @@
 // What a signal would leave behind is known, and goes.
-#include "io/leftover_file.h"
+#include "files/leftover_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "io/new_folder.h"
-#include "io/output_folder.h"
-#include "io/output_lock.h"
+#include "files/new_folder.h"
+#include "files/output_folder.h"
+#include "files/output_lock.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 namespace fs = std::filesystem;
@@ -157,4 +157,4 @@ TEST_F(NewFolders, AreEmptyAndForOneRun) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -10,19 +10,19 @@
 
 #include "artwork_samples.h"
 #include "core/base/error.h"
-#include "io/drawing/shape_codec.h"
-#include "io/leftover_file.h"
-#include "io/library/contact_sheet.h"
-#include "io/library/left_out_list.h"
-#include "io/library/library_builder.h"
-#include "io/library/library_file.h"
-#include "io/library/library_names.h"
-#include "io/library/skip_reason_text.h"
-#include "io/utf8_text.h"
+#include "artwork/protocol/shape_codec.h"
+#include "files/leftover_file.h"
+#include "library/contact_sheet.h"
+#include "library/left_out_list.h"
+#include "library/library_builder.h"
+#include "library/storage/library_file.h"
+#include "library/library_names.h"
+#include "library/skip_reason_text.h"
+#include "text/utf8_text.h"
 #include "random_shape.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using test::RandomShape;
@@ -391,4 +391,4 @@ TEST(LeftOutList, has_a_line_a_file_whatever_its_name) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

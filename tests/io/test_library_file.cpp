@@ -10,14 +10,14 @@
 #include <filesystem>
 
 #include "core/base/error.h"
-#include "io/atomic_file.h"
-#include "io/library/library_file.h"
+#include "files/atomic_file.h"
+#include "library/storage/library_file.h"
 #include "library_surgery.h"
 #include "planted_files.h"
 #include "random_shape.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using test::RandomShape;
@@ -361,4 +361,4 @@ TEST(LibraryWriter, LeavesNothingOnAFullDisk) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -6,15 +6,15 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "io/job/job_library.h"
-#include "io/library/library_copy.h"
-#include "io/library/library_view.h"
+#include "job/pieces/job_library.h"
+#include "library/library_copy.h"
+#include "library/library_view.h"
 #include "random_shape.h"
 #include "scratch_folder.h"
 #include "support/colours.h"
 #include "support/input_error.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using test::message_of;
@@ -386,4 +386,4 @@ TEST_F(LibraryViews, RefuseAFamilyWithoutAHead) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -1,9 +1,9 @@
 // Lengths in mm: which keys take them, what they become in px, and every kind of mistake.
-#include "io/job/millimetres.h"
+#include "job/millimetres.h"
 
 #include "job_file_fixture.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 class Millimetres : public JobFile {
@@ -133,4 +133,4 @@ TEST_F(Millimetres, are_known_of_a_result) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

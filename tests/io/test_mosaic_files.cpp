@@ -10,14 +10,14 @@
 
 #include "artwork_samples.h"
 #include "core/base/error.h"
-#include "io/artwork/colour_conversion.h"
-#include "io/job/job_file.h"
-#include "io/mosaic/face_search.h"
-#include "io/mosaic/mosaic_files.h"
-#include "io/mosaic/mosaic_job.h"
+#include "artwork/images/colour_conversion.h"
+#include "job/job_file.h"
+#include "products/mosaic/face_search.h"
+#include "products/mosaic/mosaic_files.h"
+#include "products/mosaic/mosaic_job.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 namespace fs = std::filesystem;
@@ -330,4 +330,4 @@ TEST_F(MosaicFilesTest, RefuseNamesThatAJobCannotHold) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -5,11 +5,11 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
-#include "io/mosaic/mosaic_plan.h"
-#include "io/mosaic/size_gradation.h"
-#include "io/mosaic/size_map.h"
+#include "products/mosaic/mosaic_plan.h"
+#include "products/mosaic/size_gradation.h"
+#include "products/mosaic/size_map.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 const cv::Scalar kGrey(128, 128, 128);
@@ -215,4 +215,4 @@ TEST(LargestSizes, GrowByAPxForAPxOfTheCanvas) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -1,5 +1,5 @@
 // A pattern finds the names that it is of, and looks at few others.
-#include "io/library/name_index.h"
+#include "library/name_index.h"
 
 #include <fnmatch.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using Places = std::vector<std::uint32_t>;
@@ -84,4 +84,4 @@ RC_GTEST_PROP(NameIndex, finds_the_name_itself_or_what_fnmatch_finds, ()) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

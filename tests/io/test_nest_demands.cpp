@@ -1,10 +1,10 @@
 // How many pieces of each name: names and patterns of names.
 #include <gtest/gtest.h>
 
-#include "io/nesting/nest_input.h"
+#include "products/nesting/nest_input.h"
 #include "support/input_error.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 NestInput input_of(const std::vector<std::string>& names) {
@@ -31,4 +31,4 @@ TEST(SetDemands, a_name_with_brackets_is_itself) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

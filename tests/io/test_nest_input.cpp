@@ -6,12 +6,12 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "io/nesting/dxf_drawings.h"
-#include "io/nesting/nest_instance.h"
-#include "io/nesting/svg_drawings.h"
-#include "io/nesting/svg_path_data.h"
+#include "products/nesting/drawings/dxf_drawings.h"
+#include "products/nesting/nest_instance.h"
+#include "products/nesting/drawings/svg_drawings.h"
+#include "products/nesting/drawings/svg_path_data.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 SvgDrawings svg(const std::string& content,
@@ -338,4 +338,4 @@ TEST(NestInstance, BoundsHostileOnes) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

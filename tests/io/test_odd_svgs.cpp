@@ -9,16 +9,16 @@
 #include <functional>
 
 #include "core/base/error.h"
-#include "io/artwork/artwork_render.h"
-#include "io/drawing/drawers.h"
-#include "io/job/canvas_file.h"
-#include "io/library/library_builder.h"
-#include "io/library/library_file.h"
-#include "io/work_in_order.h"
+#include "artwork/artwork_render.h"
+#include "artwork/drawers/drawers.h"
+#include "job/canvas/canvas_file.h"
+#include "library/library_builder.h"
+#include "library/storage/library_file.h"
+#include "files/work_in_order.h"
 #include "odd_svgs.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using test::OddSvg;
@@ -170,10 +170,10 @@ TEST(OddSvg, AsArtworkOfALibrary) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  if (argc > 1) tessera::io::variants = 4;
+  if (argc > 1) tessera::variants = 4;
   return RUN_ALL_TESTS();
 }

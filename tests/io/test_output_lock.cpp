@@ -1,5 +1,5 @@
 // One output, one run: whoever comes second is told whose it is; what a dead process left is taken over.
-#include "io/output_lock.h"
+#include "files/output_lock.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -15,7 +15,7 @@
 #include "planted_files.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 class OutputLockTest : public testing::Test {
@@ -157,4 +157,4 @@ TEST_F(OutputLockTest, cannot_be_written_where_there_is_no_folder) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

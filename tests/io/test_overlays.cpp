@@ -1,5 +1,5 @@
 // colour.image and pieces.size_map: from the file to what pieces are compared with.
-#include "io/job/overlays.h"
+#include "job/canvas/overlays.h"
 
 #include <gtest/gtest.h>
 
@@ -9,13 +9,13 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "io/library/library_file.h"
-#include "io/library/library_view.h"
+#include "library/storage/library_file.h"
+#include "library/library_view.h"
 #include "random_shape.h"
 #include "scratch_folder.h"
 #include "support/colours.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 class Overlaid : public testing::Test {
@@ -210,4 +210,4 @@ TEST_F(Overlaid, MistakesNameKeyAndFile) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -1,15 +1,15 @@
 // The palettes of silhouettes, and when a library is one of silhouettes.
 #include <gtest/gtest.h>
 
-#include "io/job/job_file.h"
-#include "io/job/palette.h"
-#include "io/library/library_file.h"
-#include "io/library/one_colour.h"
+#include "job/job_file.h"
+#include "job/palette.h"
+#include "library/storage/library_file.h"
+#include "library/one_colour.h"
 #include "random_shape.h"
 #include "scratch_folder.h"
 #include "support/input_error.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using Colours = std::vector<std::string>;
@@ -107,4 +107,4 @@ TEST_F(Palettes, SuitLibrariesOfOneColour) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -6,10 +6,10 @@
 
 #include "artwork_samples.h"
 #include "core/base/error.h"
-#include "io/artwork/photo.h"
-#include "io/drawing/drawers.h"
+#include "artwork/images/photo.h"
+#include "artwork/drawers/drawers.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using test::Bytes;
@@ -103,4 +103,4 @@ TEST(Photo, IsDecodedByADrawer) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

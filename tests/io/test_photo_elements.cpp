@@ -3,11 +3,11 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "io/elements/connected_labels.h"
-#include "io/elements/elements_overview.h"
-#include "io/elements/photo_elements.h"
+#include "products/elements/segmentation/connected_labels.h"
+#include "products/elements/elements_overview.h"
+#include "products/elements/photo_elements.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 constexpr int kDisc = 7, kSquare = 3, kCut = 5, kSpeck = 9;
@@ -188,4 +188,4 @@ TEST(ElementsOverview, ShowsOutlinesAndKeepsTheSize) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

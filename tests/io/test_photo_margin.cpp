@@ -3,9 +3,9 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "io/elements/photo_margin.h"
+#include "products/elements/photo_margin.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 const cv::Scalar kMortar(220, 220, 220), kTile(180, 120, 30);
@@ -68,4 +68,4 @@ TEST(PhotoMargin, OfNothingIsNothing) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -6,11 +6,11 @@
 
 #include "artwork_samples.h"
 #include "drawn_collage.h"
-#include "io/artwork/artwork_render.h"
-#include "io/artwork/mask.h"
+#include "artwork/artwork_render.h"
+#include "artwork/images/mask.h"
 #include "sample_collage.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using test::Bytes;
@@ -150,4 +150,4 @@ TEST(PictureGround, MayBeKept) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

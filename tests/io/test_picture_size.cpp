@@ -1,11 +1,11 @@
 // How large the pictures become, in px and on paper.
-#include "io/job/picture_size.h"
+#include "job/picture_size.h"
 
 #include <gtest/gtest.h>
 
 #include "support/input_error.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 const Canvas kCanvas = make_rectangle_canvas(300, 200);
@@ -82,4 +82,4 @@ TEST(PictureSize, of_canvases_that_go_on_downwards_has_a_whole_height) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

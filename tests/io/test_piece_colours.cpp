@@ -5,10 +5,10 @@
 #include <set>
 
 #include "drawn_collage.h"
-#include "io/result/piece_colours.h"
+#include "render/piece_colours.h"
 #include "sample_collage.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 const std::vector<std::string> kPalette{"#112233", "#aa0000", "#00bb00", "#0000cc"};
@@ -103,4 +103,4 @@ TEST(PieceColours, StandForArtworkThatIsThere) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -1,16 +1,16 @@
 // From placements to deformed outlines in pieces.geojson, and back from there.
-#include "io/result/piece_deformation.h"
+#include "render/piece_deformation.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "io/result/geojson_output.h"
+#include "result/geojson_output.h"
 #include "sample_collage.h"
 #include "scratch_folder.h"
 #include "support/input_error.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 /// Disc and ring with a gap of 8 px between them.
@@ -91,4 +91,4 @@ TEST(PieceDeformation, RefusesPolygonsOfOtherPieces) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -1,11 +1,11 @@
 // Shapes that were placed are found by their ids, and mirror images by what they are drawn from.
-#include "io/result/placed_shapes.h"
+#include "result/placed_shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 Shape named(const std::string& name, bool mirrored = false) {
@@ -40,4 +40,4 @@ TEST(PlacedShapes, MirrorImagesHaveTheDrawingOfTheirName) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -13,16 +13,16 @@
 
 #include "artwork_samples.h"
 #include "drawn_collage.h"
-#include "io/available_cores.h"
-#include "io/result/artwork_original.h"
-#include "io/result/drawing_notes.h"
-#include "io/result/png_stream.h"
-#include "io/result/tiff_pyramid.h"
+#include "files/available_cores.h"
+#include "render/pieces/artwork_original.h"
+#include "result/drawing_notes.h"
+#include "render/png_stream.h"
+#include "render/tiff_pyramid.h"
 #include "planted_files.h"
 #include "sample_collage.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using test::drawn_picture;
@@ -415,4 +415,4 @@ TEST(Png, AStopLeavesNoFile) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -1,5 +1,5 @@
 // Polygons of any GeoJSON as pieces: ours, other people's, and those that nobody should hand on.
-#include "io/result/polygon_pieces.h"
+#include "result/polygon_pieces.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -9,13 +9,13 @@
 
 #include "core/collage/quality.h"
 #include "core/geometry/winding.h"
-#include "io/result/geojson_output.h"
+#include "result/geojson_output.h"
 #include "sample_collage.h"
 #include "scratch_folder.h"
 #include "support/input_error.h"
 #include "support/limited_child.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 const Canvas& canvas() {
@@ -316,4 +316,4 @@ RC_GTEST_PROP(TwistedArea, IsNoneOfSimpleOutlines, ()) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -1,14 +1,14 @@
 // A collage's SVG as the PDF has it, drawn on pixels here.
-#include "io/artwork/printed_svg.h"
+#include "artwork/svg/printed_svg.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "io/cairo_objects.h"
+#include "artwork/images/cairo_objects.h"
 #include "support/input_error.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 std::span<const std::uint8_t> bytes(const std::string& text) {
@@ -91,4 +91,4 @@ TEST(PrintedSvg, MayBeAnySvg) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -1,10 +1,10 @@
 // The key `quality`: how many trials each word gives, and what wins over it.
-#include "io/job/quality_word.h"
+#include "job/quality_word.h"
 
-#include "io/job/variations.h"
+#include "job/pieces/variations.h"
 #include "job_file_fixture.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using Texts = std::vector<std::string>;
@@ -197,4 +197,4 @@ TEST(DemosJob, has_300_trials) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -1,14 +1,14 @@
 // The table of the ranks: what stands in it follows from what was measured, and its shares add up.
-#include "io/result/rank_table.h"
+#include "result/rank_table.h"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "io/result/card_output.h"
+#include "result/card_output.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 /// Two workers: one counts for 1 s, the other for 3 s of 10 s.
@@ -100,4 +100,4 @@ TEST(RankTable, ALoopOfNoTime) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -7,13 +7,13 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "io/result/card_output.h"
-#include "io/result/ranking.h"
-#include "io/result/result_manifest.h"
+#include "result/card_output.h"
+#include "render/ranking.h"
+#include "result/result_manifest.h"
 #include "io/scratch_folder.h"
 #include "support/input_error.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 namespace fs = std::filesystem;
@@ -363,4 +363,4 @@ TEST_F(ResultFolders, the_files_of_a_ranking) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -1,7 +1,7 @@
 // Values that no key takes, in the job file and as an argument.
 #include "job_file_fixture.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 class RefusedValue : public JobFile, public testing::WithParamInterface<const char*> {};
@@ -47,4 +47,4 @@ INSTANTIATE_TEST_SUITE_P(
         "output.labels = \"true\"", "output.labels = []"));
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -5,10 +5,10 @@
 #include <array>
 
 #include "core/base/error.h"
-#include "io/regular_file.h"
+#include "files/regular_file.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 std::string mistake(const std::string& path, std::size_t most_bytes = 100) {
@@ -73,4 +73,4 @@ TEST(RegularFile, OtherThingsAreRefusedAndNamed) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -6,15 +6,15 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "io/result/card_output.h"
-#include "io/result/drawing_notes.h"
-#include "io/result/geojson_output.h"
-#include "io/result/ranking.h"
-#include "io/result/result_manifest.h"
+#include "result/card_output.h"
+#include "result/drawing_notes.h"
+#include "result/geojson_output.h"
+#include "render/ranking.h"
+#include "result/result_manifest.h"
 #include "sample_collage.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using nlohmann::json;
@@ -115,4 +115,4 @@ TEST(ResultFormat, has_every_column_of_a_ranking) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

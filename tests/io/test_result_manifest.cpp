@@ -4,13 +4,13 @@
 #include <fstream>
 #include <iterator>
 
-#include "io/result/collage_files.h"
-#include "io/result/result_manifest.h"
+#include "result/collage_files.h"
+#include "result/result_manifest.h"
 #include "sample_collage.h"
 #include "scratch_folder.h"
 #include "support/input_error.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 TEST(ResultManifest, of_another_format_is_refused) {
@@ -111,4 +111,4 @@ TEST(ResultManifest, keeps_what_was_drawn_and_reads_what_earlier_versions_said) 
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "file_size_limit.h"
-#include "io/result/run_log.h"
-#include "io/result/run_record.h"
-#include "io/utc_time.h"
+#include "result/run_log.h"
+#include "result/run_record.h"
+#include "text/utc_time.h"
 #include "planted_files.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 std::vector<std::string> lines_of(const std::string& path) {
@@ -102,4 +102,4 @@ TEST(UtcText, is_iso_8601) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -5,10 +5,10 @@
 #include <opencv2/imgproc.hpp>
 #include <set>
 
-#include "io/mosaic/segmentation.h"
-#include "io/mosaic/size_map.h"
+#include "products/mosaic/segmentation.h"
+#include "products/mosaic/size_map.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 const cv::Scalar kBlue(200, 60, 30), kYellow(40, 210, 240), kRed(40, 30, 210);
@@ -131,4 +131,4 @@ TEST(RegionPicture, OfTheLargestMosaicIsOneThatACanvasMayBe) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -2,12 +2,12 @@
 #include <gtest/gtest.h>
 
 #include "core/matching/matching_context.h"
-#include "io/library/library_file.h"
-#include "io/library/shape_models.h"
+#include "library/storage/library_file.h"
+#include "library/storage/shape_models.h"
 #include "io/scratch_folder.h"
 #include "support/matching_scene.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 TEST(ShapeModels, are_read_in_order_from_any_range) {
@@ -16,7 +16,7 @@ TEST(ShapeModels, are_read_in_order_from_any_range) {
   const std::string path = folder.path("many.h5");
   Shape bean = test::shape_from_outline(test::bean_outline(), PadParameters());
   bean.artwork.width_px = bean.artwork.height_px = 600;
-  io::LibraryWriter writer(path, PadParameters());
+  LibraryWriter writer(path, PadParameters());
   for (std::size_t i = 0; i < kShapes; ++i) {
     bean.name = "bean " + std::to_string(i);
     bean.perimeter = 1 + float(i);  // tells the models apart
@@ -24,13 +24,13 @@ TEST(ShapeModels, are_read_in_order_from_any_range) {
   }
   writer.finish();
 
-  const io::LibraryFile library(path);
+  const LibraryFile library(path);
   const MatchingContext context = make_matching_context(CollageSettings(), kShapes);
-  const std::vector<ShapeModel> models = io::read_models(library, {10, 190}, context);
+  const std::vector<ShapeModel> models = read_models(library, {10, 190}, context);
   ASSERT_EQ(models.size(), 180u);
   for (std::size_t i = 0; i < models.size(); ++i) EXPECT_EQ(models[i].perimeter, 11 + float(i));
   EXPECT_EQ(models.front().levels.size(), context.levels.size());
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -1,5 +1,5 @@
 // The picture that the pieces show: as the background of a result's pictures, and laid over all that they show.
-#include "io/result/shown_picture.h"
+#include "render/shown_picture.h"
 
 #include <gtest/gtest.h>
 
@@ -7,12 +7,12 @@
 #include <opencv2/imgproc.hpp>
 
 #include "artwork_samples.h"
-#include "io/job/overlays.h"
+#include "job/canvas/overlays.h"
 #include "scratch_folder.h"
 #include "support/input_error.h"
 #include "svg_samples.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using namespace test;
@@ -241,4 +241,4 @@ TEST(ImageOverlay, NeedsThePictureOfTheResult) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -1,5 +1,6 @@
 // From artwork to silhouette, picture and shape: every format, small and large drawings.
-#include "io/artwork/silhouette.h"
+#include "artwork/open_artwork_page.h"
+#include "artwork/silhouette.h"
 
 #include <gtest/gtest.h>
 
@@ -8,11 +9,11 @@
 
 #include "artwork_samples.h"
 #include "core/base/error.h"
-#include "io/artwork/artwork_page.h"
-#include "io/artwork/artwork_render.h"
-#include "io/artwork/artwork_shape.h"
+#include "artwork/images/artwork_page.h"
+#include "artwork/artwork_render.h"
+#include "artwork/artwork_shape.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using test::area_fraction;
@@ -292,4 +293,4 @@ TEST(ArtworkPage, WindowIsCutFromThePage) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

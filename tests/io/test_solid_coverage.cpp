@@ -1,5 +1,5 @@
 // Translucent parts belong to a silhouette; soft shadows and halos do not.
-#include "io/artwork/solid_coverage.h"
+#include "artwork/solid_coverage.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -8,9 +8,9 @@
 #include <opencv2/imgproc.hpp>
 
 #include "artwork_samples.h"
-#include "io/artwork/artwork_shape.h"
+#include "artwork/artwork_shape.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using test::Bytes;
@@ -271,4 +271,4 @@ RC_GTEST_PROP(SolidCoverage, WithoutTranslucentPartsItIsAlphaItself, ()) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

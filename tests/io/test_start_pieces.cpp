@@ -1,17 +1,17 @@
 // The pieces of an earlier result, as the program wrote them, as people edit them, and as nobody should.
-#include "io/job/start_pieces.h"
+#include "job/pieces/start_pieces.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 
-#include "io/pose.h"
-#include "io/result/geojson_output.h"
+#include "text/pose.h"
+#include "result/geojson_output.h"
 #include "sample_collage.h"
 #include "scratch_folder.h"
 #include "support/input_error.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 const std::vector<NamedShape> kShapes = {{"bear"}, {"disc"}, {"ring"}, {"bear", 0, true}};
@@ -321,4 +321,4 @@ TEST_F(StartPieces, TheRunMayNotReplaceThem) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -6,12 +6,12 @@
 
 #include "core/matching/matching_context.h"
 #include "core/pad/pad_index.h"
-#include "io/library/library_view.h"
-#include "io/library/shape_models.h"
+#include "library/library_view.h"
+#include "library/storage/shape_models.h"
 #include "io/scratch_folder.h"
 #include "support/many_shapes.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 constexpr std::uint32_t kShapes = kSegmentShapes + 40;
@@ -173,4 +173,4 @@ TEST_F(StoredModelsTest, AreOfAWholeFileAndItsParametersOnly) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -4,10 +4,10 @@
 #include <chrono>
 
 #include "core/base/error.h"
-#include "io/artwork/svg_import.h"
+#include "artwork/svg/svg_import.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 constexpr char kHead[] =
@@ -159,4 +159,4 @@ TEST(SvgImport, ASheetFromADataAddressIsNotLost) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

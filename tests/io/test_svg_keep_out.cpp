@@ -4,11 +4,11 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "io/job/canvas_file.h"
+#include "job/canvas/canvas_file.h"
 #include "scratch_folder.h"
 #include "svg_samples.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using namespace test;
@@ -75,4 +75,4 @@ TEST(SvgOutput, LettersMayBeAnImage) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -7,7 +7,7 @@
 #include "core/shape/mirrored_shape.h"
 #include "svg_samples.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using namespace test;
@@ -114,4 +114,4 @@ TEST(SvgOutput, NotesCountMirroredPiecesWithTheirDrawing) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

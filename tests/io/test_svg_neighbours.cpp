@@ -9,12 +9,12 @@
 
 #include "artwork_samples.h"
 #include "core/base/error.h"
-#include "io/artwork/artwork_render.h"
-#include "io/artwork/svg_import.h"
+#include "artwork/artwork_render.h"
+#include "artwork/svg/svg_import.h"
 #include "scratch_folder.h"
 #include "style_sheets.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using test::kLeavingSelectors;
@@ -200,4 +200,4 @@ TEST(SvgNeighbours, NoStyleSheetReachesThemInChromium) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

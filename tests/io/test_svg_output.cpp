@@ -4,11 +4,11 @@
 #include <set>
 
 #include "artwork_samples.h"
-#include "io/artwork/sha256.h"
+#include "artwork/images/sha256.h"
 #include "scratch_folder.h"
 #include "svg_samples.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using namespace test;
@@ -231,4 +231,4 @@ TEST(SvgOutput, GroundsOfRegionsAreCutOffAtTheEdge) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

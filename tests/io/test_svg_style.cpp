@@ -8,13 +8,13 @@
 
 #include "artwork_samples.h"
 #include "core/base/error.h"
-#include "io/artwork/artwork_render.h"
-#include "io/artwork/css_declarations.h"
-#include "io/artwork/css_tokens.h"
-#include "io/artwork/svg_import.h"
+#include "artwork/artwork_render.h"
+#include "artwork/svg/css_declarations.h"
+#include "artwork/svg/css_tokens.h"
+#include "artwork/svg/svg_import.h"
 #include "style_sheets.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using test::Bytes;
@@ -197,4 +197,4 @@ TEST(SvgStyle, LongSheetsAreReadOnce) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

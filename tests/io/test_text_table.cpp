@@ -1,11 +1,11 @@
 // Tables and lines for people whose cells are texts from elsewhere.
-#include "io/text_table.h"
+#include "text/text_table.h"
 
 #include <gtest/gtest.h>
 
-#include "io/result/card_lines.h"
+#include "result/card_lines.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 TEST(TextTable, columns_are_as_wide_as_their_widest_cell) {
@@ -26,4 +26,4 @@ TEST(CardLine, a_value_is_no_line_and_no_command_to_a_terminal) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -1,5 +1,5 @@
 // The TIFF as other programs read it: all of its sizes, to the pixel.
-#include "io/result/tiff_pyramid.h"
+#include "render/tiff_pyramid.h"
 
 #include <gtest/gtest.h>
 #include <tiffio.h>
@@ -13,11 +13,11 @@
 
 #include "core/base/error.h"
 #include "file_size_limit.h"
-#include "io/artwork/alpha.h"
+#include "artwork/images/alpha.h"
 #include "planted_files.h"
 #include "scratch_folder.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 struct CloseTiff {
@@ -168,4 +168,4 @@ TEST(TiffPyramid, AFullDiskIsAnErrorAndLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -1,11 +1,11 @@
 // Patches of colour over pieces: the same in pixels and in an SVG's image.
-#include "io/result/tone_patch.h"
+#include "layers/tone_patch.h"
 
 #include <gtest/gtest.h>
 
-#include "io/result/affine.h"
+#include "layers/affine.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 /// Red on the left, green on the right, a quarter of each.
@@ -83,4 +83,4 @@ TEST(Affine, InverseAndJoined) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

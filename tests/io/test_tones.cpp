@@ -1,15 +1,15 @@
 // colour.shift: how far tones go, and what it lays over a piece.
-#include "io/result/tones.h"
+#include "render/pieces/tones.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include "core/colour/ciede2000.h"
-#include "io/artwork/colour_conversion.h"
+#include "artwork/images/colour_conversion.h"
 #include "sample_collage.h"
 #include "support/colours.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 /// The shapes' mean colour is a grey of lightness 60: #919191.
@@ -204,4 +204,4 @@ TEST(Tones, KnowWhatPiecesCover) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

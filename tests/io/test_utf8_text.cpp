@@ -1,10 +1,10 @@
-#include "io/utf8_text.h"
+#include "text/utf8_text.h"
 
 #include <gtest/gtest.h>
 
-#include "io/json_text.h"
+#include "text/json_text.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 TEST(CutUtf8, NeverEndsInsideACharacter) {
@@ -61,4 +61,4 @@ TEST(JsonPathText, HasEveryByteOfAPath) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

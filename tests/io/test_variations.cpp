@@ -4,10 +4,10 @@
 
 #include <set>
 
-#include "io/job/variations.h"
+#include "job/pieces/variations.h"
 #include "support/input_error.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using test::message_of;
@@ -89,4 +89,4 @@ RC_GTEST_PROP(Variations, names_are_unique_and_fit_for_folders, ()) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

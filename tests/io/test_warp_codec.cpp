@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "io/drawing/warp_codec.h"
+#include "artwork/protocol/warp_codec.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 Warp any_warp() {
@@ -87,4 +87,4 @@ TEST(WarpCodec, WhatIsCutOffOrForgedIsRefused) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

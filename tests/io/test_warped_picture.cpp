@@ -7,9 +7,9 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
-#include "io/artwork/warped_picture.h"
+#include "artwork/warping/warped_picture.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 cv::Mat noise(cv::Size size, bool opaque) {
@@ -201,4 +201,4 @@ TEST(WarpedPicture, OutlastsAbsurdWarps) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

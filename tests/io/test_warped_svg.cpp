@@ -8,14 +8,14 @@
 
 #include "artwork_samples.h"
 #include "core/base/error.h"
-#include "io/artwork/alpha.h"
-#include "io/artwork/artwork_render.h"
-#include "io/artwork/png_uri.h"
-#include "io/artwork/svg_import.h"
-#include "io/artwork/warped_picture.h"
-#include "io/artwork/warped_svg.h"
+#include "artwork/images/alpha.h"
+#include "artwork/artwork_render.h"
+#include "artwork/images/png_uri.h"
+#include "artwork/svg/svg_import.h"
+#include "artwork/warping/warped_picture.h"
+#include "artwork/warping/warped_svg.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using test::Bytes;
@@ -301,4 +301,4 @@ TEST(WarpedSvg, AnyWarpIsDrawnOrRefused) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -1,15 +1,15 @@
 // From names in a job's tables to classes of shapes and regions.
-#include "io/job/wish_resolution.h"
+#include "job/pieces/wish_resolution.h"
 
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
 #include "core/base/processor_time.h"
-#include "io/job/shape_group.h"
+#include "job/pieces/shape_group.h"
 #include "io/scratch_folder.h"
 #include "support/input_error.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 const std::vector<NamedShape> kShapes = {{"cat", 40}, {"cow", 80}, {"owl"}, {"owl_2", 1.5f}};
@@ -261,4 +261,4 @@ TEST_F(WishResolution, AWishForAShapeThatWasLeftOutGoesToNoOther) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

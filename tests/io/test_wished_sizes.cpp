@@ -1,10 +1,10 @@
 // In which range of sizes a card judges balance.
-#include "io/job/wished_sizes.h"
+#include "job/pieces/wished_sizes.h"
 
-#include "io/job/wish_resolution.h"
+#include "job/pieces/wish_resolution.h"
 #include "job_file_fixture.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 class WishedSizes : public JobFile {
@@ -47,4 +47,4 @@ TEST_F(WishedSizes, AreNotSaidWhereATableOfWishesMayKnowOthers) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

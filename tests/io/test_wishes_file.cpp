@@ -3,15 +3,15 @@
 
 #include <random>
 
-#include "io/csv_text.h"
-#include "io/job/job_difference.h"
-#include "io/job/job_file.h"
-#include "io/job/job_keys.h"
-#include "io/job/wish_resolution.h"
+#include "text/csv_text.h"
+#include "job/job_difference.h"
+#include "job/job_file.h"
+#include "job/job_keys.h"
+#include "job/pieces/wish_resolution.h"
 #include "scratch_folder.h"
 #include "support/input_error.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using test::message_of;
@@ -282,4 +282,4 @@ TEST(DeepKeys, AreRefusedWhereverTheyStand) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

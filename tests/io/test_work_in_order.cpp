@@ -12,11 +12,11 @@
 #include <vector>
 
 #include "core/base/launch_policy.h"
-#include "io/parallel_for.h"
-#include "io/work_in_order.h"
+#include "files/parallel_for.h"
+#include "files/work_in_order.h"
 #include "support/room_for_stacks.h"
 
-namespace tessera::io {
+namespace tessera {
 namespace {
 
 using namespace std::chrono_literals;
@@ -105,4 +105,4 @@ TEST(ParallelFor, FewerThreadsOrNoneDoTheSameWork) {
 }
 
 }  // namespace
-}  // namespace tessera::io
+}  // namespace tessera

@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "core/collage/objective.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 #include "offering_matcher.h"
 #include "rounds_by_hand.h"
 #include "whole_collage.h"

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 #include "support/polygon_distance.h"
 #include "whole_collage.h"
 

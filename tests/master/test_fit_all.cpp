@@ -7,7 +7,7 @@
 
 #include "core/collage/missing_pieces.h"
 #include "core/matching/sized_settings.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 #include "foreign_state.h"
 #include "stopped_collage.h"
 

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera::master {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "core/matching/colour_fit.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 #include "support/colours.h"
 #include "whole_collage.h"
 

@@ -145,11 +145,11 @@ float beyond_px(const Box& box, Vec2 p) {
 }
 
 /// The pieces with all their images that may be felt in a window as copies.
-std::vector<DrawnPiece> near_to(const ReplacementWindow& w, const std::vector<Placement>& all, const Period& period) {
-  std::vector<DrawnPiece> near;
+std::vector<PlacedDrawing> near_to(const ReplacementWindow& w, const std::vector<Placement>& all, const Period& period) {
+  std::vector<PlacedDrawing> near;
   for (const Placement& p : all) {
     for (const Vec2 offset : period.offsets()) {
-      near.push_back(drawn_piece(ShapeId(index_of(p.shape) & ~1u), moved(p.canvas_from_shape, offset)));
+      near.push_back(placed_drawing(ShapeId(index_of(p.shape) & ~1u), moved(p.canvas_from_shape, offset)));
       if (beyond_px(w.box, near.back().centre_px) > kNearness_px) near.pop_back();
     }
   }
@@ -162,9 +162,9 @@ TEST(ReplacementWindows, CopiesThatMayBeFeltAreThoseThatMoveAndTheOthers) {
   batches.batch(replacer, 3);
   ASSERT_GT(replacer.windows().size(), 3u);
   for (const ReplacementWindow& w : replacer.windows()) {
-    std::vector<DrawnPiece> felt = w.elsewhere;
-    for (const WindowPiece& p : w.moving) felt.push_back(drawn_piece(p.drawing, p.canvas_from_shape));
-    const std::vector<DrawnPiece> near = near_to(w, batches.placements, {});
+    std::vector<PlacedDrawing> felt = w.elsewhere;
+    for (const WindowPiece& p : w.moving) felt.push_back(placed_drawing(p.drawing, p.canvas_from_shape));
+    const std::vector<PlacedDrawing> near = near_to(w, batches.placements, {});
     EXPECT_LT(near.size(), batches.placements.size());
     EXPECT_TRUE(std::is_permutation(felt.begin(), felt.end(), near.begin(), near.end()));
   }
@@ -177,8 +177,8 @@ TEST(ReplacementWindows, OnASeamlessCanvasCopiesAreFeltAcrossItsEdge) {
   batches.batch(replacer, 3);
   std::size_t across = 0;
   for (const ReplacementWindow& w : replacer.windows()) {
-    const std::vector<DrawnPiece> near = near_to(w, batches.placements, canvas.period);
-    for (const DrawnPiece& piece : w.elsewhere) {
+    const std::vector<PlacedDrawing> near = near_to(w, batches.placements, canvas.period);
+    for (const PlacedDrawing& piece : w.elsewhere) {
       EXPECT_EQ(std::count(near.begin(), near.end(), piece), 1);
       across += piece.centre_px.x < 0 || piece.centre_px.x > 1500;
     }
@@ -213,7 +213,7 @@ TEST(ReplacementWindows, TheEdgeIsThatOfTheCanvas) {
       test::AskedReplacer replacer;
       batches.batch(replacer);
       for (const ReplacementWindow& w : replacer.windows()) {
-        const CanvasEdge edge(w.edge.distance, w.edge.node_px);
+        const EdgeDistance edge(w.edge.distance, w.edge.node_px);
         for (float y = w.box.low.y - 70; y < w.box.high.y + 70; y += 13.3f) {
           for (float x = w.box.low.x - 70; x < w.box.high.x + 70; x += 17.7f) {
             const float to_top = std::min(y, 700 - y);
@@ -242,7 +242,7 @@ TEST(ReplacementWindows, FarFromTheEdgeThereIsNone) {
       EXPECT_TRUE(none ? nearest_px > kFar_px : nearest_px < kFar_px + 4) << nearest_px;
       if (!none) continue;
       least_far_px = std::min(least_far_px, nearest_px);
-      const CanvasEdge edge(w.edge.distance, w.edge.node_px);
+      const EdgeDistance edge(w.edge.distance, w.edge.node_px);
       for (float y = w.box.low.y - 79; y < w.box.high.y + 79; y += 58) {
         for (float x = w.box.low.x - 79; x < w.box.high.x + 79; x += 62) EXPECT_GE(edge.at({x, y}).value, 1000);
       }

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera::master {
 namespace {

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "core/collage/placed_outlines.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 #include "master/filling.h"
 #include "master/improving.h"
 #include "offering_matcher.h"

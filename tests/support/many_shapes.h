@@ -1,7 +1,7 @@
 // A library file of many shapes, of which no two models are alike, made in little time.
 #pragma once
 
-#include "io/library/library_file.h"
+#include "library/storage/library_file.h"
 #include "support/matching_scene.h"
 
 namespace tessera::test {
@@ -9,7 +9,7 @@ namespace tessera::test {
 /// Some outlines again and again, with other lengths.
 inline void write_many_shapes(const std::string& path, std::uint32_t count) {
   const std::vector<Shape> some = formula_shapes(6, PadParameters());
-  io::LibraryWriter writer(path, PadParameters());
+  LibraryWriter writer(path, PadParameters());
   for (std::uint32_t i = 0; i < count; ++i) {
     Shape shape = some[i % some.size()];
     shape.name = "shape " + std::to_string(i);

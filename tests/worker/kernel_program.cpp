@@ -2,8 +2,8 @@
 // program itself compiles them: kernels.cl, and options_N.txt for each match.levels N.
 #include <fstream>
 
-#include "core/tuning.h"
-#include "worker/kernel_options.h"
+#include "core/settings/tuning.h"
+#include "worker/devices/kernel_options.h"
 
 int main(int count, char** arguments) {
   using namespace tessera;

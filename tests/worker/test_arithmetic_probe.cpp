@@ -1,6 +1,6 @@
 // Hard operands: near a half between two floats they are as near as they are meant to be, and a device that rounds
 // otherwise is told and refused.
-#include "worker/arithmetic_probe.h"
+#include "worker/devices/arithmetic_probe.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "worker/opencl_devices.h"
+#include "worker/devices/opencl_devices.h"
 
 namespace tessera::worker {
 namespace {

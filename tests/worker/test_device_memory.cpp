@@ -1,5 +1,5 @@
 // Large buffers of a CPU are in huge pages, and given back.
-#include "worker/device_memory.h"
+#include "worker/devices/device_memory.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "worker/opencl_devices.h"
+#include "worker/devices/opencl_devices.h"
 
 namespace tessera::worker {
 namespace {

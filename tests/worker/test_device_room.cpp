@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "worker/opencl_devices.h"
+#include "worker/devices/opencl_devices.h"
 #include "worker/shard.h"
 
 namespace tessera::worker {

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "worker/device_group.h"
-#include "worker/opencl_devices.h"
+#include "worker/devices/opencl_devices.h"
 
 namespace tessera::worker {
 namespace {

@@ -1,5 +1,5 @@
 // What keeps a driver from working, told in words.
-#include "worker/driver_faults.h"
+#include "worker/devices/driver_faults.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

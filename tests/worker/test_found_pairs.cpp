@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <random>
 
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 #include "worker/found_pairs.h"
 
 namespace tessera::worker {

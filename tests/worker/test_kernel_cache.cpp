@@ -1,5 +1,5 @@
 // Where compiled kernels are kept: what the user names, the node's own folder, or nowhere.
-#include "worker/kernel_cache.h"
+#include "worker/devices/kernel_cache.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

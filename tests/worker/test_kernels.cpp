@@ -13,8 +13,8 @@
 #include "core/base/portable_math.h"
 #include "core/matching/reference_matcher.h"
 #include "support/matcher_round.h"
-#include "worker/kernel_options.h"
-#include "worker/opencl_devices.h"
+#include "worker/devices/kernel_options.h"
+#include "worker/devices/opencl_devices.h"
 #include "worker/opencl_matcher.h"
 
 namespace tessera::worker {

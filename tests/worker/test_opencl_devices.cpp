@@ -1,11 +1,11 @@
-#include "worker/opencl_devices.h"
+#include "worker/devices/opencl_devices.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 
 #include "worker/device_group.h"
-#include "worker/opencl_runtime.h"
+#include "worker/devices/opencl_runtime.h"
 
 namespace tessera::worker {
 namespace {

@@ -12,7 +12,7 @@
 #include "core/pad/pad_index.h"
 #include "support/single_models.h"
 #include "worker/device_group.h"
-#include "worker/opencl_devices.h"
+#include "worker/devices/opencl_devices.h"
 #include "worker/opencl_matcher.h"
 
 namespace tessera::test {

@@ -1,12 +1,12 @@
 // Work that is too much for one launch is divided, and every work item runs once.
-#include "worker/opencl_runtime.h"
+#include "worker/devices/opencl_runtime.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdlib>
 
-#include "worker/opencl_devices.h"
+#include "worker/devices/opencl_devices.h"
 
 namespace tessera::worker {
 namespace {

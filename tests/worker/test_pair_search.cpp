@@ -6,7 +6,7 @@
 
 #include "core/matching/match_round.h"
 #include "support/matching_scene.h"
-#include "worker/opencl_devices.h"
+#include "worker/devices/opencl_devices.h"
 #include "worker/pair_search.h"
 #include "worker/sample_records.h"
 

@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 
 #include "core/matching/reference_matcher.h"
-#include "io/library/shape_models.h"
+#include "library/storage/shape_models.h"
 #include "io/scratch_folder.h"
 #include "support/many_shapes.h"
 #include "support/matcher_round.h"
-#include "worker/opencl_devices.h"
+#include "worker/devices/opencl_devices.h"
 #include "worker/opencl_matcher.h"
 
 namespace tessera::test {
@@ -18,7 +18,7 @@ constexpr std::uint32_t kShapes = kSegmentShapes + 150;
 TEST(StoredMatching, IsTheSameAsForTheReference) {
   const test::ScratchFolder folder;
   write_many_shapes(folder.path("many.h5"), kShapes);
-  const io::LibraryFile library(folder.path("many.h5"));
+  const LibraryFile library(folder.path("many.h5"));
   for (const bool limits_rotations : {false, true}) {
     CollageSettings settings = scene_settings();
     if (limits_rotations) settings.pieces.max_rotation_rad = 0.4f;
@@ -30,7 +30,7 @@ TEST(StoredMatching, IsTheSameAsForTheReference) {
     worker::OpenCLMatcher matcher(worker::opencl_devices().front(), scene.context, range, stored,
                                   worker::BetweenLaunches(), worker::kStageBytes,
                                   worker::HeldShapes{.most_whole = 0, .contours = 40});
-    const std::vector<ShapeModel> made = io::read_models(library, range, scene.context);
+    const std::vector<ShapeModel> made = read_models(library, range, scene.context);
     ReferenceMatcher reference(scene.context, range.begin, made);
     set_field(matcher, scene.field);
     set_field(reference, scene.field);

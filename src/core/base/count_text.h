@@ -1,7 +1,8 @@
-// Numbers with a noun in texts for people: "1 piece", "2 pieces".
+// Numbers with a noun or a unit in texts for people: "1 piece", "2 pieces", "8.6 GB".
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -13,5 +14,11 @@ std::string count_text(std::size_t count, std::string_view one, std::string_view
 
 /// The noun alone, or what else goes by the number: by_count(1, "is", "are") == "is".
 std::string by_count(std::size_t count, std::string_view one, std::string_view several);
+
+/// "8.6 GB".
+std::string gigabytes(std::uint64_t bytes);
+
+/// "640 x 480".
+std::string size_text(int width, int height);
 
 }  // namespace tessera

@@ -6,7 +6,7 @@
 #include "core/relax/piece_neighbours.h"
 #include "core/relax/schedules.h"
 #include "core/shape/shape_field.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera {
 namespace {

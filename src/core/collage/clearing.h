@@ -8,7 +8,7 @@
 #include "core/collage/placed_outlines.h"
 #include "core/field/free_field.h"
 #include "core/relax/relaxation.h"
-#include "core/settings.h"
+#include "core/settings/settings.h"
 
 namespace tessera {
 

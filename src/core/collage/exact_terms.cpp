@@ -6,7 +6,7 @@
 #include "core/field/nodes_near.h"
 #include "core/field/piece_distance.h"
 #include "core/geometry/bit_grid.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera {
 namespace {

@@ -4,7 +4,7 @@
 #include "core/field/free_field.h"
 #include "core/geometry/similarity.h"
 #include "core/matching/docking_terms.h"
-#include "core/settings.h"
+#include "core/settings/settings.h"
 #include "core/shape/shape.h"
 
 namespace tessera {

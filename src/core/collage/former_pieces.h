@@ -6,7 +6,7 @@
 
 #include "core/geometry/period.h"
 #include "core/geometry/similarity.h"
-#include "core/settings.h"
+#include "core/settings/settings.h"
 #include "core/shape/shape_id.h"
 
 namespace tessera {

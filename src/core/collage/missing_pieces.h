@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/collage/placement.h"
-#include "core/settings.h"
+#include "core/settings/settings.h"
 #include "core/shape/shape_id.h"
 
 namespace tessera {

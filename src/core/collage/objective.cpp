@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera {
 

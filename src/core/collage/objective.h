@@ -7,7 +7,7 @@
 #include <array>
 
 #include "core/matching/docking_terms.h"
-#include "core/settings.h"
+#include "core/settings/settings.h"
 
 namespace tessera {
 

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "core/collage/objective.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera {
 float paper_objective(const DockingTerms& t, const PieceSize& piece, const ObjectiveSettings& w) {

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "core/collage/objective.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera {
 /// Never nothing: a poor piece is better than a hole.

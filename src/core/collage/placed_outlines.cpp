@@ -10,7 +10,7 @@
 #include "core/field/piece_distance.h"
 #include "core/geometry/rasterise.h"
 #include "core/shape/shape_field.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera {
 namespace {

@@ -9,7 +9,7 @@
 #include "core/collage/placement.h"
 #include "core/field/free_field.h"
 #include "core/geometry/polygon_index.h"
-#include "core/settings.h"
+#include "core/settings/settings.h"
 #include "core/shape/shape_source.h"
 
 namespace tessera {

@@ -7,7 +7,7 @@
 
 #include "core/field/canvas.h"
 #include "core/shape/shape.h"
-#include "core/wishes.h"
+#include "core/settings/wishes.h"
 
 namespace tessera {
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kNodeStride = 2;
 constexpr int kTurns = 32;
-constexpr Vec2 kTurn{0.98078528f, 0.19509032f};  // cosine and sine of a 32nd of a whole turn
+constexpr Vec2 kDirectionStep{0.98078528f, 0.19509032f};  // cosine and sine of a 32nd of a whole turn
 constexpr std::size_t kPlacesBetweenChecks = 1000;
 constexpr float kLeastDistance = 0.5f;  // of the hull's middle from anything, in parts of HullRoom::radius
 /// The points of a boundary are tried so many places apart: two neighbours mostly hit the same thing. The stride has no
@@ -26,7 +26,7 @@ std::array<Vec2, kTurns> directions() {
   Vec2 direction{1, 0};
   for (Vec2& d : all) {
     d = direction;
-    direction = {d.x * kTurn.x - d.y * kTurn.y, d.x * kTurn.y + d.y * kTurn.x};
+    direction = {d.x * kDirectionStep.x - d.y * kDirectionStep.y, d.x * kDirectionStep.y + d.y * kDirectionStep.x};
   }
   return all;
 }

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "core/base/portable_math.h"
-#include "core/tuning.h"
 
 namespace tessera {
+
+inline constexpr float kEvenFading = 20;  // halvings; twice as many are never reached
 
 /// What is left after so many halvings, 0 or more: 2^-halvings at first, then ever less is lost, so that numbers stay
 /// normal and more halvings leave less whatever the weight.

@@ -9,12 +9,12 @@ namespace {
 constexpr double kLuminance = (0.01 * 255) * (0.01 * 255);
 constexpr double kContrast = (0.03 * 255) * (0.03 * 255);
 
-struct Moments {
+struct WindowMoments {
   double weight = 0, x = 0, y = 0, xx = 0, yy = 0, xy = 0;
 };
 
-Moments moments_in(const Window& window, const Grid<float>& x, const Grid<float>& y, const Grid<float>& weight) {
-  Moments sum;
+WindowMoments moments_in(const Window& window, const Grid<float>& x, const Grid<float>& y, const Grid<float>& weight) {
+  WindowMoments sum;
   for (int row = window.y0; row < window.y1; ++row) {
     for (int column = window.x0; column < window.x1; ++column) {
       const double w = double(weight(column, row)), a = double(x(column, row)), b = double(y(column, row));
@@ -29,7 +29,7 @@ Moments moments_in(const Window& window, const Grid<float>& x, const Grid<float>
   return sum;
 }
 
-double similarity(const Moments& sum, int pixels) {
+double similarity(const WindowMoments& sum, int pixels) {
   const double x = sum.x / sum.weight, y = sum.y / sum.weight;
   const double unbiased = pixels > 1 ? double(pixels) / (pixels - 1) : 1;
   const double variance_x = unbiased * (sum.xx / sum.weight - x * x);
@@ -46,7 +46,7 @@ double ssim(const Grid<float>& x, const Grid<float>& y, const Grid<float>& weigh
   double sum = 0, weights = 0;
   for (int top = 0; top + height <= x.height(); ++top) {
     for (int left = 0; left + width <= x.width(); ++left) {
-      const Moments moments = moments_in({left, top, left + width, top + height}, x, y, weight);
+      const WindowMoments moments = moments_in({left, top, left + width, top + height}, x, y, weight);
       if (!(moments.weight > 0)) continue;
       sum += moments.weight * similarity(moments, width * height);
       weights += moments.weight;

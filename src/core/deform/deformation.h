@@ -10,7 +10,7 @@
 #include "core/deform/warp.h"
 #include "core/field/canvas.h"
 #include "core/geometry/similarity.h"
-#include "core/settings.h"
+#include "core/settings/settings.h"
 #include "core/shape/shape.h"
 
 namespace tessera {

@@ -8,7 +8,7 @@
 #include "core/geometry/bit_grid.h"
 #include "core/geometry/extent.h"
 #include "core/shape/shape_field.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera {
 namespace {

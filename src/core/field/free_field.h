@@ -8,7 +8,7 @@
 #include "core/field/field_lookup.h"
 #include "core/geometry/periodic_grid.h"
 #include "core/geometry/similarity.h"
-#include "core/settings.h"
+#include "core/settings/settings.h"
 #include "core/shape/shape.h"
 
 namespace tessera {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera {
 

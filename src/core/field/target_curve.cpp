@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/pad/pyramid.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera {
 namespace {

@@ -15,7 +15,7 @@
 #include "core/field/target_sample.h"
 #include "core/geometry/tile_index.h"
 #include "core/pad/pad.h"
-#include "core/settings.h"
+#include "core/settings/settings.h"
 
 namespace tessera {
 

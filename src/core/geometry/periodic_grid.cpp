@@ -3,7 +3,7 @@
 namespace tessera {
 namespace {
 
-struct Run {
+struct NodeRun {
   int begin;
   int end;
 };
@@ -11,10 +11,10 @@ struct Run {
 int floor_of(int a, int b) { return a / b - (a % b < 0 ? 1 : 0); }
 
 /// What of the images of [begin, end) lies in [low, high).
-std::vector<Run> runs(Run run, int period, Run bounds) {
-  std::vector<Run> parts;
+std::vector<NodeRun> runs(NodeRun run, int period, NodeRun bounds) {
+  std::vector<NodeRun> parts;
   const auto add = [&](int begin, int end) {
-    const Run part{std::max(begin, bounds.begin), std::min(end, bounds.end)};
+    const NodeRun part{std::max(begin, bounds.begin), std::min(end, bounds.end)};
     if (part.begin < part.end) parts.push_back(part);
   };
   if (run.begin >= run.end) return parts;
@@ -30,19 +30,19 @@ std::vector<Run> runs(Run run, int period, Run bounds) {
   return parts;
 }
 
-bool overlap(Run a, Run b, int period) {
+bool overlap(NodeRun a, NodeRun b, int period) {
   return period == 0 ? a.begin < b.end && b.begin < a.end : !runs(a, period, b).empty();
 }
 
 /// The way from [begin, ..) of b to its image that is nearest to a, by their middles.
-int to_nearest(Run a, Run b, int period) {
+int to_nearest(NodeRun a, NodeRun b, int period) {
   if (period == 0) return 0;
   const int apart = (b.begin + b.end) - (a.begin + a.end);  // twice the middles' distance
   return -period * floor_of(apart + period, 2 * period);
 }
 
-Run across(const Window& w) { return {w.x0, w.x1}; }
-Run down(const Window& w) { return {w.y0, w.y1}; }
+NodeRun across(const Window& w) { return {w.x0, w.x1}; }
+NodeRun down(const Window& w) { return {w.y0, w.y1}; }
 
 }  // namespace
 
@@ -55,9 +55,9 @@ Window PeriodicGrid::clipped(const Window& window) const {
 
 std::vector<Window> PeriodicGrid::images(const Window& window, const Window& bounds) const {
   std::vector<Window> parts;
-  const std::vector<Run> columns = runs(across(window), period_.x_px, across(bounds));
-  for (const Run& rows : runs(down(window), period_.y_px, down(bounds))) {
-    for (const Run& run : columns) parts.push_back({run.begin, rows.begin, run.end, rows.end});
+  const std::vector<NodeRun> columns = runs(across(window), period_.x_px, across(bounds));
+  for (const NodeRun& rows : runs(down(window), period_.y_px, down(bounds))) {
+    for (const NodeRun& run : columns) parts.push_back({run.begin, rows.begin, run.end, rows.end});
   }
   return parts;
 }

@@ -7,11 +7,11 @@
 namespace tessera {
 namespace {
 
-struct Crossing {
+struct RowCrossing {
   int row;
   float x;
 
-  bool operator<(const Crossing& o) const { return std::tie(row, x) < std::tie(o.row, o.x); }
+  bool operator<(const RowCrossing& o) const { return std::tie(row, x) < std::tie(o.row, o.x); }
 };
 
 /// Keeps a coordinate of any size within what an int holds.
@@ -20,7 +20,7 @@ float within_int(float v) { return std::clamp(v, -1e9f, 1e9f); }
 /// First row or column whose centre is at `v` or beyond it.
 int first_centre_from(float v) { return int(std::ceil(within_int(v) - 0.5f)); }
 
-void add_crossings(Vec2 p, Vec2 q, const Window& window, std::vector<Crossing>& crossings) {
+void add_crossings(Vec2 p, Vec2 q, const Window& window, std::vector<RowCrossing>& crossings) {
   // Always from top to bottom, so that two outlines that share an edge cut each row at the same x.
   if (p.y > q.y) std::swap(p, q);
   const int begin = std::max(window.y0, first_centre_from(p.y));
@@ -30,9 +30,9 @@ void add_crossings(Vec2 p, Vec2 q, const Window& window, std::vector<Crossing>& 
   for (int row = begin; row < end; ++row) crossings.push_back({row, p.x + (float(row) + 0.5f - p.y) * slope});
 }
 
-std::vector<Crossing> sorted_crossings(const Outline& outline, const Similarity& grid_from_shape,
+std::vector<RowCrossing> sorted_crossings(const Outline& outline, const Similarity& grid_from_shape,
                                        const Window& window) {
-  std::vector<Crossing> crossings;
+  std::vector<RowCrossing> crossings;
   for (const std::vector<Vec2>& curve : outline.curves) {
     if (curve.empty()) continue;
     Vec2 previous = grid_from_shape.apply(curve.back());
@@ -62,7 +62,7 @@ Window bounding_window(const Outline& outline, const Similarity& grid_from_shape
 }
 
 std::vector<Span> fill_spans(const Outline& outline, const Similarity& grid_from_shape, const Window& window) {
-  const std::vector<Crossing> crossings = sorted_crossings(outline, grid_from_shape, window);
+  const std::vector<RowCrossing> crossings = sorted_crossings(outline, grid_from_shape, window);
   std::vector<Span> spans;
   // Closed curves cross every row an even number of times.
   for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {

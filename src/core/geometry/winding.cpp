@@ -11,12 +11,12 @@ constexpr double kFewestLines = 16;
 constexpr double kMostLines = 128;
 
 /// A line across meets the boundary at x, which runs up (+1) or down (-1) there.
-struct Crossing {
+struct LineCrossing {
   int line;
   double x;
   int turn;
 
-  bool operator<(const Crossing& o) const { return std::tie(line, x) < std::tie(o.line, o.x); }
+  bool operator<(const LineCrossing& o) const { return std::tie(line, x) < std::tie(o.line, o.x); }
 };
 
 /// Horizontal ones, evenly between the lowest and the highest y.
@@ -40,7 +40,7 @@ Lines lines_across(const Outline& outline) {
   return {low + apart / 2, apart, count};
 }
 
-void add_crossings(Vec2 from, Vec2 to, const Lines& lines, std::vector<Crossing>& crossings) {
+void add_crossings(Vec2 from, Vec2 to, const Lines& lines, std::vector<LineCrossing>& crossings) {
   const int turn = to.y > from.y ? 1 : -1;
   if (turn < 0) std::swap(from, to);
   const int begin = std::max(0, int(std::ceil((from.y - lines.first_y) / lines.apart)));
@@ -55,7 +55,7 @@ void add_crossings(Vec2 from, Vec2 to, const Lines& lines, std::vector<Crossing>
 
 double twisted_area(const Outline& outline) {
   const Lines lines = lines_across(outline);
-  std::vector<Crossing> crossings;
+  std::vector<LineCrossing> crossings;
   for (const std::vector<Vec2>& curve : outline.curves) {
     for (std::size_t i = 0, j = curve.size() - 1; i < curve.size(); j = i++) {
       add_crossings(curve[j], curve[i], lines, crossings);

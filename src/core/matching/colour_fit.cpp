@@ -8,7 +8,7 @@
 #include "core/base/lanes.h"
 #include "core/colour/ciede2000.h"
 #include "core/colour/fading.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera {
 namespace {

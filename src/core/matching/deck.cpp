@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/base/portable_math.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera {
 namespace {

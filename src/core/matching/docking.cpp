@@ -4,15 +4,14 @@
 #include <cmath>
 
 #include "core/base/portable_math.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera {
 namespace {
 
-constexpr float kRejected = -1.f;
 
 /// Key points of both, less their means: what least squares needs of them.
-struct Moments {
+struct PointMoments {
   Vec2 product;  // real and imaginary part
   float shape_spread = 1e-12f;
   float target_spread = 0;
@@ -21,8 +20,8 @@ struct Moments {
   float count = 0;
 };
 
-Moments moments(const Keypoints& shape, const ArclengthPyramid& target, int begin, int end) {
-  Moments m;
+PointMoments moments(const Keypoints& shape, const ArclengthPyramid& target, int begin, int end) {
+  PointMoments m;
   m.count = float(end - begin);
   Vec2 shape_sum;
   Vec2 target_sum;
@@ -49,7 +48,7 @@ struct Fit {
 };
 
 /// The best pose within the range. False where it would have to be turned by more than a right angle.
-bool fit_within(const PoseRange& poses, const Moments& m, Fit& fit) {
+bool fit_within(const PoseRange& poses, const PointMoments& m, Fit& fit) {
   Vec2 product = m.product;
   if (!poses.rotations.contains(product, norm(product), 0)) {
     const Vec2 direction = poses.rotations.nearest_edge(product);
@@ -74,7 +73,7 @@ Alignment align_pyramids(const Keypoints& shape, const ArclengthPyramid& target,
                          std::span<const Stance> stances) {
   const int least_level = std::max(0, levels - kAlignmentLevels);
   for (int level = levels - 1; level >= least_level; --level) {
-    const Moments m = moments(shape, target, levels - 1 - level, levels + 2 + level);
+    const PointMoments m = moments(shape, target, levels - 1 - level, levels + 2 + level);
     Fit best;
     best.residual = kAlignmentTolerance * kAlignmentUnit_px * std::sqrt(m.target_spread / m.count);
     Alignment aligned;
@@ -162,16 +161,16 @@ float docking_key(const ShapeModel& shape, const Similarity& canvas_from_shape, 
   const float near_px = std::max(kNearDocking_px, kNearDocking * scale);
   // One look-up settles most: where the disc does not fit, the piece does not.
   if (field_value(field, canvas_from_shape.apply(shape.disc_centre)) < shape.disc_radius * scale - hopeless_px) {
-    return kRejected;
+    return kRejectedDocking;
   }
   constexpr int kPoints = kBoundaryPoints / kCoarseStride;
   int hits = 0;
   int bad = 0;
   for (int i = 0; i < kBoundaryPoints; i += kCoarseStride) {
     const float d = field_value(field, canvas_from_shape.apply(shape.boundary[i]));
-    if (d < -hopeless_px) return kRejected;
+    if (d < -hopeless_px) return kRejectedDocking;
     if (d < -near_px) {
-      if (++bad > kMostBadPoints) return kRejected;
+      if (++bad > kMostBadPoints) return kRejectedDocking;
     } else if (d < near_px) {
       ++hits;
     }

@@ -72,6 +72,9 @@ int docked_point(const ShapeModel& shape, const TangentDraw& draw, const TargetS
 Similarity tangent_docking(const ShapeModel& shape, int boundary_point, float scale_px, const TargetSample& sample,
                            const PoseRange& poses);
 
+/// The key of a docking that is not possible at all.
+inline constexpr float kRejectedDocking = -1;
+
 /// Early reject on a few boundary and interior points; the key ranks what is left. A key below kLeastDockingKey means
 /// that it is rejected.
 float docking_key(const ShapeModel& shape, const Similarity& canvas_from_shape, const FieldView& field,

@@ -3,18 +3,18 @@
 #include <cmath>
 
 #include "core/matching/colour_fit.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera {
 namespace {
 
-enum class Run { none, overlap, gap };
+enum class ContactRun { none, overlap, gap };
 
-void finish_run(DockingTerms& terms, Run run, float area_px2) {
-  if (run == Run::overlap) {
+void finish_run(DockingTerms& terms, ContactRun run, float area_px2) {
+  if (run == ContactRun::overlap) {
     terms.overlap_px2 += area_px2;
     terms.overlap_px4 += area_px2 * area_px2;
-  } else if (run == Run::gap) {
+  } else if (run == ContactRun::gap) {
     terms.gap_px2 += area_px2;
     terms.gap_px4 += area_px2 * area_px2;
   }
@@ -35,13 +35,13 @@ DockingTerms docking_terms(const Similarity& canvas_from_shape, const ShapeModel
   const float scale = canvas_from_shape.scale();
   const float step_px = shape.perimeter * scale / float(kBoundaryPoints);
   DockingTerms terms;
-  Run run = Run::none;
+  ContactRun run = ContactRun::none;
   float area_px2 = 0;
   for (int k = 0; k < kBoundaryPoints; ++k) {
     const int i = first + k < kBoundaryPoints ? first + k : first + k - kBoundaryPoints;
     const float d = distance[i];
     if (std::abs(d) < context.delta_px) terms.matched_px += step_px;
-    const Run here = d < -kNoise_px ? Run::overlap : d > kNoise_px && d < context.gap_px ? Run::gap : Run::none;
+    const ContactRun here = d < -kNoise_px ? ContactRun::overlap : d > kNoise_px && d < context.gap_px ? ContactRun::gap : ContactRun::none;
     if (here != run) {
       finish_run(terms, run, area_px2);
       run = here;

@@ -24,7 +24,7 @@
 #include "core/matching/docking.h"
 #include "core/matching/docking_terms.h"
 #include "core/shape/shape_id.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera {
 

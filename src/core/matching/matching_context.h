@@ -7,7 +7,7 @@
 
 #include "core/colour/colour_wish.h"
 #include "core/matching/stances.h"
-#include "core/settings.h"
+#include "core/settings/settings.h"
 #include "core/shape/shape_model.h"
 
 namespace tessera {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/colour/ciede2000.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/pad/pad_filter.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera {
 namespace {

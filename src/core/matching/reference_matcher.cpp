@@ -9,7 +9,6 @@
 namespace tessera {
 namespace {
 
-constexpr float kRejected = -1;
 
 }  // namespace
 
@@ -50,7 +49,7 @@ std::vector<PadPair> ReferenceMatcher::pairs_of(std::size_t model, const TargetS
 /// Of how it fits and of its mean colour.
 float ReferenceMatcher::key_of(const ShapeModel& model, const Similarity& pose) const {
   const float key = docking_key(model, pose, FieldView(field_), context_.max_scale_px);
-  if (key < kLeastDockingKey) return kRejected;
+  if (key < kLeastDockingKey) return kRejectedDocking;
   if (!context_.colour) return key;
   const float difference = mean_colour_difference(model.colour, pose, *context_.colour.target);
   return key * colour_worth(difference, context_.colour.weight);
@@ -96,7 +95,7 @@ std::vector<Docking> ReferenceMatcher::pad_dockings(const DockRequest& request, 
       ++reply.evaluated;
       const std::uint32_t stance = list.first + aligned.stance;
       const float key = key_of(models_[m], aligned.canvas_from_shape);
-      if (key == kRejected) continue;
+      if (key == kRejectedDocking) continue;
       of_shape.push_back(
           {t, shape, pair.source, stance, key * context_.stances[stance].weight, aligned.canvas_from_shape});
     }
@@ -122,7 +121,7 @@ std::vector<Docking> ReferenceMatcher::tangent_dockings(const DockRequest& reque
     const Similarity pose = tangent_docking(model, point, draw.scale_px, request.samples[t], stance.poses);
     ++reply.evaluated;
     const float key = key_of(model, pose);
-    if (key == kRejected) continue;
+    if (key == kRejectedDocking) continue;
     kept.push_back({t, draw.shape, kTangentSource + i, draw.stance, key * stance.weight, pose});
   }
   return kept;

@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "core/base/lanes.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera {
 namespace {
 
-struct Limits {
+struct PoseLimits {
   float low;
   float high;
 
@@ -23,7 +23,7 @@ struct NormalEquations {
 
   /// Solves (M + damping) x = -g by L D L^T, in place, x[2] and x[3] within their limits. Each limit is applied before
   /// the unknowns above it follow, so that those are the best that go with it.
-  void solve(float (&x)[4], const Limits& growth, const Limits& turn) {
+  void solve(float (&x)[4], const PoseLimits& growth, const PoseLimits& turn) {
     const float trace = m[0][0] + m[1][1] + m[2][2] + m[3][3];
     for (int r = 0; r < 4; ++r) m[r][r] += kDamping * trace + kLeastDamping;
     m[2][2] += kGrowthDamping * trace;

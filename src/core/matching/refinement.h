@@ -6,7 +6,7 @@
 #include "core/geometry/similarity.h"
 #include "core/matching/pose_range.h"
 #include "core/shape/shape_model.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera {
 

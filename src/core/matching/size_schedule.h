@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/wishes.h"
+#include "core/settings/wishes.h"
 
 namespace tessera {
 

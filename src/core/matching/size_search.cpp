@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera {
 namespace {

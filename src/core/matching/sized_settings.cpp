@@ -6,7 +6,7 @@
 #include "core/matching/size_schedule.h"
 #include "core/matching/stances.h"
 #include "core/matching/use_limits.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera {
 namespace {

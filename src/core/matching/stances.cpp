@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/base/portable_math.h"
-#include "core/tuning.h"
+#include "core/settings/tuning.h"
 
 namespace tessera {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/matching/pose_range.h"
-#include "core/settings.h"
+#include "core/settings/settings.h"
 #include "core/shape/shape_id.h"
 
 namespace tessera {

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/settings.h"
+#include "core/settings/settings.h"
 #include "core/shape/shape_id.h"
-#include "core/wishes.h"
+#include "core/settings/wishes.h"
 
 namespace tessera {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/geometry/similarity.h"
-#include "core/relax/canvas_edge.h"
+#include "core/relax/edge_distance.h"
 #include "core/relax/contact_shape.h"
 
 namespace tessera {
@@ -78,7 +78,7 @@ void each_contact(const LaidPiece& piece, const LaidPiece& other, Vec2 offset, f
 
 /// The same with the canvas' edge, whose distance is negative outside the canvas.
 template <class F>
-void each_contact(const LaidPiece& piece, const CanvasEdge& edge, float reach_px, F f) {
+void each_contact(const LaidPiece& piece, const EdgeDistance& edge, float reach_px, F f) {
   // The farthest sample is no farther from the centre than the radius.
   const FieldSample centre = edge.at(piece.canvas_from_shape.translation());
   if (centre.value > piece.shape->radius * piece.scale_px + reach_px + edge.node_px()) return;

@@ -59,7 +59,7 @@ void each_depth(float distance_px, const ContactDistances& distances, const Stif
 
 /// The piece's energy as far as it depends on its pose, to second order, without its area.
 RelaxationStep step_of(const LaidPiece& piece, const std::vector<LaidPiece>& pieces,
-                       const std::vector<Neighbour>& neighbours, const CanvasEdge& edge,
+                       const std::vector<Neighbour>& neighbours, const EdgeDistance& edge,
                        const ContactDistances& distances, const Stiffness& stiffness) {
   RelaxationStep step(piece.canvas_from_shape);
   const float reach_px = distances.soft_px;

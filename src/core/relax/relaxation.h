@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "core/matching/pose_range.h"
-#include "core/relax/canvas_edge.h"
+#include "core/relax/edge_distance.h"
 #include "core/relax/contact_shape.h"
 
 namespace tessera {
@@ -52,8 +52,8 @@ struct RelaxationSchedule {
 class Relaxation {
  public:
   /// On the canvas of this field, whatever lies in it. It outlives the relaxation.
-  Relaxation(const FreeField& free, const ContactDistances& distances) : Relaxation(CanvasEdge(free), distances) {}
-  Relaxation(const CanvasEdge& edge, const ContactDistances& distances) : edge_(edge), distances_(distances) {}
+  Relaxation(const FreeField& free, const ContactDistances& distances) : Relaxation(EdgeDistance(free), distances) {}
+  Relaxation(const EdgeDistance& edge, const ContactDistances& distances) : edge_(edge), distances_(distances) {}
 
   /// Moves those of `pieces` that `active` (indices, in any order) names and that are not fixed; afterwards their
   /// centres lie in the one period of a seamless canvas. `look` is called between sweeps; where it throws, the pieces
@@ -73,7 +73,7 @@ class Relaxation {
                                         float stiffness) const;
 
  private:
-  CanvasEdge edge_;
+  EdgeDistance edge_;
   ContactDistances distances_;
 };
 

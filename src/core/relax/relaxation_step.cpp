@@ -6,10 +6,10 @@
 namespace tessera {
 namespace {
 
-constexpr int kTurn = 2;
+constexpr int kTurnUnknown = 2;
 constexpr int kGrowth = 3;
 
-struct Limits {
+struct StepLimits {
   double low;
   double high;
 };
@@ -43,7 +43,7 @@ void solve(const double (&matrix)[4][4], const double (&gradient)[4], const bool
 }
 
 /// Fixes the unknown at the limit that it passed.
-bool fix_at_limit(const Limits& limits, bool& fixed, double& x) {
+bool fix_at_limit(const StepLimits& limits, bool& fixed, double& x) {
   const double within = std::clamp(x, limits.low, limits.high);
   if (fixed || within == x) return false;
   x = within;
@@ -89,15 +89,15 @@ void RelaxationStep::add_damping(float stiffness) {
 
 PieceMovement RelaxationStep::solved(const Similarity& canvas_from_shape, const PoseRange& poses) const {
   const TurnLimits turns = poses.turns(canvas_from_shape);
-  const Limits turn{double(turns.low * scale_px_), double(turns.high * scale_px_)};
+  const StepLimits turn{double(turns.low * scale_px_), double(turns.high * scale_px_)};
   // A pose at a bound may lie beyond it by rounding.
-  const Limits growth{double(std::min(0.f, std::max(poses.min_scale_px - scale_px_, (kMostShrinking - 1) * scale_px_))),
+  const StepLimits growth{double(std::min(0.f, std::max(poses.min_scale_px - scale_px_, (kMostShrinking - 1) * scale_px_))),
                       double(std::max(0.f, poses.max_scale_px - scale_px_))};
   double x[4] = {};
   bool fixed[4] = {};
   do {
     solve(matrix_, gradient_, fixed, x);
-  } while (fix_at_limit(growth, fixed[kGrowth], x[kGrowth]) || fix_at_limit(turn, fixed[kTurn], x[kTurn]));
+  } while (fix_at_limit(growth, fixed[kGrowth], x[kGrowth]) || fix_at_limit(turn, fixed[kTurnUnknown], x[kTurnUnknown]));
   return {float(x[0]), float(x[1]), float(x[2]), float(x[3])};
 }
 

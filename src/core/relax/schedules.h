@@ -6,7 +6,7 @@
 #include <array>
 
 #include "core/relax/relaxation.h"
-#include "core/settings.h"
+#include "core/settings/settings.h"
 
 namespace tessera {
 

@@ -10,7 +10,7 @@ int nodes_across(float half_px, float cell_px) { return int(2 * half_px / cell_p
 
 }  // namespace
 
-Hole::Hole(Vec2 centre_px, float half_px, float cell_px, const CanvasEdge& edge)
+Hole::Hole(Vec2 centre_px, float half_px, float cell_px, const EdgeDistance& edge)
     : centre_(centre_px),
       origin_(centre_px - Vec2{half_px, half_px}),
       cell_px_(cell_px),

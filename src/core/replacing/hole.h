@@ -17,7 +17,7 @@ struct RimPoint {
 class Hole {
  public:
   /// A square round `centre_px`, free but for what lies outside the canvas.
-  Hole(Vec2 centre_px, float half_px, float cell_px, const CanvasEdge& edge);
+  Hole(Vec2 centre_px, float half_px, float cell_px, const EdgeDistance& edge);
 
   /// Takes the piece out of what is free.
   void add(const LaidPiece& piece);

@@ -14,11 +14,11 @@ namespace {
 constexpr int kDockings = 1500;
 constexpr std::size_t kRefinedInHole = 20;
 constexpr std::size_t kTried = 4;
-constexpr std::size_t kParts = 4;  // of the dockings, each for one that scores them
+constexpr std::size_t kDockingParts = 4;  // of the dockings, each for one that scores them
 constexpr int kRefineSteps = 14;
 constexpr float kMostStep_px = 4;
 constexpr float kRefineStiffness_px = 30;  // at a scale of so many px it is 1: larger pieces may lie deeper
-constexpr float kStepDamping = 0.02f;
+constexpr float kHoleStepDamping = 0.02f;
 constexpr float kMostDepth = 0.3f;       // what a px of depth costs a px of boundary, in px², of the softness
 constexpr float kRoomSpread = 0.43f;     // octaves of scale round what has room
 constexpr float kSameInHole = 0.15f;     // of the scale
@@ -65,7 +65,7 @@ Similarity refined(const Hole& hole, const HoleGuest& guest, Similarity pose) {
     const float inner = 0.5f * shape.perimeter / float(guest.shape->interior.size());
     for (const Vec2 p : guest.shape->interior) feel(p, inner);
     step.add_growth();
-    step.add_damping(kStepDamping * stiffness * shape.perimeter * scale);
+    step.add_damping(kHoleStepDamping * stiffness * shape.perimeter * scale);
     const PieceMovement movement = step.solved(pose, guest.poses);
     const float wanted_px = movement.largest();
     pose = moved(pose, movement, wanted_px > kMostStep_px ? kMostStep_px / wanted_px : 1.f, guest.poses);
@@ -144,10 +144,10 @@ std::vector<HoleCandidate> best_of(std::span<const HoleCandidate> drawn, const H
 std::vector<HoleCandidate> shared_best_of(const std::vector<HoleCandidate>& drawn, const Hole& hole,
                                           const std::vector<HoleGuest>& guests, float softness, SharedTasks& tasks) {
   if (!tasks.has_helpers()) return best_of(drawn, hole, guests, softness);
-  std::vector<std::vector<HoleCandidate>> parts(kParts);
-  tasks.run(kParts, [&](std::size_t k) {
-    const std::size_t begin = drawn.size() * k / kParts;
-    const std::size_t end = drawn.size() * (k + 1) / kParts;
+  std::vector<std::vector<HoleCandidate>> parts(kDockingParts);
+  tasks.run(kDockingParts, [&](std::size_t k) {
+    const std::size_t begin = drawn.size() * k / kDockingParts;
+    const std::size_t end = drawn.size() * (k + 1) / kDockingParts;
     parts[k] = best_of(std::span(drawn).subspan(begin, end - begin), hole, guests, softness);
   });
   std::vector<HoleCandidate> best;

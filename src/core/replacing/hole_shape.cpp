@@ -13,7 +13,7 @@ namespace {
 constexpr float kSpacing = 2;
 constexpr int kDockPoints = 64;
 constexpr int kInteriorSteps = 16;       // over the shape's field
-constexpr float kInteriorDepth = 0.04f;  // nearer to the boundary its samples tell
+constexpr float kInteriorPointDepth = 0.04f;  // nearer to the boundary its samples tell
 
 /// By steps as long as the field says that the outline is away.
 float way_through(const ContactShape& shape, Vec2 from, Vec2 direction) {
@@ -48,7 +48,7 @@ std::vector<Vec2> interior_points(const ContactShape& shape) {
   for (int j = 0; j < kInteriorSteps; ++j) {
     for (int i = 0; i < kInteriorSteps; ++i) {
       const Vec2 p{(float(i) + 0.5f) * step - extent, (float(j) + 0.5f) * step - extent};
-      if (shape.distance(p).value < -kInteriorDepth) points.push_back(p);
+      if (shape.distance(p).value < -kInteriorPointDepth) points.push_back(p);
     }
   }
   return points;

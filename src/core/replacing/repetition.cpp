@@ -28,23 +28,23 @@ auto place_of(Areas& drawn, ShapeId drawing) {
   return std::lower_bound(drawn.begin(), drawn.end(), drawing, ByDrawing{});
 }
 
-double area_px2(const DrawnPiece& piece) { return double(piece.scale_px) * double(piece.scale_px); }
+double area_px2(const PlacedDrawing& piece) { return double(piece.scale_px) * double(piece.scale_px); }
 
-double area_px2(std::span<const DrawnPiece> pieces) {
+double area_px2(std::span<const PlacedDrawing> pieces) {
   double sum_px2 = 0;
-  for (const DrawnPiece& piece : pieces) sum_px2 += area_px2(piece);
+  for (const PlacedDrawing& piece : pieces) sum_px2 += area_px2(piece);
   return sum_px2;
 }
 
 /// Of all pairs of copies, which ascend from left to right.
-double near_px2(std::span<const DrawnPiece> copies, float reach_sizes, const Period& period) {
+double near_px2(std::span<const PlacedDrawing> copies, float reach_sizes, const Period& period) {
   float largest_px = 0;
-  for (const DrawnPiece& piece : copies) largest_px = std::max(largest_px, piece.scale_px);
+  for (const PlacedDrawing& piece : copies) largest_px = std::max(largest_px, piece.scale_px);
   const float most_px = period.x_px > 0 ? std::numeric_limits<float>::infinity() : reach_sizes * largest_px;
   double sum_px2 = 0;
   for (std::size_t i = 0; i < copies.size(); ++i) {
     for (std::size_t k = i + 1; k < copies.size(); ++k) {
-      DrawnPiece other = copies[k];
+      PlacedDrawing other = copies[k];
       if (other.centre_px.x - copies[i].centre_px.x > most_px) break;
       other.centre_px = period.nearest(other.centre_px, copies[i].centre_px);
       sum_px2 += near_px2(copies[i], other, reach_sizes);
@@ -59,15 +59,15 @@ double repeated_px2(double area_px2, double even_share_px2) {
   return area_px2 > 0 ? area_px2 * (portable_log(area_px2 / even_share_px2) - 1) : 0;
 }
 
-double near_px2(const DrawnPiece& a, const DrawnPiece& b, float reach_sizes) {
+double near_px2(const PlacedDrawing& a, const PlacedDrawing& b, float reach_sizes) {
   const float reach_px = reach_sizes * std::sqrt(a.scale_px * b.scale_px);
   const float distance_px = norm(a.centre_px - b.centre_px);
   if (!(distance_px < reach_px)) return 0;
   return area_px2(a.scale_px < b.scale_px ? a : b) * double(1 - distance_px / reach_px);
 }
 
-double repetition_px2(std::vector<DrawnPiece> pieces, const RepetitionCosts& costs, const Period& period) {
-  std::sort(pieces.begin(), pieces.end(), [](const DrawnPiece& a, const DrawnPiece& b) {
+double repetition_px2(std::vector<PlacedDrawing> pieces, const RepetitionCosts& costs, const Period& period) {
+  std::sort(pieces.begin(), pieces.end(), [](const PlacedDrawing& a, const PlacedDrawing& b) {
     return std::tie(a.drawing, a.centre_px.x, a.centre_px.y, a.scale_px) <
            std::tie(b.drawing, b.centre_px.x, b.centre_px.y, b.scale_px);
   });
@@ -86,9 +86,9 @@ Repetition::Repetition(const ReplacementWindow& window)
     : costs_(window.repetition),
       drawn_(window.drawn),
       pieces_(window.elsewhere) {
-  for (const WindowPiece& piece : window.moving) pieces_.push_back(drawn_piece(piece.drawing, piece.canvas_from_shape));
+  for (const WindowPiece& piece : window.moving) pieces_.push_back(placed_drawing(piece.drawing, piece.canvas_from_shape));
   std::stable_sort(pieces_.begin(), pieces_.end(),
-                   [](const DrawnPiece& a, const DrawnPiece& b) { return a.drawing < b.drawing; });
+                   [](const PlacedDrawing& a, const PlacedDrawing& b) { return a.drawing < b.drawing; });
 }
 
 double Repetition::drawn_px2(ShapeId drawing) const {
@@ -100,26 +100,26 @@ double Repetition::of_area_px2(double drawn_px2) const {
   return costs_.area * repeated_px2(drawn_px2, costs_.even_share_px2);
 }
 
-double Repetition::of_nearness_px2(const DrawnPiece& piece) const {
+double Repetition::of_nearness_px2(const PlacedDrawing& piece) const {
   const auto [first, last] = std::equal_range(pieces_.begin(), pieces_.end(), piece.drawing, ByDrawing{});
   double sum_px2 = 0;
   for (auto copy = first; copy != last; ++copy) sum_px2 += near_px2(piece, *copy, costs_.reach_sizes);
   return costs_.nearness * sum_px2;
 }
 
-double Repetition::cost_px2(const DrawnPiece& piece) const {
+double Repetition::cost_px2(const PlacedDrawing& piece) const {
   const double before_px2 = drawn_px2(piece.drawing);
   const double after_px2 = before_px2 + area_px2(piece);
   return of_area_px2(after_px2) - of_area_px2(before_px2) + of_nearness_px2(piece);
 }
 
-void Repetition::add(const DrawnPiece& piece) {
+void Repetition::add(const PlacedDrawing& piece) {
   energy_px2_ += of_nearness_px2(piece);
   pieces_.insert(std::upper_bound(pieces_.begin(), pieces_.end(), piece.drawing, ByDrawing{}), piece);
   change_area(piece.drawing, area_px2(piece));
 }
 
-void Repetition::remove(const DrawnPiece& piece) {
+void Repetition::remove(const PlacedDrawing& piece) {
   const auto [first, last] = std::equal_range(pieces_.begin(), pieces_.end(), piece.drawing, ByDrawing{});
   const auto found = std::find(first, last, piece);
   if (found == last) return;

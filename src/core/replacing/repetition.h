@@ -17,10 +17,10 @@ double repeated_px2(double area_px2, double even_share_px2);
 
 /// What two pieces of one drawing cost, if those at one place cost all of the smaller one's area and those as far apart
 /// as they reach nothing.
-double near_px2(const DrawnPiece& a, const DrawnPiece& b, float reach_sizes);
+double near_px2(const PlacedDrawing& a, const PlacedDrawing& b, float reach_sizes);
 
 /// Of all pieces of a canvas, but for a constant. The same in any order of them.
-double repetition_px2(std::vector<DrawnPiece> pieces, const RepetitionCosts& costs, const Period& period);
+double repetition_px2(std::vector<PlacedDrawing> pieces, const RepetitionCosts& costs, const Period& period);
 
 /// Of the pieces of a window, as they change.
 class Repetition {
@@ -28,24 +28,24 @@ class Repetition {
   explicit Repetition(const ReplacementWindow& window);
 
   /// What one more piece costs.
-  double cost_px2(const DrawnPiece& piece) const;
+  double cost_px2(const PlacedDrawing& piece) const;
   /// Of all pieces, but for a constant.
   double energy_px2() const { return energy_px2_; }
 
-  void add(const DrawnPiece& piece);
+  void add(const PlacedDrawing& piece);
   /// One that is there, as it was added.
-  void remove(const DrawnPiece& piece);
+  void remove(const PlacedDrawing& piece);
 
  private:
   double drawn_px2(ShapeId drawing) const;
   double of_area_px2(double drawn_px2) const;
   void change_area(ShapeId drawing, double by_px2);
-  double of_nearness_px2(const DrawnPiece& piece) const;
+  double of_nearness_px2(const PlacedDrawing& piece) const;
 
   RepetitionCosts costs_;
   double energy_px2_ = 0;
   std::vector<DrawingArea> drawn_;  // ascending
-  std::vector<DrawnPiece> pieces_;  // ascending by drawing
+  std::vector<PlacedDrawing> pieces_;  // ascending by drawing
 };
 
 }  // namespace tessera

@@ -52,15 +52,15 @@ struct DrawingArea {
 };
 
 /// What the eye sees of a piece that repeats another: which drawing it is, where and how large.
-struct DrawnPiece {
+struct PlacedDrawing {
   ShapeId drawing{};
   Vec2 centre_px;
   float scale_px = 0;
 
-  friend bool operator==(const DrawnPiece&, const DrawnPiece&) = default;
+  friend bool operator==(const PlacedDrawing&, const PlacedDrawing&) = default;
 };
 
-inline DrawnPiece drawn_piece(ShapeId drawing, const Similarity& canvas_from_shape) {
+inline PlacedDrawing placed_drawing(ShapeId drawing, const Similarity& canvas_from_shape) {
   return {drawing, canvas_from_shape.translation(), canvas_from_shape.scale()};
 }
 
@@ -83,7 +83,7 @@ struct ReplacementWindow {
   std::vector<WindowPiece> still;  // that reach into the window, or nearly
   std::vector<IncomingShape> incoming;
   std::vector<DrawingArea> drawn;     // every drawing of `moving` and `incoming`, ascending
-  std::vector<DrawnPiece> elsewhere;  // pieces that do not move in it, of any drawing, as far as copies are felt
+  std::vector<PlacedDrawing> elsewhere;  // pieces that do not move in it, of any drawing, as far as copies are felt
   std::uint64_t random = 0;           // what the draws follow from
   std::uint32_t trials = 0;
   float first_temperature_px2 = 0;  // falls evenly to the last: what a loss of so much energy is worth a risk of 1 in e

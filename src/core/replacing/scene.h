@@ -24,7 +24,7 @@ class SceneRelaxation {
   /// The window outlives it.
   explicit SceneRelaxation(const ReplacementWindow& window);
 
-  const CanvasEdge& edge() const { return edge_; }
+  const EdgeDistance& edge() const { return edge_; }
 
   /// A few sweeps that tell nearly as well as all of them how it will end.
   void soften(Scene& scene) const;
@@ -33,7 +33,7 @@ class SceneRelaxation {
   double energy_px2(const Scene& scene) const;
 
  private:
-  CanvasEdge edge_;
+  EdgeDistance edge_;
   Relaxation relaxation_;
   float first_step_px_;
 };

@@ -16,7 +16,7 @@ bool is_of(const std::vector<std::size_t>& list, std::size_t i) {
 
 }  // namespace
 
-WindowPieces::WindowPieces(const ReplacementWindow& window, const HoleShapes& shapes, const CanvasEdge& edge)
+WindowPieces::WindowPieces(const ReplacementWindow& window, const HoleShapes& shapes, const EdgeDistance& edge)
     : window_(window),
       shapes_(shapes),
       edge_(edge) {

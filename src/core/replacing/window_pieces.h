@@ -26,7 +26,7 @@ class WindowPieces {
   };
 
   /// All outlive the pieces.
-  WindowPieces(const ReplacementWindow& window, const HoleShapes& shapes, const CanvasEdge& edge);
+  WindowPieces(const ReplacementWindow& window, const HoleShapes& shapes, const EdgeDistance& edge);
 
   const Standing& operator[](std::size_t i) const { return standing_[i]; }
   /// Whether it may, and lies in the window as a whole.
@@ -62,7 +62,7 @@ class WindowPieces {
 
   const ReplacementWindow& window_;
   const HoleShapes& shapes_;
-  const CanvasEdge& edge_;
+  const EdgeDistance& edge_;
   std::vector<Standing> standing_;
 };
 

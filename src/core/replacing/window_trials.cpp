@@ -126,8 +126,8 @@ class WindowTrials {
     return true;
   }
 
-  DrawnPiece standing(std::size_t i) const {
-    return drawn_piece(pieces_[i].piece.drawing, pieces_[i].piece.canvas_from_shape);
+  PlacedDrawing standing(std::size_t i) const {
+    return placed_drawing(pieces_[i].piece.drawing, pieces_[i].piece.canvas_from_shape);
   }
 
   Repetition without(const std::vector<std::size_t>& out) const {
@@ -141,11 +141,11 @@ class WindowTrials {
     Repetition now = without(trial.out);
     for (std::size_t k = 0; k < trial.ring.size(); ++k) {
       now.remove(standing(trial.ring[k]));
-      now.add(drawn_piece(pieces_[trial.ring[k]].piece.drawing, attempt.scene.pieces[k].canvas_from_shape));
+      now.add(placed_drawing(pieces_[trial.ring[k]].piece.drawing, attempt.scene.pieces[k].canvas_from_shape));
     }
     const std::size_t old = attempt.scene.pieces.size() - attempt.incoming.size();
     for (std::size_t k = 0; k < attempt.incoming.size(); ++k) {
-      now.add(drawn_piece(incoming(attempt.incoming[k]).drawing, attempt.scene.pieces[old + k].canvas_from_shape));
+      now.add(placed_drawing(incoming(attempt.incoming[k]).drawing, attempt.scene.pieces[old + k].canvas_from_shape));
     }
     return now;
   }
@@ -205,7 +205,7 @@ class WindowTrials {
 
   void add(const HoleCandidate& candidate, Repetition& repetition, Attempt& attempt) const {
     attempt.incoming.push_back(candidate);
-    repetition.add(drawn_piece(incoming(candidate).drawing, candidate.canvas_from_shape));
+    repetition.add(placed_drawing(incoming(candidate).drawing, candidate.canvas_from_shape));
   }
 
   LaidPiece laid(const HoleCandidate& candidate) const {

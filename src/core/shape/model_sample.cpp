@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 
-#include "core/tuning.h"
 
 namespace tessera {
 namespace {

@@ -37,6 +37,8 @@ struct LibraryPad {
   friend bool operator==(const LibraryPad&, const LibraryPad&) = default;
 };
 
+inline constexpr int kChordLevel = 2;  // whose chord tells scale and rotation before any alignment
+
 /// Length of the interval that estimates the scale before any alignment.
 float scale_length(const ArclengthPyramid& pyramid, int levels);
 

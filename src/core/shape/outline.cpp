@@ -5,6 +5,7 @@
 #include <numeric>
 #include <optional>
 
+#include "core/geometry/closed_curve.h"
 #include "core/geometry/contour.h"
 #include "core/geometry/distance_transform.h"
 #include "core/geometry/polygon.h"
@@ -145,6 +146,12 @@ std::variant<TracedOutline, SkipReason> trace_outline(const Grid<float>& alpha, 
     traced.curves.push_back(smoothing_spline(curve, sigma_px));
   }
   return traced;
+}
+
+float perimeter_of(const Outline& outline) {
+  float perimeter = 0;
+  for (const std::vector<Vec2>& curve : outline.curves) perimeter += closed_length(curve);
+  return perimeter;
 }
 
 }  // namespace tessera

@@ -47,6 +47,9 @@ inline constexpr float kLongest = 8;
 /// Such an outline encloses much and covers little: others find no place beside it, and it leaves gaps.
 inline constexpr float kHollow = 2;
 
+/// Length of all curves.
+float perimeter_of(const Outline& outline);
+
 struct TracingRules {
   float edge_opacity = kEdgeOpacity;  // the outline runs where alpha is this
   bool keep_rectangles = false;       // a plain rectangle is a drawing's background, as a rule, and skipped

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/shape/outline.h"
 #include "core/geometry/closed_curve.h"
 #include "core/geometry/polygon.h"
 #include "core/shape/level_curve.h"
@@ -39,12 +40,6 @@ struct ShapeFrame {
 ShapeFrame shape_frame(const Outline& outline_px) {
   const AreaMoment sum = area_moment(outline_px);
   return {{float(sum.x / sum.area), float(sum.y / sum.area)}, float(std::sqrt(sum.area))};
-}
-
-float perimeter_of(const Outline& outline) {
-  float perimeter = 0;
-  for (const std::vector<Vec2>& curve : outline.curves) perimeter += closed_length(curve);
-  return perimeter;
 }
 
 float radius_of(const Outline& outline) {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/shape/outline.h"
 #include "core/base/portable_math.h"
 #include "core/geometry/closed_curve.h"
 #include "core/geometry/polygon.h"
@@ -17,15 +18,9 @@ namespace {
 constexpr float kRoundedLength = 1e-3f;    // parts of a length that summation may lose
 constexpr double kRoundedArea = 0.02;      // parts of the area, which is 1
 constexpr float kRoundedDistance = 2e-3f;  // shape units; the library's steps are finer (docs/library-format.md)
-constexpr int kBlock = 8;                  // nodes each way of which one is computed anew
+constexpr int kCheckedBlock = 8;                  // nodes each way of which one is computed anew
 
 bool agree(float a, float b) { return std::abs(a - b) <= kRoundedLength * std::max(1.f, std::abs(b)); }
-
-float perimeter_of(const Outline& outline) {
-  float perimeter = 0;
-  for (const std::vector<Vec2>& curve : outline.curves) perimeter += closed_length(curve);
-  return perimeter;
-}
 
 /// Calls visit(from, to) for every side of every curve.
 template <class Visit>
@@ -104,11 +99,11 @@ class FieldCheck {
 
   bool is_exact_here_and_there() const {
     std::uint64_t key = std::bit_cast<std::uint32_t>(field_.extent);
-    for (int y = 0; y + kBlock <= nodes_; y += kBlock) {
-      for (int x = 0; x + kBlock <= nodes_; x += kBlock) {
+    for (int y = 0; y + kCheckedBlock <= nodes_; y += kCheckedBlock) {
+      for (int x = 0; x + kCheckedBlock <= nodes_; x += kCheckedBlock) {
         key = mix_bits(key ^ std::bit_cast<std::uint32_t>(field_.distance(x, y)));
-        const int i = x + int(key % kBlock);
-        const int j = y + int(key / kBlock % kBlock);
+        const int i = x + int(key % kCheckedBlock);
+        const int j = y + int(key / kCheckedBlock % kCheckedBlock);
         const float found = std::abs(field_.distance(i, j));
         if (!(std::abs(found - distance_to(outline_, {node(i), node(j)})) <= kRoundedDistance)) return false;
       }

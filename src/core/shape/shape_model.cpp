@@ -5,7 +5,6 @@
 #include "core/geometry/closed_curve.h"
 #include "core/geometry/extent.h"
 #include "core/shape/level_curve.h"
-#include "core/tuning.h"
 
 namespace tessera {
 namespace {

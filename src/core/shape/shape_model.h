@@ -41,6 +41,9 @@ ShapeModel make_shape_model(const Shape& shape, const PadParameters& library_pad
 std::vector<int> levels_for_scales(float min_scale_px, float max_scale_px, float target_sigma_px);
 
 /// Scales, px, at which a level agrees with a target smoothed by target_sigma_px: half an octave both ways.
+inline constexpr float kLevelSliver = 1.1f;  // less of a level at the end of the scales is not worth its PADs
+inline constexpr float kLevelSlack = 1.05f;  // a level serves its octave and so much beyond
+
 struct ScaleRange {
   float low;
   float high;

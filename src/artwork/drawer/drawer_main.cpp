@@ -1,0 +1,95 @@
+// tessera-drawer: answers one request after the other on descriptor kDrawerSocket until the socket closes. Started by
+// DrawerProcess only, with two arguments: the bytes of memory that it may use, and its parent's process id.
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <exception>
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+#include "artwork/sandbox/drawer_files.h"
+#include "artwork/sandbox/drawer_landlock.h"
+#include "artwork/protocol/drawer_protocol.h"
+#include "artwork/sandbox/drawer_sandbox.h"
+#include "artwork/drawer/drawing_service.h"
+
+namespace tessera {
+namespace {
+
+/// Nothing is cleaned up at the end: the kernel does that, and a decoder that failed may have left anything behind.
+[[noreturn]] void end_at_once() { ::_exit(kDrawerGaveUp); }
+
+void read_all(void* data, std::size_t bytes) {
+  char* to = static_cast<char*>(data);
+  while (bytes > 0) {
+    const ssize_t got = ::read(kDrawerSocket, to, bytes);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) end_at_once();
+    to += got;
+    bytes -= std::size_t(got);
+  }
+}
+
+void write_all(const void* data, std::size_t bytes) {
+  const char* from = static_cast<const char*>(data);
+  while (bytes > 0) {
+    const ssize_t sent = ::write(kDrawerSocket, from, bytes);
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent <= 0) end_at_once();
+    from += sent;
+    bytes -= std::size_t(sent);
+  }
+}
+
+template <class Text>
+Text read_bytes(std::size_t count) {
+  Text text(count, {});
+  read_all(text.data(), count);
+  return text;
+}
+
+void answer_next_request() {
+  RequestHeader header{};
+  read_all(&header, sizeof header);
+  DrawingRequest request{.kind = header.kind,
+                         .longest_side_px = header.longest_side_px,
+                         .width_pt = header.width_pt,
+                         .tracing = {.pad = {.levels = header.pad_levels, .delta_tau = header.pad_delta_tau},
+                                     .rules = {.edge_opacity = header.edge_opacity,
+                                               .keep_rectangles = header.keep_rectangles != 0,
+                                               .fill_holes = header.fill_holes != 0}}};
+  request.path = read_bytes<std::string>(header.path_bytes);
+  request.scope_id = read_bytes<std::string>(header.scope_id_bytes);
+  request.warp = read_bytes<std::vector<std::uint8_t>>(header.warp_bytes);
+  const auto bytes = read_bytes<std::vector<std::uint8_t>>(header.bytes);
+  request.bytes = bytes;
+  const DrawingAnswer answer = answer_or_reason(request);
+  write_all(&answer.header, sizeof answer.header);
+  write_all(answer.payload.data, answer.header.bytes);
+}
+
+/// librsvg's panics unwind the stack; here they end.
+[[noreturn]] void serve(const DrawerLayers& layers) noexcept {
+  const DrawerGreeting greeting{this_build(), layers};
+  write_all(kDrawerMark.data(), kDrawerMark.size());
+  write_all(&greeting, sizeof greeting);
+  while (true) answer_next_request();
+}
+
+}  // namespace
+}  // namespace tessera
+
+int main(int argc, char** argv) {
+  using namespace tessera;
+  std::set_terminate(end_at_once);
+  if (argc != 3) end_at_once();
+  cv::setNumThreads(1);  // the processes are the parallelism
+  limit_process(std::strtoull(argv[1], nullptr, 10));
+  if (::getppid() != std::atol(argv[2])) end_at_once();  // the parent died before it could be watched
+  DrawerLayers layers;
+  layers.files = confine_to_files(files_of_decoders());
+  layers.system_calls = forbid_system_calls();
+  serve(layers);
+}

@@ -1,0 +1,57 @@
+// One process that draws (drawers.h), seen from its parent.
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstddef>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "artwork/protocol/drawer_protocol.h"
+
+namespace tessera {
+
+class DrawerProcess {
+ public:
+  DrawerProcess(std::size_t bytes_per_process, double seconds_to_start)
+      : bytes_per_process_(bytes_per_process),
+        seconds_to_start_(seconds_to_start) {}
+  ~DrawerProcess() { end(); }
+  DrawerProcess(const DrawerProcess&) = delete;
+  DrawerProcess& operator=(const DrawerProcess&) = delete;
+
+  bool started() const { return socket_ >= 0; }
+  /// Returns what of its confinement holds. Throws EnvironmentError. The process dies with the thread that calls this,
+  /// at the latest.
+  DrawerLayers start();
+  /// The answer of a started process; where there is none, it has ended it and failure() says why.
+  std::optional<DrawingAnswer> ask(const DrawingRequest& request, double seconds);
+  const std::string& failure() const { return failure_; }
+  bool took_too_long() const { return took_too_long_; }
+  /// Ends the process, if it is started, and collects it.
+  void end();
+  /// Makes an ask() in another thread fail soon.
+  void kill();
+
+ private:
+  DrawerLayers greet(const std::string& program);
+  std::string refusal(DrawerGreeting& greeting);
+  void allow_cpu_time(double seconds);
+  bool send(const void* data, std::size_t bytes, double& left_s);
+  bool receive(void* data, std::size_t bytes, double& left_s);
+  bool wait_for(short events, double& left_s);
+  bool exchange(const DrawingRequest& request, DrawingAnswer& answer, double& left_s);
+
+  std::size_t bytes_per_process_;
+  double seconds_to_start_;
+  std::mutex mutex_;  // of pid_: a process that was collected may no longer be killed
+  pid_t pid_ = -1;
+  int socket_ = -1;
+  int status_ = 0;  // of the process that ended last, as waitpid says it
+  bool took_too_long_ = false;
+  std::string failure_;
+};
+
+}  // namespace tessera

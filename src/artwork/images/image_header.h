@@ -1,0 +1,16 @@
+// Reads the size of an image from its header, so that a small file that claims a huge picture is refused before its
+// decoder asks for the memory.
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <optional>
+#include <span>
+
+namespace tessera {
+
+/// The size of a PNG, BMP, JPEG, WebP or TIFF (its first picture). Nothing where it is none of these or too damaged to
+/// tell. Never reads beyond `bytes`. Sides are as claimed: they may be 0 or huge, never negative.
+std::optional<cv::Size2d> image_size_from_header(std::span<const std::uint8_t> bytes);
+
+}  // namespace tessera

@@ -1,0 +1,12 @@
+// What tells an SVG from an image.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace tessera {
+
+/// Whether the bytes are an XML document or something gzipped.
+bool looks_like_svg(std::span<const std::uint8_t> bytes);
+
+}  // namespace tessera

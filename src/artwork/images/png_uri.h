@@ -1,0 +1,12 @@
+// Pictures within documents.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <string>
+
+namespace tessera {
+
+/// A data: URI that holds the straight BGRA as PNG.
+std::string png_uri(const cv::Mat& bgra);
+
+}  // namespace tessera

@@ -1,0 +1,91 @@
+#include "artwork/images/raster_page.h"
+
+#include <algorithm>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "core/base/error.h"
+#include "artwork/images/alpha.h"
+#include "artwork/images/image_decoding.h"
+#include "artwork/images/mask.h"
+#include "artwork/images/reduced_picture.h"
+
+namespace tessera {
+namespace {
+
+/// An enlarged drawing shows nothing more, but its contour is smoothed on a grid that is fine enough.
+constexpr int kLeastFinestSide_px = 512;
+constexpr int kMostFinestSide_px = 2048;
+
+bool has_transparency(const cv::Mat& bgra) {
+  cv::Mat alpha;
+  cv::extractChannel(bgra, alpha, 3);
+  double least = 255;
+  cv::minMaxLoc(alpha, &least);
+  return least < 255;
+}
+
+/// Straight BGRA.
+cv::Mat opaque_page(const cv::Mat& bgr) {
+  cv::Mat bgra;
+  cv::cvtColor(bgr, bgra, cv::COLOR_BGR2BGRA);
+  return bgra;
+}
+
+/// Straight BGRA: the image's own transparency, or what is left when its background is cut out.
+cv::Mat with_silhouette(const cv::Mat& image, const std::string& path, Background background) {
+  if (image.channels() == 4 && has_transparency(image)) return image;
+  cv::Mat bgr = image;
+  if (image.channels() == 4) cv::cvtColor(image, bgr, cv::COLOR_BGRA2BGR);
+  if (image.channels() == 1) cv::cvtColor(image, bgr, cv::COLOR_GRAY2BGR);
+  if (background == Background::kept) return opaque_page(bgr);
+  if (!has_plain_edge(bgr)) {
+    throw InputError(path +
+                     ": a photo without a plain background; cut out what it shows (a library of the elements in it: "
+                     "tessera library extract)");
+  }
+  return cut_from_background(bgr);
+}
+
+class RasterPage : public ArtworkPage {
+ public:
+  RasterPage(cv::Mat premultiplied_bgra, cv::Size natural_size)
+      : image_(std::move(premultiplied_bgra)),
+        natural_size_(natural_size) {}
+
+  cv::Size2d natural_size() const override { return natural_size_; }
+  int finest_side_px() const override { return std::clamp(longest_side(), kLeastFinestSide_px, kMostFinestSide_px); }
+  float source_px(int longest_side_px) const override { return float(longest_side_px) / float(longest_side()); }
+
+  cv::Mat draw(int longest_side_px, const cv::Rect& window) const override {
+    cv::Mat page;
+    const int filter = longest_side_px < longest_side() ? cv::INTER_AREA : cv::INTER_LINEAR;
+    cv::resize(image_, page, page_size_px(*this, longest_side_px), 0, 0, filter);
+    return window.size() == page.size() ? page : page(window).clone();
+  }
+
+ private:
+  int longest_side() const { return std::max(image_.cols, image_.rows); }
+
+  cv::Mat image_;  // may have fewer pixels than the file
+  cv::Size natural_size_;
+};
+
+void check_kind(const cv::Mat& decoded, const std::string& path) {
+  if (decoded.depth() != CV_8U && decoded.depth() != CV_16U)
+    throw InputError(path + ": an image must have 8 or 16 bits a channel");
+  if (decoded.channels() == 2) throw InputError(path + ": an image must have 1, 3 or 4 channels");
+}
+
+}  // namespace
+
+std::unique_ptr<ArtworkPage> open_raster_page(std::span<const std::uint8_t> bytes, const std::string& path,
+                                              Background background) {
+  cv::Mat image = decode_image(bytes, path, cv::IMREAD_UNCHANGED);
+  check_kind(image, path);
+  const cv::Size natural_size = image.size();
+  image = reduced_picture(image, kMostWorkedPixels);
+  return std::make_unique<RasterPage>(premultiplied(with_silhouette(image, path, background)), natural_size);
+}
+
+}  // namespace tessera

@@ -1,0 +1,13 @@
+// The SHA-256 of a file's bytes: whoever knows it has had the file.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "core/shape/shape.h"
+
+namespace tessera {
+
+Sha256 sha256_of(std::span<const std::uint8_t> bytes);
+
+}  // namespace tessera

@@ -1,0 +1,29 @@
+#include "artwork/images/whole_picture.h"
+
+#include <algorithm>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "core/base/error.h"
+#include "artwork/images/image_decoding.h"
+#include "artwork/images/photo.h"
+#include "artwork/images/reduced_picture.h"
+
+namespace tessera {
+
+cv::Mat whole_picture(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px) {
+  cv::Mat picture = decode_image(bytes, path, cv::IMREAD_UNCHANGED);
+  if (std::max(picture.cols, picture.rows) > longest_side_px) {
+    throw InputError(cv::format("%s: %d x %d pixels, allowed: %d px each way", path.c_str(), picture.cols, picture.rows,
+                                longest_side_px));
+  }
+  if (picture.channels() != 4) {
+    picture.release();
+    return photo_picture(bytes, path, kMostWorkedPixels);
+  }
+  if (picture.depth() != CV_8U && picture.depth() != CV_16U)
+    throw InputError(path + ": an image must have 8 or 16 bits a channel");
+  return reduced_picture(picture, kMostWorkedPixels);
+}
+
+}  // namespace tessera

@@ -1,0 +1,257 @@
+#include "artwork/solid_coverage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "artwork/alpha_regions.h"
+#include "artwork/images/page_pixels.h"
+
+namespace tessera {
+namespace {
+
+// Of 255.
+constexpr int kHalf = 128;
+constexpr int kBarelyHalf = 153;      // an outline at one half lies inside of the edge
+constexpr double kLeastLevel = 19.5;  // of a part that counts, and of a pixel of a lost line: 0.08, rounded
+/// Of a region; where thin lines cross each other, alpha is smooth, too.
+constexpr int kLeastPixels = 256;
+constexpr double kFlatPart = 0.7;
+/// The same of a line or a spot.
+constexpr int kLeastLinePixels = 48;
+/// Of the ways in which a region ends, one prevails that is so many times as long as the other.
+constexpr int kMostly = 2;
+/// A region that hardly fades anywhere: edges are so many times as long.
+constexpr int kAlmostWholly = 16;
+
+/// A region in which coverage is not alpha. A faint one would be solid, were it not below kLeastLevel.
+enum class Kind : std::uint8_t { as_opaque, solid, shadow, faint };
+
+bool is_large(const AlphaRegion& region, int unit_px) { return region.core_pixels >= kLeastPixels * unit_px * unit_px; }
+
+int soft_border(const AlphaRegion& region) { return region.fading + region.slightly_falling; }
+
+/// Where a region fades, what is far less opaque than the rest of it is its end.
+int least_counted(const AlphaRegion& region) {
+  const bool has_edges = region.falling >= kAlmostWholly * (soft_border(region) + region.fading_in_holes);
+  return has_edges ? 0 : int(region.level / 2);
+}
+
+bool ends_at_edges(const AlphaRegion& region) {
+  return region.falling >= kMostly * soft_border(region) &&
+         (region.flat_part >= kFlatPart || region.falling >= kMostly * (soft_border(region) + region.fading_in_holes));
+}
+
+/// Of a region that may be solid. All edges of a faint one are slight.
+Kind kind_by_border(const AlphaRegion& region) {
+  if (region.level >= kLeastLevel) return ends_at_edges(region) ? Kind::solid : Kind::as_opaque;
+  const int edges = region.falling + region.slightly_falling;
+  return edges > 0 && edges >= kMostly * region.fading ? Kind::faint : Kind::as_opaque;
+}
+
+/// Fades out on one side, and ends at edges of what is more opaque on the other, or stands alone.
+bool is_shadow_of_body(const AlphaRegion& region) {
+  return region.fading > kMostly * region.falling && region.rising >= region.merging;
+}
+
+/// Of the large regions, by label.
+std::vector<Kind> kinds_of(const AlphaRegions& parts, const cv::Mat& alpha, int unit_px) {
+  std::vector<Kind> kinds(parts.regions.size(), Kind::as_opaque);
+  for (std::size_t i = 1; i < kinds.size(); ++i) {
+    const AlphaRegion& region = parts.regions[i];
+    if (is_large(region, unit_px)) kinds[i] = kind_by_border(region);
+  }
+  const bool any_body =
+      std::count(kinds.begin(), kinds.end(), Kind::solid) > 0 || cv::countNonZero(alpha >= kOpaqueAlpha) > 0;
+  for (std::size_t i = 1; i < kinds.size(); ++i) {
+    if (!any_body || kinds[i] != Kind::as_opaque || !is_large(parts.regions[i], unit_px)) continue;
+    if (is_shadow_of_body(parts.regions[i])) kinds[i] = Kind::shadow;
+  }
+  return kinds;
+}
+
+/// Of lines and spots, by label. Thin lines that cross each other are smooth, too, but not flat.
+std::vector<Kind> line_kinds_of(const AlphaRegions& lines, int unit_px) {
+  std::vector<Kind> kinds(lines.regions.size(), Kind::as_opaque);
+  for (std::size_t i = 1; i < kinds.size(); ++i) {
+    const AlphaRegion& region = lines.regions[i];
+    const bool is_flat = region.flat_part >= kFlatPart && region.pixels >= kLeastLinePixels * unit_px * unit_px;
+    const bool stands_out = region.falling > 0 && region.falling >= kMostly * region.merging;
+    if (is_flat && stands_out) kinds[i] = kind_by_border(region);
+  }
+  return kinds;
+}
+
+/// Whether its outline is another one than that of alpha.
+bool matters(const AlphaRegion& region, Kind kind) {
+  if (kind == Kind::solid) return std::max(region.least, least_counted(region)) < kBarelyHalf;
+  return kind == Kind::shadow && region.most >= kHalf;
+}
+
+/// Of each pixel the nearest one of some others.
+class NearestPixels {
+ public:
+  /// `mask`: CV_8U, 255 where they are.
+  NearestPixels(const cv::Mat& mask, const cv::Mat& alpha) : level_(std::size_t(cv::countNonZero(mask)) + 1, 0) {
+    if (level_.size() == 1) {
+      distance_px_ = cv::Mat(mask.size(), CV_32F, cv::Scalar(1e9));
+      label_ = cv::Mat::zeros(mask.size(), CV_32S);
+      return;
+    }
+    cv::distanceTransform(~mask, distance_px_, label_, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
+    for (int y = 0; y < mask.rows; ++y) {
+      for (int x = 0; x < mask.cols; ++x) {
+        if (mask.at<std::uint8_t>(y, x)) level_[std::size_t(label_.at<int>(y, x))] = alpha.at<std::uint8_t>(y, x);
+      }
+    }
+  }
+
+  double distance_px(int y, int x) const { return double(distance_px_.at<float>(y, x)); }
+  /// Its alpha; 0 where there is none.
+  int level(int y, int x) const { return level_[std::size_t(label_.at<int>(y, x))]; }
+
+ private:
+  cv::Mat distance_px_;     // CV_32F
+  cv::Mat label_;           // CV_32S
+  std::vector<int> level_;  // by label
+};
+
+/// The regions of an alpha channel, and what each of them is.
+class JudgedRegions {
+ public:
+  JudgedRegions(const cv::Mat& alpha, int unit_px)
+      : unit_px_(unit_px),
+        plain_(alpha_regions(alpha, unit_px, kPlainRegions)),
+        plain_kinds_(kinds_of(plain_, alpha, unit_px)),
+        faint_(alpha_regions(alpha, unit_px, kFaintRegions)),
+        faint_kinds_(kinds_of(faint_, alpha, unit_px)),
+        lines_(alpha_regions(alpha, unit_px, kFaintLines)),
+        line_kinds_(line_kinds_of(lines_, unit_px)) {}
+
+  struct Judged {
+    const AlphaRegion& region;
+    Kind kind;
+  };
+  /// The faint regions add what ends at edges alone; where no large region is, there may be a line or a spot.
+  Judged at(int y, int x) const {
+    const Judged faint = judged(faint_, faint_kinds_, y, x), plain = judged(plain_, plain_kinds_, y, x);
+    if (faint.kind == Kind::solid || (faint.kind == Kind::faint && plain.kind == Kind::as_opaque)) return faint;
+    return is_large(plain.region, unit_px_) ? plain : judged(lines_, line_kinds_, y, x);
+  }
+
+  bool is_edge(int y, int x) const { return plain_.label.at<int>(y, x) == 0; }
+
+ private:
+  static Judged judged(const AlphaRegions& regions, const std::vector<Kind>& kinds, int y, int x) {
+    return {regions.at(y, x), kinds[std::size_t(regions.label.at<int>(y, x))]};
+  }
+
+  int unit_px_;
+  AlphaRegions plain_;
+  std::vector<Kind> plain_kinds_;
+  AlphaRegions faint_;
+  std::vector<Kind> faint_kinds_;
+  AlphaRegions lines_;
+  std::vector<Kind> line_kinds_;
+};
+
+/// CV_8U: what is opaque, what is translucent and counts, what is left out because it is clear or a shadow, and what is
+/// so though it ends at an edge.
+struct SurePixels {
+  cv::Mat opaque;
+  cv::Mat translucent;
+  cv::Mat left_out;
+  cv::Mat faint;
+  cv::Mat fading;            // of regions that fade, and are no shadows
+  bool any_matters = false;  // see matters()
+};
+
+SurePixels sure_pixels(const cv::Mat& alpha, const JudgedRegions& regions) {
+  const auto none = [&] { return cv::Mat(cv::Mat::zeros(alpha.size(), CV_8U)); };
+  SurePixels sure{alpha >= kOpaqueAlpha, none(), alpha < kPlainRegions.clear_alpha, none(), none()};
+  for (int y = 0; y < alpha.rows; ++y) {
+    for (int x = 0; x < alpha.cols; ++x) {
+      const auto [region, kind] = regions.at(y, x);
+      sure.any_matters = sure.any_matters || matters(region, kind);
+      const bool counts = kind == Kind::solid && alpha.at<std::uint8_t>(y, x) >= least_counted(region);
+      if (counts) sure.translucent.at<std::uint8_t>(y, x) = 255;
+      if (kind == Kind::shadow) sure.left_out.at<std::uint8_t>(y, x) = 255;
+      if (kind == Kind::faint) sure.faint.at<std::uint8_t>(y, x) = 255;
+      const bool fades = kind == Kind::solid ? !counts : kind == Kind::as_opaque && !regions.is_edge(y, x);
+      if (fades) sure.fading.at<std::uint8_t>(y, x) = 255;
+    }
+  }
+  return sure;
+}
+
+/// On edges, alpha as it rises from what is left out on one side to what counts on the other.
+cv::Mat coverage_of(const cv::Mat& alpha, const JudgedRegions& regions, const SurePixels& sure, int unit_px) {
+  const NearestPixels opaque(sure.opaque, alpha), translucent(sure.translucent, alpha), left_out(sure.left_out, alpha);
+  const double reach_px = kEdgeWidth_px * unit_px;
+  cv::Mat coverage = alpha.clone();
+  for (int y = 0; y < alpha.rows; ++y) {
+    for (int x = 0; x < alpha.cols; ++x) {
+      if (!regions.is_edge(y, x)) continue;
+      // Where both are near, the lower level: between a wing and its body nothing is left out.
+      const double to_translucent_px = translucent.distance_px(y, x), to_opaque_px = opaque.distance_px(y, x);
+      const bool by_wing = to_translucent_px <= std::min(reach_px, to_opaque_px + 2 * unit_px);
+      const bool by_shadow =
+          left_out.distance_px(y, x) <= reach_px && left_out.level(y, x) >= kPlainRegions.clear_alpha;
+      if (!by_wing && (!by_shadow || to_opaque_px > reach_px)) continue;
+      const int top = by_wing ? translucent.level(y, x) : opaque.level(y, x);
+      const int bottom = by_shadow ? std::min(left_out.level(y, x), top - 1) : 0;
+      const double part = double(alpha.at<std::uint8_t>(y, x) - bottom) / (top - bottom);
+      coverage.at<std::uint8_t>(y, x) = cv::saturate_cast<std::uint8_t>(255 * part);
+    }
+  }
+  coverage.setTo(255, sure.opaque | sure.translucent);
+  coverage.setTo(0, sure.left_out & (alpha >= kPlainRegions.clear_alpha));
+  return coverage;
+}
+
+/// Translucent parts count with an opaque one that they touch; where there is none, all of them do. Returns how many
+/// parts it removed.
+int remove_loose_parts(cv::Mat& coverage, const cv::Mat& alpha) {
+  cv::Mat label;
+  const int count = cv::connectedComponents(coverage >= kHalf, label, 8, CV_32S);
+  std::vector<bool> is_loose(std::size_t(count), true);
+  is_loose[0] = false;
+  for (int y = 0; y < label.rows; ++y) {
+    for (int x = 0; x < label.cols; ++x) {
+      if (alpha.at<std::uint8_t>(y, x) >= kHalf) is_loose[std::size_t(label.at<int>(y, x))] = false;
+    }
+  }
+  const int loose = int(std::count(is_loose.begin(), is_loose.end(), true));
+  if (loose == count - 1) return 0;
+  for (int y = 0; y < label.rows; ++y) {
+    for (int x = 0; x < label.cols; ++x) {
+      if (is_loose[std::size_t(label.at<int>(y, x))]) coverage.at<std::uint8_t>(y, x) = 0;
+    }
+  }
+  return loose;
+}
+
+/// Whether a part is seen that is neither covered nor soft.
+bool loses_parts(const cv::Mat& alpha, const cv::Mat& coverage, const SurePixels& sure, int unit_px) {
+  cv::Mat told;
+  const cv::Mat shadow = sure.left_out & (alpha >= kPlainRegions.clear_alpha);
+  cv::dilate((coverage >= kHalf) | sure.fading | shadow, told, square(kEdgeWidth_px * unit_px));
+  const cv::Mat line = (alpha >= kLeastLevel) & ~told;
+  return cv::countNonZero(sure.faint | line) >= kLeastPixels * unit_px * unit_px;
+}
+
+}  // namespace
+
+SolidCoverage solid_coverage(const cv::Mat& alpha, double source_px) {
+  const int unit_px = std::max(1, int(std::lround(source_px)));
+  const JudgedRegions regions(alpha, unit_px);
+  const SurePixels sure = sure_pixels(alpha, regions);
+  SolidCoverage solid{sure.any_matters ? coverage_of(alpha, regions, sure, unit_px) : alpha};
+  solid.loses_parts = loses_parts(alpha, solid.coverage, sure, unit_px);
+  if (sure.any_matters) solid.loose_parts = remove_loose_parts(solid.coverage, alpha);
+  return solid;
+}
+
+}  // namespace tessera

@@ -1,0 +1,43 @@
+// An SVG that librsvg has parsed, ready to be drawn through cairo.
+#pragma once
+
+#include <cairo.h>
+#include <librsvg/rsvg.h>
+
+#include <cstdint>
+#include <memory>
+#include <opencv2/core.hpp>
+#include <span>
+#include <string>
+
+namespace tessera {
+
+struct Unref {
+  void operator()(void* object) const { g_object_unref(object); }
+};
+template <class T>
+using GObjectPtr = std::unique_ptr<T, Unref>;
+
+class SvgDocument {
+ public:
+  /// Parses it from memory without a base address (svg_page.h). Throws InputError where it is no SVG or has no area.
+  SvgDocument(std::span<const std::uint8_t> svg, const std::string& path, RsvgHandleFlags flags);
+
+  /// The page's size in px of 1/96 inch.
+  cv::Size2d size() const { return size_; }
+  /// Text that is not drawn, as this machine has no font.
+  bool loses_text() const { return loses_text_; }
+  /// Draws the page at (0, 0), `scale` times as large. Throws InputError where librsvg cannot.
+  void draw(cairo_t* cairo, double scale) const;
+  /// Draws one element with what is in it, as if the page had the size `page`. Throws InputError where librsvg cannot.
+  void draw_element(cairo_t* cairo, const std::string& id, const cv::Size2d& page) const;
+
+ private:
+  std::string path_;
+  GObjectPtr<RsvgHandle> handle_;
+  bool sized_ = false;  // by the file
+  bool loses_text_ = false;
+  cv::Size2d size_;
+};
+
+}  // namespace tessera

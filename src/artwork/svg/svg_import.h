@@ -1,0 +1,25 @@
+// An untrusted SVG made fit to stand inside another document, beside other SVGs.
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <span>
+#include <string>
+
+namespace tessera {
+
+/// A <g id="SCOPE_ID"> that holds the drawing as a nested <svg> with its page at (0, 0) and of size `page_size` (what
+/// ArtworkPage::natural_size says). Serialised for a document whose default name space is SVG's, with the prefix
+/// "xlink".
+///
+/// Kept are SVG's drawing elements. Dropped are scripts, event handlers, animations, foreign content, metadata, and
+/// every reference but those to the document's own ids and to embedded bitmaps; nothing is loaded while parsing either.
+/// All ids and references to them get the prefix "SCOPE_ID-". What style sheets say becomes style attributes, so that no
+/// selector gets into the other document (svg_style.h), and nothing is drawn beyond the page. Blend modes reach the
+/// drawing's own parts alone, as where it is drawn by itself.
+/// Throws InputError where the bytes are no well-formed SVG or SVGZ, break libxml2's limits (entity bombs), or have a
+/// style sheet or a filter that cannot be copied.
+std::string import_svg(std::span<const std::uint8_t> bytes, const std::string& path, const std::string& scope_id,
+                       cv::Size2d page_size);
+
+}  // namespace tessera

@@ -1,0 +1,27 @@
+// SVG and SVGZ through librsvg and cairo.
+//
+// What keeps a hostile file at bay:
+// - it is parsed from memory without a base address: librsvg then refuses every reference (image, use, feImage,
+//   xi:include, stylesheet) to a file or to the network; data: images work;
+// - at most kMaxSvgBytes after decompression; libxml2 bounds entity expansion and depth;
+// - librsvg stops at 1,000,000 elements and 500,000 resolved references.
+// What nothing in this process bounds is the time and memory of drawing (filters, nested masks, huge embedded images):
+// librsvg cannot be interrupted, and 2.54 even aborts the process for an feConvolveMatrix whose matrix has the wrong
+// size. Foreign files are therefore drawn by tessera-drawer, in processes with limits (drawers.h).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "artwork/images/artwork_page.h"
+
+namespace tessera {
+
+inline constexpr std::size_t kMaxSvgBytes = 64u << 20;
+
+/// Throws InputError where it is no SVG, is damaged or breaks a limit.
+std::unique_ptr<ArtworkPage> open_svg_page(std::span<const std::uint8_t> bytes, const std::string& path);
+
+}  // namespace tessera

@@ -1,0 +1,165 @@
+#include "artwork/svg/svg_style.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "core/base/error.h"
+#include "artwork/svg/css_matching.h"
+#include "artwork/svg/css_tokens.h"
+#include "artwork/svg/xml_tree.h"
+#include "core/base/too_many.h"
+
+namespace tessera {
+namespace {
+
+bool is_style(const xmlNode* node) { return name_of(node) == "style" && is_in_svg_namespace(node); }
+
+/// That of elements inside it does not count.
+std::string text_of(const xmlNode* style) {
+  std::string text;
+  for (const xmlNode* child = style->children; child; child = child->next) {
+    if (child->type == XML_TEXT_NODE || child->type == XML_CDATA_SECTION_NODE) text += view(child->content);
+  }
+  return text;
+}
+
+[[noreturn]] void throw_loads_sheet(const std::string& path) {
+  throw InputError(path + ": a style sheet that loads another one from a data: address");
+}
+
+void check_instructions(const xmlDoc* doc, const std::string& path) {
+  for (const xmlNode* node = doc->children; node; node = node->next) {
+    if (node->type != XML_PI_NODE || name_of(node) != "xml-stylesheet") continue;
+    if (view(node->content).find("data:") != std::string_view::npos) throw_loads_sheet(path);
+  }
+}
+
+/// Whether an at-rule, without its end, is an @import of a data: address.
+bool imports_data(CssTokens rule) {
+  if (ascii_lower_case(rule.front().text) != "import") return false;
+  return std::any_of(rule.begin() + 1, rule.end(), [](const CssToken& token) {
+    const bool is_address = token.kind == CssKind::string || token.kind == CssKind::url;
+    return is_address && ascii_lower_case(token.text).find("data:") != std::string::npos;
+  });
+}
+
+/// What an element must have for the compound to match.
+std::string key_of(const CssCompound& compound) {
+  std::string key = compound.type;
+  for (const CssCondition& condition : compound.conditions) {
+    if (const auto* id = std::get_if<CssId>(&condition)) return "#" + id->id;
+    if (const auto* one_class = std::get_if<CssClass>(&condition)) key = "." + one_class->name;
+  }
+  return key;
+}
+
+/// All keys that an element satisfies, each once.
+std::vector<std::string> keys_of(const xmlNode* element, const std::string& id, std::string_view classes) {
+  std::vector<std::string> keys = {"", std::string(name_of(element)), "#" + id};
+  for (std::string_view word = take_word(classes); !word.empty(); word = take_word(classes)) {
+    keys.push_back("." + std::string(word));
+  }
+  std::sort(keys.begin(), keys.end());
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  return keys;
+}
+
+}  // namespace
+
+SvgStyle::SvgStyle(const xmlNode* root, const std::string& path, const std::string& id_prefix)
+    : path_(path),
+      id_prefix_(id_prefix),
+      matcher_(path) {
+  check_instructions(root->doc, path);
+  add_sheets_below(root);
+}
+
+/// Recursion is as deep as the document, which libxml2 bounds (256).
+void SvgStyle::add_sheets_below(const xmlNode* node) {
+  if (is_style(node)) return add_sheet(text_of(node));
+  for (const xmlNode* child = node->children; child; child = child->next) {
+    if (child->type == XML_ELEMENT_NODE) add_sheets_below(child);
+  }
+}
+
+void SvgStyle::add_sheet(std::string_view css) {
+  const std::vector<CssToken> tokens = css_tokens(css);
+  CssTokens rest = tokens;
+  while (!rest.empty()) {
+    const CssKind kind = rest.front().kind;
+    if (kind == CssKind::space || kind == CssKind::comment) {
+      rest = rest.subspan(1);
+      continue;
+    }
+    const bool is_at_rule = kind == CssKind::at_keyword;
+    const std::size_t head = find_css_mark(rest, is_at_rule ? "{;" : "{");
+    const bool has_block = head < rest.size() && rest[head].is_mark('{');
+    const std::size_t end = has_block ? find_css_mark(rest, "}", head + 1) : head;
+    if (is_at_rule && imports_data(rest.first(head))) throw_loads_sheet(path_);
+    if (!is_at_rule && has_block) add_rule(rest.first(head), rest.subspan(head + 1, end - head - 1));
+    rest = rest.subspan(std::min(end + 1, rest.size()));
+  }
+}
+
+void SvgStyle::add_rule(CssTokens selectors, CssTokens block) {
+  std::optional<std::vector<CssSelector>> list = parse_css_selectors(selectors);
+  if (!list) return;
+  blocks_.push_back(local_css_declarations(block, id_prefix_));
+  for (CssSelector& selector : *list) {
+    rules_by_key_[key_of(selector.compounds.back())].push_back(rules_.size());
+    rules_.push_back({std::move(selector), blocks_.size() - 1});
+  }
+}
+
+/// Those that match, the one that counts most last. Of a block that several selectors choose the last one counts.
+std::vector<const SvgStyle::Rule*> SvgStyle::rules_of(const xmlNode* element) {
+  std::vector<const Rule*> rules;
+  if (rules_.empty()) return rules;
+  const std::string id = counted(attribute(element, "id")), classes = counted(attribute(element, "class"));
+  count_bytes(classes.size() / 2 * sizeof(std::string));  // as many keys as there may be words
+  for (const std::string& key : keys_of(element, id, classes)) {
+    const auto found = rules_by_key_.find(key);
+    if (found == rules_by_key_.end()) continue;
+    for (const std::size_t i : found->second) {
+      if (matcher_.selects(rules_[i].selector, element)) rules.push_back(&rules_[i]);
+    }
+  }
+  std::sort(rules.begin(), rules.end(), [](const Rule* a, const Rule* b) {
+    return std::pair(a->selector.specificity, a) > std::pair(b->selector.specificity, b);
+  });
+  std::set<std::size_t> blocks;
+  std::erase_if(rules, [&](const Rule* rule) { return !blocks.insert(rule->block).second; });
+  std::reverse(rules.begin(), rules.end());
+  return rules;
+}
+
+std::vector<CssDeclaration> SvgStyle::declarations_of(const xmlNode* element) {
+  std::vector<CssDeclaration> declarations;
+  for (const Rule* rule : rules_of(element)) append(declarations, blocks_[rule->block]);
+  const std::vector<CssToken> own = css_tokens(counted(attribute(element, "style")));
+  append(declarations, local_css_declarations(own, id_prefix_));
+  return declarations;
+}
+
+std::string SvgStyle::counted(std::string value) {
+  count_bytes(value.size());
+  return value;
+}
+
+void SvgStyle::append(std::vector<CssDeclaration>& to, const std::vector<CssDeclaration>& more) {
+  for (const CssDeclaration& declaration : more) {
+    count_bytes(sizeof declaration + declaration.name.size() + declaration.value.size());
+    to.push_back(declaration);
+  }
+}
+
+void SvgStyle::count_bytes(std::size_t bytes) {
+  bytes_ += bytes;
+  if (bytes_ <= kMostDeclarationBytes) return;
+  throw InputError(path_ + ": its style sheets and attributes: " +
+                   too_many(kMostDeclarationBytes >> 20, "MiB of declarations for its elements") +
+                   "; write fewer declarations into each rule");
+}
+
+}  // namespace tessera

@@ -1,0 +1,39 @@
+// XML that libxml2 has parsed.
+#pragma once
+
+#include <libxml/tree.h>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "artwork/svg/xml_parsing.h"
+
+namespace tessera {
+
+/// An SVG that a program of ours or cairo has written: it is well-formed, and may be huge. Throws InputError.
+XmlDocPtr parsed_svg(std::span<const std::uint8_t> svg, const std::string& path);
+
+inline constexpr std::string_view kSvgNamespace = "http://www.w3.org/2000/svg";
+
+/// As libxml2 takes names.
+inline const xmlChar* xml(const char* text) { return reinterpret_cast<const xmlChar*>(text); }
+
+/// "" for null.
+std::string_view view(const xmlChar* text);
+std::string_view name_of(const xmlNode* node);
+/// Elements without a name space count as SVG's, as for librsvg: old files forget the name space.
+bool is_in_svg_namespace(const xmlNode* element);
+/// Takes the first word off a list with white space between, such as an attribute "class". "" where there is none.
+std::string_view take_word(std::string_view& list);
+/// The text of an element or attribute, with that of the elements inside.
+std::string content_of(const xmlNode* node);
+/// "" where there is none.
+std::string attribute(const xmlNode* node, const char* name);
+/// Its xlink:href.
+std::string hyperlink(const xmlNode* node);
+/// The id that it names; "" where there is none.
+std::string reference(const xmlNode* node);
+
+}  // namespace tessera

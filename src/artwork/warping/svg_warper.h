@@ -1,0 +1,140 @@
+// Walks through a flattened drawing (flattened_svg.h) and writes it deformed. One class, since definitions, ids and limits are those of
+// the whole; its members stand by what they write: groups in svg_warper.cpp, clips and masks, paths, paints and bitmaps in files of
+// their own.
+#pragma once
+
+#include <cairo.h>
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "core/deform/warp.h"
+#include "artwork/svg/flattened_nodes.h"
+#include "artwork/svg/flattened_svg.h"
+#include "artwork/svg/path_steps.h"
+#include "artwork/warping/warping_limits.h"
+#include "artwork/svg/xml_tree.h"
+#include "text/xml_writer.h"
+
+namespace tessera {
+
+/// What cairo rounds clips and layers to, in units of the flattened drawing.
+inline constexpr double kClipSlack = 1;
+/// A millionth of the page; and for what is drawn in a frame of its own, which may be far from its origin.
+inline constexpr int kPageDigits = 6, kFrameDigits = 9;
+
+class SvgWarper {
+ public:
+  /// All must outlive it.
+  SvgWarper(const xmlNode* root, const FlattenedSvg& flattened, const std::string& scope_id, const Warp& warp);
+
+  /// The drawing as one group. Throws InputError where it breaks a limit, or holds what cairo is not known to write.
+  std::string warped();
+
+ private:
+  /// In what a part of the flattened drawing stands.
+  struct Frame {
+    cairo_matrix_t page_from_user;
+    bool in_mask = false;     // only its opacity counts: all is white
+    bool in_pattern = false;  // the page is a pattern's tile, and nothing is deformed
+    int depth = 0;
+  };
+  /// What is written once for each place where it is used differently.
+  using CopyKey = std::tuple<std::string, std::string, std::array<double, 6>, bool, bool>;
+  using Attributes = std::vector<std::pair<std::string, std::string>>;
+
+  void list_ids(const xmlNode* node);
+  const xmlNode* node_of(const std::string& id) const;
+  std::string url(const std::string& id) const { return "url(#" + id + ")"; }
+  std::string new_id() { return scope_id_ + "-" + std::to_string(++ids_); }
+
+  /// Writes the definition that `write` fills under a new id, unless there is the same one already.
+  template <class Write>
+  std::string copy_of(const std::string& what, const std::string& how, const cairo_matrix_t& m, const Frame& frame,
+                      Write write) {
+    const CopyKey key{what, how, {m.xx, m.yx, m.xy, m.yy, m.x0, m.y0}, frame.in_mask, frame.in_pattern};
+    const auto found = copies_.find(key);
+    if (found != copies_.end()) return found->second;
+    const std::string id = new_id();
+    XmlWriter definition;
+    write(id, definition);
+    add_definition(definition.finish());
+    return copies_[key] = id;
+  }
+
+  void add_definition(const std::string& xml);
+
+  // Groups
+  void write_children(const xmlNode* node, Frame frame, XmlWriter& to);
+  void write(const xmlNode* node, Frame frame, XmlWriter& to);
+  void write_inside(const xmlNode* node, Frame frame, XmlWriter& to);
+  /// Of a group around the element: what cuts it, how opaque it is, how it is blended.
+  Attributes attributes_around(const xmlNode* node, const Frame& frame);
+
+  // Clips and masks
+  /// On the page, before it is deformed.
+  PathSteps clip_steps(const std::string& id, const Frame& frame);
+  /// Whether it is a rectangle around the page, or around another clip of all that is in the element. cairo writes such
+  /// ones everywhere; their deformed edges would be antialiased.
+  bool cuts_nothing(const xmlNode* node, const PathSteps& steps, const Frame& frame);
+  void write_clip(const std::string& id, const PathSteps& steps, const std::string& rule, const Frame& frame,
+                  XmlWriter& to);
+  std::string clip_copy(const PathSteps& steps, const std::string& rule, const Frame& frame);
+  /// A mask is as opaque as what it shows. A mere opacity is one, too.
+  std::pair<std::string, std::string> attribute_of_mask(const std::string& mask, const Frame& frame);
+  void write_mask(const std::string& id, const xmlNode* group, Frame frame, XmlWriter& to);
+  static void write_box(const cv::Rect2d& box, XmlWriter& to);
+
+  // Paths
+  /// On the page, deformed unless it is in a pattern.
+  PathSteps placed(const PathSteps& page_path, const Frame& frame);
+  std::string data_of(const PathSteps& steps, int digits);
+  void write_path(const xmlNode* node, const Frame& frame, XmlWriter& to);
+  /// cairo fills the page, and what its whole units add, where it has no shape to fill.
+  PathSteps within_page(PathSteps steps, const Frame& frame) const;
+  /// How far a stroke reaches beyond its path, on the page.
+  static double reach(const Style& style, const cairo_matrix_t& m);
+  void note_box(cv::Rect2d box, double reach, const Frame& frame);
+  void write_style(const Style& style, const cairo_matrix_t& out_from_path, const Frame& frame, XmlWriter& to);
+
+  // Colours, gradients and patterns
+  std::string colour(const std::string& rgb, const Frame& frame) const;
+  std::string paint(const std::string& value, const cairo_matrix_t& out_from_path, const Frame& frame);
+  void write_gradient(const xmlNode* node, const std::string& id, const cairo_matrix_t& out_from_path,
+                      const Frame& frame, XmlWriter& to);
+  void write_stop(const xmlNode* stop, const Frame& frame, XmlWriter& to);
+  void write_pattern(const xmlNode* node, const std::string& id, const cairo_matrix_t& out_from_path,
+                     const Frame& frame, XmlWriter& to);
+
+  // Bitmaps
+  /// The one bitmap that a pattern consists of: librsvg paints a bitmap by filling its rectangle with it.
+  const xmlNode* bitmap_of_pattern(const std::string& fill) const;
+  void write_bitmap_fill(const xmlNode* pattern, const xmlNode* bitmap, const PathSteps& page_path, const Style& style,
+                         Frame frame, XmlWriter& to);
+  void write_bitmap(const xmlNode* node, const Frame& frame, bool goes_on, XmlWriter& to);
+  void write_picture(const cv::Mat& bgra, const cv::Rect2d& box, XmlWriter& to);
+  cv::Mat decoded(const xmlNode* node);
+
+  const xmlNode* root_;
+  cv::Rect2d page_;
+  double unit_;  // of the flattened drawing, on the page
+  std::string scope_id_;
+  const Warp& warp_;
+  double tolerance_;
+  std::unordered_map<std::string, const xmlNode*> nodes_;
+  std::map<CopyKey, std::string> copies_;
+  std::string definitions_;
+  bool blends_ = false;
+  bool leaves_page_ = false;
+  std::size_t ids_ = 0;
+  WarpingLimits limits_;
+};
+
+}  // namespace tessera

@@ -1,0 +1,34 @@
+// The edge of the canvas as pieces feel it: also far outside, where the canvas' field ends.
+#pragma once
+
+#include "core/field/free_field.h"
+
+namespace tessera {
+
+class EdgeDistance {
+ public:
+  /// Of the canvas of this field, whatever lies in it. It outlives the edge.
+  explicit EdgeDistance(const FreeField& free)
+      : field_(free.canvas_view()),
+        period_(free.grid().period()),
+        add_px_(free.padding_px()) {}
+  /// Of a canvas that does not repeat itself: distance to its edge in px, positive inside, at nodes so far apart. It
+  /// outlives the edge.
+  EdgeDistance(const CanvasField& distance, float node_px) : field_(distance), node_px_(node_px) {}
+
+  const Period& period() const { return period_; }
+  /// Between two of its nodes.
+  float node_px() const { return node_px_; }
+
+  /// Distance to the edge, positive inside, with its gradient. Beyond the field's nodes: the value at the nearest one,
+  /// less the way there.
+  FieldSample at(Vec2 canvas_px) const;
+
+ private:
+  FieldView field_;
+  Period period_;
+  float add_px_ = 0;
+  float node_px_ = 1;
+};
+
+}  // namespace tessera

@@ -1,0 +1,106 @@
+// Every parameter of the algorithm that a job can set. Units stand in the names; defaults are those of the job format
+// (docs/job-format.md). Fixed numbers are in core/settings/tuning.h.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/colour/colour_wish.h"
+#include "core/geometry/size_map.h"
+#include "core/pad/pad.h"
+#include "core/settings/wishes.h"
+
+namespace tessera {
+
+struct PieceSettings {
+  float min_scale_px = 20;  // square root of the piece's area: of the smallest that any wish allows
+  float max_scale_px = 160;
+  float min_rotation_rad = -3.14159265f;
+  float max_rotation_rad = 3.14159265f;
+  PoseWish several = {};     // where there are several intervals; empty: those from min to max
+  int uses = 0;              // how often one shape may be placed; 0 = unlimited
+  int least_uses = 0;        // so many of each shape come before more of any, while there is room
+  bool fit_all = false;      // sizes are relative: multiplied so that every shape finds its place
+  float least_scale_px = 2;  // with fit_all: no piece becomes smaller
+  float padding_px = 0;      // distance kept between pieces, and between pieces and the canvas' edge
+  float apart_px = 0;        // distance kept between the outlines of pieces of one silhouette
+  std::shared_ptr<const SizeMap> size_map = {};  // what is left of a shape's sizes from place to place; none: all
+  float overlap_px = 1.4f;  // without padding: how deep a vertex of a piece may lie in another, and beyond the edge
+
+  /// What a pose may be where no shape or region wishes otherwise.
+  PoseWish poses() const {
+    PoseWish wish = several;
+    if (wish.scale_px.empty()) wish.scale_px = {{min_scale_px, max_scale_px}};
+    if (wish.rotation_rad.empty()) wish.rotation_rad = {{min_rotation_rad, max_rotation_rad}};
+    return wish;
+  }
+};
+
+/// Where a collage starts from.
+struct StartSettings {
+  bool grow_outward = false;  // pieces dock to what stands alone, never to the canvas' edge
+};
+
+struct MatchSettings {
+  PadParameters pad;
+  float top_percent = 2;       // K of the paper: best pairs kept, in percent of all pairs of a target sample
+  int most_pairs = 200;        // best pairs kept, however large the library; 0 = no limit
+  float beta = 0.12f;          // largest PAD distance
+  int tangent_dockings = 600;  // random tangent-aligned dockings per target sample
+  float delta_px = 2.5f;       // a boundary point nearer than this is matched
+};
+
+enum class Objective { scale_aware, paper };
+
+struct ObjectiveSettings {
+  Objective kind = Objective::scale_aware;
+  float overlap_weight = 3;
+  float gap_weight = 1;
+  float length_exponent = 0.5f;
+  float scale_exponent = 0.7f;
+  float balance = 0;  // of sizes, 0 (contrast) to 1 (even); scale_aware alone
+  float repetition_exponent =
+      0.3f;                       // score times (1 + uses)^-exponent, and what copies cost where pieces are exchanged
+  float near_twin_factor = 0.7f;  // score times this for each near copy
+};
+
+struct StopSettings {
+  int pieces = 0;      // 0 = no limit
+  float coverage = 1;  // fraction of the canvas
+  double seconds = 0;  // 0 = no limit
+};
+
+/// Improving, after nothing fits any more; ends with whichever limit comes first. Both 0: none.
+struct ImproveSettings {
+  int trials = 0;      // 0 = no limit
+  double seconds = 0;  // 0 = no limit
+  bool relax = true;   // now and then, and at its beginning, all pieces move, turn and grow together
+};
+
+enum class DeformKind { none, capped, voronoi };
+
+/// Of a finished collage: boundaries move to close gaps and overlaps (core/deform).
+struct DeformSettings {
+  DeformKind kind = DeformKind::none;
+  float most_px = 4;  // that a boundary moves, and in parts of the piece's size; whichever is less
+  float most_part = 0.06f;
+  float most_area = 0.2f;  // by which a piece's area may change, parts of it
+  float most_pad = 0.2f;   // PAD distance of a piece to what it was, the mean along its outline
+};
+
+struct CollageSettings {
+  std::uint64_t seed = 1;
+  PieceSettings pieces;
+  Wishes wishes;
+  StartSettings start;
+  MatchSettings match;
+  ObjectiveSettings objective;
+  ImproveSettings improve;
+  StopSettings stop;
+  DeformSettings deform;
+  ColourWish colour;
+  bool settle = true;  // chosen pieces are pushed clear and grown; off for comparisons (src/bench), no job key
+};
+
+}  // namespace tessera

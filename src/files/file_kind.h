@@ -1,0 +1,18 @@
+// What stands under a name, in words for messages.
+#pragma once
+
+#include <sys/stat.h>
+
+#include <string>
+
+namespace tessera {
+
+/// Of st_mode: "a folder", "a pipe", "a socket", "a link", "a device", "a regular file".
+std::string file_kind(mode_t mode);
+
+/// "proc", "sysfs" and so on where the file systems' magic number (statfs(2), f_type) is that of one whose files the
+/// kernel makes up when they are read: reading may wait for ever (/proc/kmsg) or change the machine. Empty: a file
+/// system of ordinary files.
+std::string kernel_file_system(long magic);
+
+}  // namespace tessera

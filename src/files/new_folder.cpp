@@ -1,0 +1,62 @@
+#include "files/new_folder.h"
+
+#include <filesystem>
+#include <system_error>
+#include <vector>
+
+#include "core/base/error.h"
+#include "files/atomic_file.h"
+
+namespace tessera {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool holds_something(const std::string& folder) {
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error); !error && at != fs::directory_iterator(); at.increment(error)) {
+    if (at->path() != folder_lock_path(folder)) return true;
+  }
+  return false;
+}
+
+/// Removes what it was told of, unless it was told that all is written.
+class Unfinished {
+ public:
+  ~Unfinished() {
+    std::error_code ignored;
+    for (auto path = paths_.rbegin(); path != paths_.rend(); ++path) fs::remove(*path, ignored);
+  }
+  void add(const fs::path& path) { paths_.push_back(path); }
+  void finish() { paths_.clear(); }
+
+ private:
+  std::vector<fs::path> paths_;  // folders before what is in them
+};
+
+}  // namespace
+
+NewFolder::NewFolder(const std::string& folder)
+    : folder_(folder),
+      made_(folder),
+      lock_(folder_lock_path(folder), folder) {
+  if (holds_something(folder))
+    throw InputError(folder + ": is there already, and holds something; allowed: a new folder (--out DIR)");
+}
+
+bool NewFolder::write(const std::vector<NewFile>& files, const std::function<bool()>& stopped) {
+  Unfinished unfinished;
+  for (const NewFile& file : files) {
+    if (stopped()) return false;
+    const fs::path path = fs::path(folder_) / file.name;
+    std::error_code error;
+    if (fs::create_directory(path.parent_path(), error)) unfinished.add(path.parent_path());
+    if (error) throw EnvironmentError("cannot make the folder " + path.parent_path().string() + ": " + error.message());
+    unfinished.add(path);
+    write_file_atomically(path.string(), file.bytes);
+  }
+  unfinished.finish();
+  return true;
+}
+
+}  // namespace tessera

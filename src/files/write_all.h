@@ -1,0 +1,17 @@
+// Writing to an open file.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace tessera {
+
+inline std::span<const std::uint8_t> bytes_of(std::string_view text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+/// Writes all bytes where the file's descriptor stands. False with errno where that failed; then some may be written.
+bool write_all(int file, std::span<const std::uint8_t> bytes);
+
+}  // namespace tessera

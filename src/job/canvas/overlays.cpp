@@ -1,0 +1,190 @@
+#include "job/canvas/overlays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/base/digest.h"
+#include "core/base/error.h"
+#include "artwork/images/colour_conversion.h"
+#include "artwork/images/png_picture.h"
+#include "job/canvas/overlay.h"
+
+namespace tessera {
+namespace {
+
+constexpr float kTexelsPerPiece = 8;  // along the side of the smallest
+constexpr float kSizesPerPiece = 2;
+/// Steps in which what was read is kept: how OpenCV's sums round differs from machine to machine, in bits far below.
+constexpr float kStepsOfColour = 256;
+constexpr float kStepsOfSize = 1024;
+constexpr int kStripRows = 64;
+constexpr std::size_t kShapesAtATime = 4096;  // heads alone: some MB
+constexpr LibraryParts kHeadsOnly{.outline = false, .field = false, .levels = 0, .artwork = false};
+
+float in_steps(float value, float steps) { return std::nearbyint(value * steps) / steps; }
+
+/// Of a grid over the canvas, so many for the side of the smallest piece.
+float px_per_cell(const Job& job, float cells_per_piece) {
+  const float smallest_px = job.settings.pieces.min_scale_px * float(job.size_factor);
+  return std::max(1.f, smallest_px / cells_per_piece);
+}
+
+cv::Size cells_of(const Canvas& canvas, float px_per_cell) {
+  const auto along = [&](int px) { return std::max(1, int(std::ceil(float(px) / px_per_cell))); };
+  return {along(canvas.width_px), along(canvas.height_px)};
+}
+
+/// An SVG is drawn twice as fine as cells.
+int side_for(cv::Size cells) { return 2 * std::max(cells.width, cells.height); }
+
+/// An SVG is drawn with a longest side of `side_px`.
+cv::Mat picture_for(const Job& job, const std::string& path, const char* key, const Canvas& canvas, int side_px,
+                    Drawers& drawers) {
+  try {
+    return overlay_picture(path, key, canvas, side_px, drawers);
+  } catch (const InputError& error) {
+    throw InputError(job.path + ": " + error.what());
+  }
+}
+
+void refuse_seamless(const Job& job, const char* key) {
+  if (job.canvas.seamless == Seamless::none) return;
+  throw InputError(job.path + ": " + key + ": found with canvas.seamless, allowed: a canvas that does not repeat");
+}
+
+/// Of straight BGRA: lightness, a and b times alpha, and alpha. By strips, as much is needed for each pixel on the way.
+cv::Mat weighted_lab(const cv::Mat& straight_bgra) {
+  cv::Mat sums(straight_bgra.size(), CV_32FC4);
+  for (int top = 0; top < sums.rows; top += kStripRows) {
+    const cv::Range rows(top, std::min(sums.rows, top + kStripRows));
+    const cv::Mat strip = straight_bgra.rowRange(rows), lab = lab_image_of(strip);
+    for (int y = 0; y < strip.rows; ++y) {
+      for (int x = 0; x < strip.cols; ++x) {
+        const float alpha = float(strip.at<cv::Vec4b>(y, x)[3]) * (1.f / 255);
+        const cv::Vec3f& c = lab.at<cv::Vec3f>(y, x);
+        sums.at<cv::Vec4f>(top + y, x) = {c[0] * alpha, c[1] * alpha, c[2] * alpha, alpha};
+      }
+    }
+  }
+  return sums;
+}
+
+/// Means, weighted by alpha.
+Grid<Texel> texels_from(const cv::Mat& straight_bgra, cv::Size size) {
+  cv::Mat sums = weighted_lab(straight_bgra);
+  cv::resize(sums, sums, size, 0, 0, cv::INTER_AREA);
+  Grid<Texel> texels(size.width, size.height);
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      const cv::Vec4f& s = sums.at<cv::Vec4f>(y, x);
+      texels(x, y) = {in_steps(s[0], kStepsOfColour), in_steps(s[1], kStepsOfColour), in_steps(s[2], kStepsOfColour),
+                      in_steps(s[3], kStepsOfColour)};
+    }
+  }
+  return texels;
+}
+
+/// By lightness as it is stored; transparent places are white.
+std::shared_ptr<const SizeMap> size_map_of(const Canvas& canvas, const Job& job, Drawers& drawers) {
+  if (job.size_map.empty()) return nullptr;
+  refuse_seamless(job, "pieces.size_map");
+  const float cell_px = px_per_cell(job, kSizesPerPiece);
+  const cv::Size size = cells_of(canvas, cell_px);
+  const cv::Mat bgra = picture_for(job, job.size_map, "pieces.size_map", canvas, side_for(size), drawers);
+  cv::Mat grey, alpha, cells;
+  cv::cvtColor(bgra, grey, cv::COLOR_BGRA2GRAY);
+  cv::extractChannel(bgra, alpha, 3);
+  cv::Mat(grey.size(), CV_8U, cv::Scalar(255)).copyTo(grey, alpha < 128);
+  grey.convertTo(grey, CV_32F, 1.0 / 255);
+  cv::resize(grey, cells, size, 0, 0, cv::INTER_AREA);
+  SizeMap map{Grid<float>(size.width, size.height), 1 / cell_px};
+  for (int y = 0; y < size.height; ++y) {
+    std::transform(cells.ptr<float>(y), cells.ptr<float>(y) + size.width, map.part.row(y),
+                   [](float part) { return in_steps(part, kStepsOfSize); });
+  }
+  return std::make_shared<const SizeMap>(std::move(map));
+}
+
+template <class Take>
+void for_each_shape(const ShapeLibrary& library, Take take) {
+  for (std::size_t begin = 0; begin < library.size(); begin += kShapesAtATime) {
+    for (const Shape& shape : library.read(begin, std::min(library.size(), begin + kShapesAtATime), kHeadsOnly))
+      take(shape);
+  }
+}
+
+std::shared_ptr<const std::vector<ShapeColour>> colours_of(const ShapeLibrary& library) {
+  auto colours = std::make_shared<std::vector<ShapeColour>>();
+  for_each_shape(library, [&](const Shape& shape) {
+    colours->push_back({{shape.mean_lab[0], shape.mean_lab[1], shape.mean_lab[2]}, own_contrast(shape.colour_grid)});
+  });
+  return colours;
+}
+
+/// Throws InputError where the library does not know the colours of its drawings' parts.
+void add_colour_grids(const ShapeLibrary& library, const Job& job, Digest& digest) {
+  for_each_shape(library, [&](const Shape& shape) {
+    if (!shape.colour_grid.known()) {
+      throw InputError(job.path + ": colour.image: " + library.path() + " does not know the colours of " + shape.name +
+                       "'s parts, as libraries of older versions; build it again");
+    }
+    digest.add_all(std::span<const std::uint8_t>(shape.colour_grid.bytes));
+  });
+}
+
+/// `bgra` is colour.image as matching has it. Where that is small the file may be an SVG, which is drawn anew.
+std::shared_ptr<const std::vector<std::uint8_t>> shown_png(const Canvas& canvas, const Job& job, const cv::Mat& bgra,
+                                                           Drawers& drawers) {
+  const bool small = std::max(bgra.cols, bgra.rows) < kLongestShownSide_px;
+  const cv::Mat picture =
+      small ? picture_for(job, job.colour.image, "colour.image", canvas, kLongestShownSide_px, drawers) : bgra;
+  return std::make_shared<const std::vector<std::uint8_t>>(shown_picture_png(picture));
+}
+
+}  // namespace
+
+ColourImage read_colour_image(const Canvas& canvas, const Job& job, Drawers& drawers) {
+  if (job.colour.image.empty()) return {};
+  refuse_seamless(job, "colour.image");
+  const float px_per_texel = px_per_cell(job, kTexelsPerPiece);
+  const cv::Size size = cells_of(canvas, px_per_texel);
+  const cv::Mat picture = picture_for(job, job.colour.image, "colour.image", canvas, side_for(size), drawers);
+  const Grid<Texel> finest = texels_from(picture, size);
+  if (std::none_of(finest.data().begin(), finest.data().end(),
+                   [](const Texel& texel) { return texel.weight >= kLeastColourWeight; })) {
+    throw InputError(job.path + ": colour.image: " + job.colour.image + " is transparent all over");
+  }
+  return {picture, std::make_shared<const ColourTarget>(finest, px_per_texel)};
+}
+
+std::vector<std::uint8_t> shown_picture_png(const cv::Mat& bgra) { return png_of(shrunk(bgra, kLongestShownSide_px)); }
+
+Overlays read_overlays(const Canvas& canvas, const Job& job) {
+  Drawers drawers(photo_drawer_settings(1));
+  Overlays overlays;
+  const ColourImage image = read_colour_image(canvas, job, drawers);
+  overlays.colour = image.target;
+  if (image.target) overlays.shown_png = shown_png(canvas, job, image.bgra, drawers);
+  overlays.sizes = size_map_of(canvas, job, drawers);
+  return overlays;
+}
+
+void set_overlays(const Overlays& overlays, const ShapeLibrary& library, Job& job) {
+  Digest digest;
+  if (overlays.colour) {
+    digest.add_all(std::span<const Texel>(overlays.colour->texels()));
+    add_colour_grids(library, job, digest);
+  }
+  if (overlays.colour || job.settings.colour.neighbours != 0) job.settings.colour.of_shapes = colours_of(library);
+  if (overlays.sizes) digest.add_all(std::span<const float>(overlays.sizes->part.data()));
+  job.settings.colour.target = overlays.colour;
+  job.settings.pieces.size_map = overlays.sizes;
+  job.shown_png = overlays.shown_png;
+  job.overlay_digest = digest.value();
+}
+
+}  // namespace tessera

@@ -1,0 +1,97 @@
+#include "job/canvas/whole_regions.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <opencv2/imgproc.hpp>
+
+#include "job/canvas/canvas_regions.h"
+
+namespace tessera {
+namespace {
+
+/// From a place on a border to the certain ones on both sides: a drawn border is two px wide, and its neighbours are
+/// not certain either.
+constexpr int kBorderReach_px = 3;
+
+/// CV_8U, 255 where the label is that of all places around, none of which is half transparent.
+cv::Mat_<std::uint8_t> certain_places(const cv::Mat_<short>& labels, const cv::Mat& page_bgra) {
+  cv::Mat alpha;
+  cv::extractChannel(page_bgra, alpha, 3);
+  cv::Mat_<short> opaque = labels.clone();
+  opaque.setTo(kNoRegion, alpha < 128);
+  cv::Mat lowest, highest;
+  const cv::Mat around = cv::Mat::ones(3, 3, CV_8U);
+  cv::erode(opaque, lowest, around);
+  cv::dilate(opaque, highest, around);
+  return cv::Mat((lowest == highest) & (opaque != kNoRegion));
+}
+
+/// Of the nearest certain place.
+cv::Mat_<short> nearest_labels(const cv::Mat_<short>& labels, const cv::Mat_<std::uint8_t>& certain) {
+  cv::Mat_<short> whole(labels.size(), short(kNoRegion));
+  const int places = cv::countNonZero(certain);
+  if (places == 0) return whole;
+  cv::Mat distance;
+  cv::Mat_<int> nearest;  // for each place the number of a certain one
+  cv::distanceTransform(~certain, distance, nearest, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
+  std::vector<short> label_of(std::size_t(places) + 1, short(kNoRegion));
+  for (int y = 0; y < labels.rows; ++y) {
+    for (int x = 0; x < labels.cols; ++x) {
+      if (certain(y, x)) label_of[std::size_t(nearest(y, x))] = labels(y, x);
+    }
+  }
+  for (int y = 0; y < labels.rows; ++y) {
+    for (int x = 0; x < labels.cols; ++x) whole(y, x) = label_of[std::size_t(nearest(y, x))];
+  }
+  return whole;
+}
+
+cv::Vec3d colour_at(const cv::Mat& page_bgra, int x, int y) {
+  const cv::Vec4b& pixel = page_bgra.at<cv::Vec4b>(y, x);
+  return {double(pixel[0]), double(pixel[1]), double(pixel[2])};
+}
+
+/// The mean colours of the regions that are certain near the place, by their numbers.
+std::map<short, cv::Vec3d> colours_near(cv::Point at, const cv::Mat_<short>& labels,
+                                        const cv::Mat_<std::uint8_t>& certain, const cv::Mat& page_bgra) {
+  std::map<short, cv::Vec3d> sums;
+  std::map<short, int> counts;
+  for (int y = std::max(0, at.y - kBorderReach_px); y <= std::min(labels.rows - 1, at.y + kBorderReach_px); ++y) {
+    for (int x = std::max(0, at.x - kBorderReach_px); x <= std::min(labels.cols - 1, at.x + kBorderReach_px); ++x) {
+      if (!certain(y, x)) continue;
+      sums[labels(y, x)] += colour_at(page_bgra, x, y);
+      ++counts[labels(y, x)];
+    }
+  }
+  for (auto& [label, sum] : sums) sum /= counts[label];
+  return sums;
+}
+
+std::vector<BorderPlace> border_places(const cv::Mat_<short>& labels, const cv::Mat_<std::uint8_t>& certain,
+                                       const cv::Mat& page_bgra) {
+  std::vector<BorderPlace> places;
+  for (int y = 0; y < labels.rows; ++y) {
+    for (int x = 0; x < labels.cols; ++x) {
+      if (certain(y, x) || page_bgra.at<cv::Vec4b>(y, x)[3] < 128) continue;
+      const std::map<short, cv::Vec3d> near = colours_near({x, y}, labels, certain, page_bgra);
+      if (near.size() != 2) continue;
+      const auto& [first, from] = *near.begin();
+      const auto& [second, to] = *near.rbegin();
+      const cv::Vec3d way = to - from;
+      const double share = (colour_at(page_bgra, x, y) - from).dot(way) / std::max(1., way.dot(way));
+      places.push_back({{x, y}, first, second, float(std::clamp(share, 0., 1.))});
+    }
+  }
+  return places;
+}
+
+}  // namespace
+
+WholeRegions whole_regions(const cv::Mat_<short>& labels, const cv::Mat& page_bgra) {
+  const cv::Mat_<std::uint8_t> certain = certain_places(labels, page_bgra);
+  return {nearest_labels(labels, certain), border_places(labels, certain, page_bgra)};
+}
+
+}  // namespace tessera

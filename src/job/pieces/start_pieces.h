@@ -1,0 +1,24 @@
+// The pieces of an earlier result from which a collage starts (start.pieces). The file may be anyone's, and edited.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "job/job_file.h"
+#include "job/pieces/named_shape.h"
+#include "library/storage/shape_library.h"
+
+namespace tessera {
+
+/// The file that start.pieces says: itself, or pieces.geojson in it. Empty: none.
+std::string start_file(const Job& job);
+
+/// Adds the pieces of that file to those that the job gives (Wishes::given), after them, those that are locked first;
+/// pieces that the job gives already are left out, and those that are to be removed become StartSpec::removed. `shapes`: of the library, in its order. Throws InputError that names
+/// the file, the feature, what was found and what is allowed.
+void add_start_pieces(const std::vector<NamedShape>& shapes, Job& job);
+
+/// Throws InputError where that file lies in the folder that the run writes: it would be replaced.
+void check_start_is_elsewhere(const Job& job, const std::string& folder);
+
+}  // namespace tessera

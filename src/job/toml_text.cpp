@@ -1,0 +1,15 @@
+#include "job/toml_text.h"
+
+#include <toml++/toml.h>
+
+#include <sstream>
+
+namespace tessera {
+
+std::string toml_text(const std::string& text) {
+  std::ostringstream out;
+  out << toml::toml_formatter(toml::value<std::string>(text), toml::format_flags::none);
+  return out.str();
+}
+
+}  // namespace tessera

@@ -1,0 +1,197 @@
+#include "plan/plan_estimate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "run/time_estimate.h"
+#include "core/base/kept_memory.h"
+#include "core/collage/missing_pieces.h"
+#include "core/matching/matching_context.h"
+#include "core/settings/tuning.h"
+#include "master/replacing.h"
+#include "worker/device_room.h"
+#include "worker/shard.h"
+
+namespace tessera {
+namespace {
+
+// Measured with release builds on two cores of a Xeon (2.0 GHz, PoCL 3.1, hardly any other work beside it): libraries
+// of 120 to 10,000 shapes, canvases of 500 to 1500 px, pieces of 14-90, 20-160 and 30-240 px, one process, 12 runs. The
+// ranges say how far the constants of single runs lie apart.
+
+// Pieces: canvas area by pieces, in products of the smallest and the largest scale: 1.4 (5 shapes) to 2.9 (815).
+constexpr double kAreaOfAPiece = 1.8;
+// card.json, target_samples by pieces: 62 to 82; 104 on 3000 px.
+constexpr double kSamplesOfAPiece = 80;
+// The most samples that were open at a time, by the pieces of the whole collage: 10.3 to 11.6 (four runs).
+constexpr double kOpenSamplesOfAPiece = 11;
+
+// prune_s by samples, `tessera bench library`: 57, 113 and 203 us with 120, 1,000 and 10,000 shapes, by the cube root
+// of the library's PADs, as the best pairs are nearer in a denser library; 0.86 to 1.05 times what it says.
+constexpr double kPairsOfCubeRoot_s = 1.6e-6;
+// dock_s by samples: 100, 130 and 133 us, by the square root of shapes; 0.9 to 1.2 times what it says.
+constexpr double kDocking_s = 95e-6;
+constexpr double kDockingOfRoot_s = 0.5e-6;
+// objective_s + merge_s: 1.9 to 4.2 ms a piece.
+constexpr double kMasterOfAPiece_s = 2.5e-3;
+// Attempts at sizes with fit = "all": 1 to 5 of the twelve that there may be (seven jobs).
+constexpr double kAttempts = 3;
+// improve_s by trials: 19 ms (185 shapes) and 30 ms (1,138).
+constexpr double kSamplesOfATrial = 60;
+constexpr double kMasterOfATrial_s = 7e-3;
+// 2,000 of them, 60 to 120 px: 18 s on one core.
+constexpr double kReplacement_s = 9e-3;
+// From the start to the first round and from the last to the files: kernels (0.1 s, or 1 to 8 when they are compiled
+// for the first time), card, pictures (1 s for one of 2000 px); and a worker's part of the library.
+constexpr double kOverhead_s = 2;
+constexpr double kLoadingAShape_s = 0.45e-3;
+constexpr double kWritingAPiece_s = 5e-3;
+
+// Peak resident memory of the ranks of 3-rank runs and of single processes, /proc's maximum, from before freed memory
+// was kept; so that is added.
+constexpr double kMasterProcess_bytes = 95e6 + kKeptFreed_bytes;
+constexpr double kWorkerProcess_bytes = 155e6 + kKeptFreed_bytes;
+constexpr double kBothProcess_bytes = 175e6 + kKeptFreed_bytes;
+// Master, while quality is counted: 60 bytes a canvas px at 1 and 4 Mpx; beyond, 18 more for each (16 Mpx), as it is
+// counted coarser there.
+constexpr double kCountedNode_bytes = 60;
+constexpr double kCoarseNode_bytes = 18;
+constexpr double kFineCanvas_px2 = 4e6;
+// Master, while the picture is drawn: as before at 4 Mpx with 232 drawings of openclipart, and from 14 Mpx on what
+// PictureLimits allows (png_output.h) with the bands and copies beside it; and the canvas' fields.
+constexpr double kPicture_bytes = 60;
+constexpr double kMostPicture_bytes = 850e6;
+constexpr double kDrawnNode_bytes = 5;
+// Worker, by canvas px: the field on the host and on the device.
+constexpr double kFieldNode_bytes = 10;
+// Whole shapes: the latest that the master keeps, and those on their way to a worker's device, so many at most.
+constexpr double kWholeShape_bytes = 80e3;
+constexpr double kKeptShapes = 1024;
+constexpr double kPassingShapes = 512;
+
+// The checkpoint's format, not a measurement: bytes of a piece, of an open target sample with as many candidates as the
+// pool keeps of it, of a sample that was matched; the empty file.
+constexpr double kCheckpointPiece_bytes = 28;
+constexpr double kCheckpointSample_bytes = 69 + 65. * kPoolPerSample;
+constexpr double kCheckpointPass_bytes = 8;
+constexpr double kCheckpoint_bytes = 50e3;
+
+/// Up to `edge` at one price, beyond it at another.
+double priced(double amount, double edge, double price, double price_beyond) {
+  return price * std::min(amount, edge) + price_beyond * std::max(0., amount - edge);
+}
+
+std::vector<std::uint32_t> drawings_of(const PlanInput& input) {
+  std::vector<std::uint32_t> drawings = input.drawings;
+  if (!drawings.empty()) return drawings;
+  drawings.resize(input.shapes);
+  std::iota(drawings.begin(), drawings.end(), 0u);
+  return drawings;
+}
+
+/// With fit = "all", where sizes follow from them.
+double wanted_pieces(const PlanInput& input) {
+  double pieces = 0;
+  for (const MissingPieces& missing : missing_pieces(input.settings, drawings_of(input), {})) pieces += missing.wanted;
+  return pieces;
+}
+
+/// Where nothing in [stop] limits their number.
+double pieces_when_filled(const PlanInput& input, double coverage) {
+  const PieceSettings& pieces = input.settings.pieces;
+  if (pieces.fit_all) return coverage * wanted_pieces(input);
+  const double room = input.canvas_px2 / (kAreaOfAPiece * pieces.min_scale_px * pieces.max_scale_px);
+  return std::min(coverage * room, most_pieces(input.settings, drawings_of(input)));
+}
+
+double expected_pieces(const PlanInput& input) {
+  const StopSettings& stop = input.settings.stop;
+  const double pieces = std::max(1., pieces_when_filled(input, stop.coverage));
+  return stop.pieces > 0 ? std::min(pieces, double(stop.pieces)) : pieces;
+}
+
+/// A device that is the host itself holds its part of the library, and the lists of pairs, in the worker's memory.
+void add_memory(const PlanInput& input, const MatchingContext& context, PlanEstimate& plan) {
+  const double shapes = double(plan.shapes_per_worker);
+  const worker::ShardBytes shard = worker::shard_bytes(context, plan.shapes_per_worker, input.reads);
+  const double lists = double(worker::list_bytes(plan.shapes_per_worker));
+  const double passing = kWholeShape_bytes * std::min(shapes, kPassingShapes);
+  const double field = kFieldNode_bytes * input.canvas_nodes;
+  plan.device_bytes = double(worker::device_bytes(context, plan.shapes_per_worker,
+                                                  {.reads_models = input.reads, .field_nodes = input.canvas_nodes}));
+  plan.largest_buffer_bytes = double(std::max(shard.largest_buffer, worker::list_bytes(plan.shapes_per_worker)));
+  const double on_host = input.host_devices ? double(shard.device) + lists : 0;
+  const double library = passing + double(shard.host) + on_host;
+  const double kept = kWholeShape_bytes * std::min(double(input.shapes), kKeptShapes);
+  const double counting = priced(input.canvas_nodes, kFineCanvas_px2, kCountedNode_bytes, kCoarseNode_bytes);
+  const double drawing =
+      kDrawnNode_bytes * input.canvas_nodes + std::min(kPicture_bytes * input.picture_px2, kMostPicture_bytes);
+  const double master = kept + std::max(counting, drawing);  // counted and drawn one after the other
+  plan.worker_bytes = kWorkerProcess_bytes + field + library;
+  plan.master_bytes = kMasterProcess_bytes + master;
+  if (input.ranks == 1) plan.worker_bytes = plan.master_bytes = kBothProcess_bytes + field + library + master;
+  plan.node_bytes = plan.master_bytes + (plan.ranks_per_node - 1) * plan.worker_bytes;
+}
+
+/// With limits in seconds the times add up to no more than these.
+double limited(double seconds, double limit_s) { return limit_s > 0 ? std::min(seconds, limit_s) : seconds; }
+
+/// Of so many trials: each rank with its cores, but no more of them than there are windows.
+double replacing_s(const PlanInput& input, const PlanEstimate& plan, double trials) {
+  const double window_px = double(master::least_window_px(input.settings.pieces));
+  const double windows = std::max(1., input.canvas_px2 / (window_px * window_px));
+  return trials * double(master::kReplacementsPerTrial) * kReplacement_s / std::min(double(plan.workers), windows);
+}
+
+/// A limit that ends the filling leaves nothing to improve; a number of pieces that is not reached is none.
+double expected_trials(const PlanInput& input, double trials_a_second) {
+  const ImproveSettings& improve = input.settings.improve;
+  StopSettings stop = input.settings.stop;
+  if (stop.pieces > pieces_when_filled(input, 1)) stop.pieces = 0;
+  if (ends_before_improving(stop)) return 0;
+  return improve.trials > 0 ? double(improve.trials) : improve.seconds * trials_a_second;
+}
+
+void add_times(const PlanInput& input, PlanEstimate& plan) {
+  const CollageSettings& s = input.settings;
+  const double shapes = double(input.shapes);
+  const double pads = shapes * double(plan.pads_per_shape);
+  const double sample_s = kPairsOfCubeRoot_s * std::cbrt(pads) + kDocking_s + kDockingOfRoot_s * std::sqrt(shapes);
+  const double attempts = s.pieces.fit_all ? kAttempts : 1;
+  const double filling_s = attempts * plan.pieces * kSamplesOfAPiece * sample_s;
+  const double placing_s = attempts * plan.pieces * kMasterOfAPiece_s;
+  const double trial_s = kSamplesOfATrial * sample_s;
+  const double trials = expected_trials(input, 1 / (trial_s / plan.workers + kMasterOfATrial_s));
+  const double replaced = master::pays_to_replace(s) ? master::kPartReplaced * trials : 0;
+  const double others = trials - replaced;
+  plan.matching_s = filling_s + others * trial_s;
+  plan.master_s = placing_s + others * kMasterOfATrial_s;
+  const double improving_s = limited(
+      others * (trial_s / plan.workers + kMasterOfATrial_s) + replacing_s(input, plan, replaced), s.improve.seconds);
+  const double loop_s = filling_s / plan.workers + placing_s;
+  plan.total_s = kOverhead_s + double(plan.shapes_per_worker) * kLoadingAShape_s + plan.pieces * kWritingAPiece_s +
+                 limited(loop_s + improving_s, s.stop.seconds);
+}
+
+}  // namespace
+
+PlanEstimate estimate(const PlanInput& input) {
+  const MatchingContext context = make_matching_context(input.settings, std::uint32_t(input.shapes));
+  PlanEstimate plan;
+  plan.workers = std::max(1, input.ranks - 1);
+  plan.workers_per_node = (plan.workers + input.nodes - 1) / input.nodes;
+  plan.ranks_per_node = (input.ranks + input.nodes - 1) / input.nodes;
+  plan.levels = context.levels.size();
+  plan.pads_per_shape = pads_per_shape(context);
+  plan.shapes_per_worker = (input.shapes + std::size_t(plan.workers) - 1) / std::size_t(plan.workers);
+  plan.pieces = expected_pieces(input);
+  add_memory(input, context, plan);
+  add_times(input, plan);
+  plan.checkpoint_bytes =
+      kCheckpoint_bytes + plan.pieces * (kCheckpointPiece_bytes + kOpenSamplesOfAPiece * kCheckpointSample_bytes +
+                                         kSamplesOfAPiece * kCheckpointPass_bytes);
+  return plan;
+}
+
+}  // namespace tessera

@@ -1,0 +1,86 @@
+#include "products/elements/element_masks.h"
+
+#include <algorithm>
+#include <array>
+#include <opencv2/imgproc.hpp>
+
+#include "products/elements/segmentation/colour_clusters.h"
+#include "products/elements/segmentation/region_labels.h"
+
+namespace tessera {
+namespace {
+
+/// Of the local brightness, in element sides.
+constexpr double kNeighbourhood_px = kElement_px * 0.625;
+constexpr std::array kLevels = {-0.6, -0.3, 0.};
+
+/// By the local mean and standard deviation.
+cv::Mat normalised_grey(const cv::Mat& bgr) {
+  cv::Mat grey, mean, variance;
+  cv::cvtColor(bgr, grey, cv::COLOR_BGR2GRAY);
+  grey.convertTo(grey, CV_32F);
+  cv::GaussianBlur(grey, grey, {}, 1.2);
+  cv::GaussianBlur(grey, mean, {}, kNeighbourhood_px);
+  grey -= mean;
+  cv::GaussianBlur(grey.mul(grey), variance, {}, kNeighbourhood_px);
+  cv::sqrt(variance, variance);
+  return grey / (variance + 2);
+}
+
+/// Area of regions of a usual size that fill their box.
+double compact_area_px2(const cv::Mat& mask) {
+  cv::Mat labels, stats, centroids;
+  const int count = cv::connectedComponentsWithStats(mask, labels, stats, centroids, 4);
+  double sum = 0;
+  for (int i = 1; i < count; ++i) {
+    const double area_px2 = stats.at<int>(i, cv::CC_STAT_AREA);
+    const double box_px2 = double(stats.at<int>(i, cv::CC_STAT_WIDTH)) * stats.at<int>(i, cv::CC_STAT_HEIGHT);
+    const bool is_usual = area_px2 > 0.15 * kElement_px2 && area_px2 < 6 * kElement_px2;
+    if (is_usual && area_px2 > 0.6 * box_px2) sum += area_px2;
+  }
+  return sum;
+}
+
+}  // namespace
+
+LevelMasks level_masks(const cv::Mat& bgr) {
+  const cv::Mat grey = normalised_grey(bgr);
+  LevelMasks masks;
+  for (const double level : kLevels) {
+    cv::Mat bright, dark;
+    cv::morphologyEx(grey > level, bright, cv::MORPH_OPEN, round_window(5));
+    cv::morphologyEx(grey < -level, dark, cv::MORPH_OPEN, round_window(5));
+    masks.bright.push_back(bright);
+    masks.dark.push_back(dark);
+  }
+  return masks;
+}
+
+cv::Mat colour_mask(const cv::Mat& lab, int colour_count) {
+  cv::Mat lightness, surroundings;
+  cv::extractChannel(lab, lightness, 0);
+  cv::GaussianBlur(lightness, surroundings, {}, kElement_px);
+  lightness -= 0.7 * surroundings;
+  cv::Mat features = lab.clone();
+  cv::insertChannel(lightness, features, 0);
+  cv::multiply(features, cv::Scalar(0.7, 1.5, 1.5), features);
+  const cv::Mat cluster = colour_clusters(features, colour_count);
+
+  cv::Mat best;
+  double most_px2 = -1;
+  for (int chosen = 1; chosen + 1 < 1 << colour_count; ++chosen) {
+    cv::Mat table(1, 256, CV_8U, cv::Scalar(0));
+    for (int i = 0; i < colour_count; ++i) table.at<std::uint8_t>(i) = chosen >> i & 1 ? 255 : 0;
+    cv::Mat mask;
+    cv::LUT(cluster, table, mask);
+    cv::morphologyEx(mask, mask, cv::MORPH_OPEN, round_window(5));
+    cv::morphologyEx(mask, mask, cv::MORPH_CLOSE, round_window(3));
+    const double area_px2 = compact_area_px2(mask);
+    if (area_px2 <= most_px2) continue;
+    most_px2 = area_px2;
+    best = mask;
+  }
+  return best;
+}
+
+}  // namespace tessera

@@ -1,0 +1,138 @@
+#include "products/elements/segmentation/region_labels.h"
+
+#include <algorithm>
+#include <climits>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <opencv2/imgproc.hpp>
+
+namespace tessera {
+
+std::vector<RegionBox> region_boxes(const cv::Mat& labels) {
+  double greatest = 0;
+  if (!labels.empty()) cv::minMaxLoc(labels, nullptr, &greatest);
+  struct Extent {
+    int x0 = INT_MAX, y0 = INT_MAX, x1 = -1, y1 = -1;
+  };
+  std::vector<Extent> extents(std::size_t(greatest) + 1);
+  std::vector<RegionBox> regions(extents.size());
+  for (int y = 0; y < labels.rows; ++y) {
+    const int* row = labels.ptr<int>(y);
+    for (int x = 0; x < labels.cols; ++x) {
+      Extent& e = extents[std::size_t(row[x])];
+      e = {std::min(e.x0, x), std::min(e.y0, y), std::max(e.x1, x), std::max(e.y1, y)};
+      ++regions[std::size_t(row[x])].area_px2;
+    }
+  }
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    const Extent& e = extents[i];
+    if (e.x1 >= 0) regions[i].box = {e.x0, e.y0, e.x1 - e.x0 + 1, e.y1 - e.y0 + 1};
+  }
+  return regions;
+}
+
+bool reaches_edge(const cv::Rect& box, const cv::Size& picture) {
+  return box.x <= 0 || box.y <= 0 || box.br().x >= picture.width || box.br().y >= picture.height;
+}
+
+cv::Rect grown_within(const cv::Rect& box, int margin_px, const cv::Size& picture) {
+  const cv::Point margin(margin_px, margin_px);
+  return cv::Rect(box.tl() - margin, box.br() + margin) & cv::Rect({}, picture);
+}
+
+double size_preference(double relative_area, double larger, double smaller) {
+  const double size = std::log(relative_area);
+  const double too_large = std::max(0., size - larger) / 0.7;
+  const double too_small = std::max(0., -size - smaller) / 0.6;
+  return std::exp(-0.5 * (too_large * too_large + too_small * too_small));
+}
+
+cv::Mat bgr_of(const cv::Mat& picture) {
+  if (picture.channels() == 3) return picture;
+  cv::Mat bgr;
+  cv::cvtColor(picture, bgr, cv::COLOR_BGRA2BGR);
+  return bgr;
+}
+
+cv::Mat round_window(int side_px) { return cv::getStructuringElement(cv::MORPH_ELLIPSE, {side_px, side_px}); }
+
+/// In the mask itself, a byte a pixel: connected components of OpenCV would take five.
+cv::Mat solid_part(const cv::Mat& mask) {
+  constexpr int kSeen = 64, kLargest = 32, kReached = 128;
+  cv::Mat framed;
+  cv::copyMakeBorder(mask, framed, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
+  cv::compare(framed, 0, framed, cv::CMP_NE);
+  cv::Point largest;
+  int most_px2 = 0;
+  for (int y = 0; y < framed.rows; ++y) {
+    for (int x = 0; x < framed.cols; ++x) {
+      if (framed.at<std::uint8_t>(y, x) != 255) continue;
+      const int area_px2 = cv::floodFill(framed, {x, y}, kSeen);
+      if (area_px2 <= most_px2) continue;
+      most_px2 = area_px2;
+      largest = {x, y};
+    }
+  }
+  if (most_px2 == 0) return cv::Mat::zeros(mask.size(), CV_8U);
+  cv::floodFill(framed, largest, kLargest);
+  cv::compare(framed, kLargest, framed, cv::CMP_NE);
+  cv::floodFill(framed, {0, 0}, kReached, nullptr, 0, 0, 8);
+  return framed(cv::Rect({1, 1}, mask.size())) != kReached;
+}
+
+double solidity_of(const cv::Mat& mask) {
+  std::vector<cv::Point> corners;
+  int area_px2 = 0;
+  for (int y = 0; y < mask.rows; ++y) {
+    const std::uint8_t* row = mask.ptr<std::uint8_t>(y);
+    int first = -1, last = -1;
+    for (int x = 0; x < mask.cols; ++x) {
+      if (!row[x]) continue;
+      if (first < 0) first = x;
+      last = x;
+      ++area_px2;
+    }
+    if (first >= 0) corners.insert(corners.end(), {{first, y}, {last + 1, y}, {first, y + 1}, {last + 1, y + 1}});
+  }
+  if (corners.empty()) return 0;
+  std::vector<cv::Point> hull;
+  cv::convexHull(corners, hull);
+  return area_px2 / cv::contourArea(hull);
+}
+
+cv::Mat solid_regions(const cv::Mat& labels, double least_area_px2, double least_solidity) {
+  struct Solid {
+    cv::Rect box;
+    cv::Mat mask;
+    int area_px2;
+  };
+  std::vector<Solid> solids;
+  const std::vector<RegionBox> regions = region_boxes(labels);
+  for (std::size_t label = 1; label < regions.size(); ++label) {
+    const RegionBox& region = regions[label];
+    if (region.area_px2 == 0) continue;
+    const cv::Mat mask = solid_part(labels(region.box) == int(label));
+    const int area_px2 = cv::countNonZero(mask);
+    if (area_px2 < least_area_px2 || solidity_of(mask) < least_solidity) continue;
+    solids.push_back({region.box, mask, area_px2});
+  }
+  // The smaller first: what lies in a hole of a larger one is covered by it.
+  std::vector<std::size_t> order(solids.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return solids[a].area_px2 < solids[b].area_px2; });
+  cv::Mat covered = cv::Mat::zeros(labels.size(), CV_32S);
+  for (const std::size_t i : order) covered(solids[i].box).setTo(int(i) + 1, solids[i].mask);
+
+  std::vector<int> number(solids.size() + 1, 0);
+  int next = 0;
+  const std::vector<RegionBox> left = region_boxes(covered);
+  for (std::size_t i = 1; i < left.size(); ++i) {
+    if (left[i].area_px2 > 0) number[i] = ++next;
+  }
+  covered.forEach<int>([&](int& label, const int*) { label = number[std::size_t(label)]; });
+  return covered;
+}
+
+}  // namespace tessera

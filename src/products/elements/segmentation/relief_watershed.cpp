@@ -1,0 +1,181 @@
+#include "products/elements/segmentation/relief_watershed.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <queue>
+#include <tuple>
+#include <unordered_map>
+#include <vector>
+
+#include "products/elements/segmentation/disjoint_sets.h"
+
+namespace tessera {
+namespace {
+
+const std::array<cv::Point, 4> kSides = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+constexpr int kOutside = 0;
+constexpr int kDry = -1;
+
+/// kDry inside the mask, kOutside elsewhere.
+cv::Mat dry_ground(cv::Size size, const cv::Mat& mask) {
+  cv::Mat labels(size, CV_32S, cv::Scalar(kDry));
+  if (!mask.empty()) labels.setTo(kOutside, mask == 0);
+  return labels;
+}
+
+/// Labels the level plain around `start` if nothing beside it is lower.
+class Minima {
+ public:
+  Minima(const cv::Mat& relief, cv::Mat& labels)
+      : relief_(relief),
+        labels_(labels),
+        seen_(cv::Mat::zeros(relief.size(), CV_8U)),
+        ground_({0, 0}, relief.size()) {}
+
+  void label_from(cv::Point start) {
+    if (labels_.at<int>(start) != kDry || seen_.at<std::uint8_t>(start)) return;
+    plain_.assign(1, start);
+    seen_.at<std::uint8_t>(start) = 1;
+    const float level = relief_.at<float>(start);
+    bool is_minimum = true;
+    for (std::size_t i = 0; i < plain_.size(); ++i) {
+      const cv::Point p = plain_[i];
+      for (const cv::Point side : kSides) {
+        const cv::Point q = p + side;
+        if (!ground_.contains(q) || labels_.at<int>(q) == kOutside) continue;
+        const float beside = relief_.at<float>(q);
+        if (beside < level) is_minimum = false;
+        if (beside != level || seen_.at<std::uint8_t>(q)) continue;
+        seen_.at<std::uint8_t>(q) = 1;
+        plain_.push_back(q);
+      }
+    }
+    if (!is_minimum) return;
+    ++count_;
+    for (const cv::Point p : plain_) labels_.at<int>(p) = count_;
+  }
+
+ private:
+  const cv::Mat& relief_;
+  cv::Mat& labels_;
+  cv::Mat seen_;
+  cv::Rect ground_;
+  std::vector<cv::Point> plain_;
+  int count_ = 0;
+};
+
+/// Water rises from what is labelled; on level ground it spreads evenly (first come, first served).
+void flood(const cv::Mat& relief, cv::Mat& labels) {
+  struct Shore {
+    float level;
+    std::uint32_t order;
+    std::int32_t x, y;
+    bool operator<(const Shore& o) const { return std::tie(o.level, o.order) < std::tie(level, order); }
+  };
+  const cv::Rect ground({0, 0}, relief.size());
+  std::priority_queue<Shore> shore;
+  std::uint32_t order = 0;
+  const auto is_dry = [&](cv::Point q) { return ground.contains(q) && labels.at<int>(q) == kDry; };
+  const auto spread_from = [&](cv::Point p) {
+    for (const cv::Point side : kSides) {
+      const cv::Point q = p + side;
+      if (!is_dry(q)) continue;
+      labels.at<int>(q) = labels.at<int>(p);
+      shore.push({std::max(relief.at<float>(q), relief.at<float>(p)), order++, q.x, q.y});
+    }
+  };
+  for (int y = 0; y < relief.rows; ++y) {  // from the rims of the minima: wide plains would fill the queue
+    for (int x = 0; x < relief.cols; ++x) {
+      const auto is_beside = [&](cv::Point side) { return is_dry(cv::Point(x, y) + side); };
+      if (labels.at<int>(y, x) > 0 && std::any_of(kSides.begin(), kSides.end(), is_beside))
+        shore.push({relief.at<float>(y, x), order++, x, y});
+    }
+  }
+  while (!shore.empty()) {
+    const cv::Point p(shore.top().x, shore.top().y);
+    shore.pop();
+    spread_from(p);
+  }
+}
+
+struct Saddle {
+  float level;
+  int a, b;  // a < b
+  bool operator<(const Saddle& o) const { return std::tie(level, a, b) < std::tie(o.level, o.a, o.b); }
+};
+
+std::vector<Saddle> saddles_between(const cv::Mat& relief, const cv::Mat& basins) {
+  std::unordered_map<std::uint64_t, float> lowest;
+  const auto meet = [&](cv::Point p, cv::Point q) {
+    const auto [a, b] = std::minmax({basins.at<int>(p), basins.at<int>(q)});
+    if (a == b || a == kOutside) return;
+    const float pass = std::max(relief.at<float>(p), relief.at<float>(q));
+    const auto [place, is_new] = lowest.try_emplace(std::uint64_t(a) << 32 | std::uint64_t(b), pass);
+    if (!is_new) place->second = std::min(place->second, pass);
+  };
+  for (int y = 0; y < basins.rows; ++y) {
+    for (int x = 0; x < basins.cols; ++x) {
+      if (x + 1 < basins.cols) meet({x, y}, {x + 1, y});
+      if (y + 1 < basins.rows) meet({x, y}, {x, y + 1});
+    }
+  }
+  std::vector<Saddle> saddles;
+  for (const auto& [pair, level] : lowest) saddles.push_back({level, int(pair >> 32), int(pair & 0xffffffff)});
+  std::sort(saddles.begin(), saddles.end());
+  return saddles;
+}
+
+std::vector<float> floors_of(const cv::Mat& relief, const cv::Mat& basins, int count) {
+  std::vector<float> floors(std::size_t(count) + 1, std::numeric_limits<float>::infinity());
+  for (int y = 0; y < basins.rows; ++y) {
+    for (int x = 0; x < basins.cols; ++x) {
+      float& floor = floors[std::size_t(basins.at<int>(y, x))];
+      floor = std::min(floor, relief.at<float>(y, x));
+    }
+  }
+  return floors;
+}
+
+}  // namespace
+
+cv::Mat basins_of(const cv::Mat& relief, const cv::Mat& mask) {
+  cv::Mat labels = dry_ground(relief.size(), mask);
+  Minima minima(relief, labels);
+  for (int y = 0; y < relief.rows; ++y) {
+    for (int x = 0; x < relief.cols; ++x) minima.label_from({x, y});
+  }
+  flood(relief, labels);
+  return labels;
+}
+
+cv::Mat merged_basins(const cv::Mat& relief, const cv::Mat& basins, const OneBasin& one_basin) {
+  double greatest = 0;
+  cv::minMaxLoc(basins, nullptr, &greatest);
+  const int count = int(greatest);
+  std::vector<float> floors = floors_of(relief, basins, count);
+  DisjointSets sets(count + 1);
+  for (const Saddle& saddle : saddles_between(relief, basins)) {
+    const int a = sets.root(saddle.a);
+    const int b = sets.root(saddle.b);
+    if (a == b) continue;
+    float& floor_a = floors[std::size_t(a)];
+    const float floor_b = floors[std::size_t(b)];
+    if (!one_basin(saddle.level, std::max(floor_a, floor_b))) continue;
+    floor_a = std::min(floor_a, floor_b);
+    sets.join(a, b);
+  }
+  std::vector<int> number(std::size_t(count) + 1, 0);
+  int next = 0;
+  for (int i = 1; i <= count; ++i) {
+    if (sets.root(i) == i) number[std::size_t(i)] = ++next;
+  }
+  cv::Mat merged(basins.size(), CV_32S);
+  for (int y = 0; y < basins.rows; ++y) {
+    for (int x = 0; x < basins.cols; ++x) merged.at<int>(y, x) = number[std::size_t(sets.root(basins.at<int>(y, x)))];
+  }
+  return merged;
+}
+
+}  // namespace tessera

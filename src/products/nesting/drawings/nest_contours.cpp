@@ -1,0 +1,134 @@
+#include "products/nesting/drawings/nest_contours.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/base/count_text.h"
+#include "core/base/error.h"
+#include "products/nesting/layout/ring_rows.h"
+#include "text/utf8_text.h"
+
+namespace tessera {
+
+void check_contour(const NestRing& contour, const std::string& what) {
+  if (contour.size() < 3)
+    throw InputError(what + ": found a contour of " + count_text(contour.size(), "point") + ", allowed: 3 or more");
+  if (contour.size() > kMostContourPoints) {
+    throw InputError(what + ": found a contour of " + std::to_string(contour.size()) +
+                     " points, allowed: " + std::to_string(kMostContourPoints) + " or fewer");
+  }
+  for (const NestPoint p : contour) {
+    if (!(std::abs(p.x) <= kFarthest_mm && std::abs(p.y) <= kFarthest_mm))
+      throw InputError(what + ": found a coordinate that is no number or too large, allowed: 1e6 mm either way");
+  }
+  if (crosses_itself(contour)) throw InputError(what + ": found a contour that crosses itself");
+  const NestBox box = box_of(contour);
+  const double longest = std::max(box.width(), box.height());
+  if (!(std::abs(signed_area(contour)) > 1e-9 * longest * longest && longest > 1e-6))
+    throw InputError(what + ": found a contour that encloses nothing");
+}
+
+std::size_t points_of(const NestDrawing& drawing) {
+  std::size_t points = drawing.outline.size();
+  for (const NestRing& hole : drawing.holes) points += hole.size();
+  return points;
+}
+
+void check_name(const std::string& name, const std::string& what) {
+  if (name.size() <= kMostNameBytes) return;
+  throw InputError(what + ": found a name of " + std::to_string(name.size()) + " bytes, \"" +
+                   printable_utf8(cut_utf8(name, 20)) + "...\", allowed: " + std::to_string(kMostNameBytes));
+}
+
+namespace {
+
+/// Whether most of some of its points are inside: sides may touch.
+bool lies_in(const NestRing& inner, const RingRows& outer) {
+  constexpr std::size_t kLooks = 5;
+  std::size_t inside = 0;
+  for (std::size_t i = 0; i < kLooks; ++i) inside += outer.contains(inner[i * inner.size() / kLooks]) ? 1 : 0;
+  return 2 * inside > kLooks;
+}
+
+/// The least of what is no number: check_contour refuses the points.
+double whole_steps(double wanted, double least, double most) {
+  return wanted > least ? std::min(std::ceil(wanted), most) : least;
+}
+
+bool holds(const NestBox& outer, const NestBox& inner) {
+  return outer.low.x <= inner.low.x && outer.low.y <= inner.low.y && inner.high.x <= outer.high.x &&
+         inner.high.y <= outer.high.y;
+}
+
+/// Of each contour the largest that it lies in; -1: none.
+std::vector<int> outermost(const std::vector<NamedContour>& contours) {
+  std::vector<double> areas;
+  std::vector<RingRows> rows;
+  std::vector<std::size_t> largest_first;
+  for (const NamedContour& contour : contours) {
+    largest_first.push_back(areas.size());
+    areas.push_back(std::abs(signed_area(contour.ring)));
+    rows.emplace_back(contour.ring);
+  }
+  std::stable_sort(largest_first.begin(), largest_first.end(),
+                   [&](std::size_t a, std::size_t b) { return areas[a] > areas[b]; });
+  std::vector<int> outer(contours.size(), -1);
+  for (std::size_t i = 0; i < contours.size(); ++i) {
+    for (const std::size_t j : largest_first) {
+      if (!(areas[j] > areas[i])) break;
+      if (!holds(rows[j].box(), rows[i].box()) || !lies_in(contours[i].ring, rows[j])) continue;
+      outer[i] = int(j);
+      break;
+    }
+  }
+  return outer;
+}
+
+}  // namespace
+
+std::vector<NestDrawing> drawings_of(std::vector<NamedContour> contours) {
+  const std::vector<int> outer = outermost(contours);
+  std::map<std::string, int> outlines, named;
+  for (std::size_t i = 0; i < contours.size(); ++i) outlines[contours[i].name] += outer[i] < 0 ? 1 : 0;
+  std::vector<NestDrawing> drawings;
+  for (std::size_t i = 0; i < contours.size(); ++i) {
+    if (outer[i] >= 0) continue;
+    const std::string& name = contours[i].name;
+    NestDrawing& drawing = drawings.emplace_back();
+    drawing.name = printable_utf8(outlines[name] > 1 ? name + "-" + std::to_string(++named[name]) : name);
+    for (std::size_t j = 0; j < contours.size(); ++j) {
+      if (outer[j] == int(i)) drawing.holes.push_back(contours[j].ring);
+    }
+  }
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < contours.size(); ++i) {
+    if (outer[i] < 0) drawings[next++].outline = std::move(contours[i].ring);
+  }
+  return drawings;
+}
+
+void add_arc(NestPoint centre, NestPoint u, NestPoint v, double first, double last, NestRing& ring) {
+  constexpr double kMostSteps = 2'000;
+  const double radius = std::max(norm(u), norm(v));
+  const double step = 2 * std::acos(std::max(0.0, 1 - kFlatness_mm / std::max(radius, kFlatness_mm)));
+  const double steps = whole_steps(std::abs(last - first) / step, 8, kMostSteps);
+  for (int i = 1; i <= int(steps); ++i) {
+    const double t = first + (last - first) * (i / steps);
+    ring.push_back(centre + u * std::cos(t) + v * std::sin(t));
+  }
+}
+
+void add_cubic(NestPoint b, NestPoint c, NestPoint d, double flatness, NestRing& ring) {
+  constexpr double kMostSteps = 500;
+  const NestPoint a = ring.back();
+  // The second difference bounds how far the chord of a step is off.
+  const double bend = std::max(norm(a - b * 2 + c), norm(b - c * 2 + d));
+  const double steps = whole_steps(std::sqrt(0.75 * bend / flatness), 1, kMostSteps);
+  for (int i = 1; i <= int(steps); ++i) {
+    const double t = i / steps, s = 1 - t;
+    ring.push_back(i == int(steps) ? d : a * (s * s * s) + b * (3 * s * s * t) + c * (3 * s * t * t) + d * (t * t * t));
+  }
+}
+
+}  // namespace tessera

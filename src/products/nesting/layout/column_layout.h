@@ -1,0 +1,39 @@
+// A layout without a search: pieces in columns beside each other, by their boxes. It is what there is of a layout
+// before a search has found a better one.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "products/nesting/layout/nest_problem.h"
+
+namespace tessera {
+
+class ColumnLayout {
+ public:
+  /// Refers to the problem, which lives longer.
+  explicit ColumnLayout(const NestProblem& problem);
+
+  /// Of all pieces.
+  NestLayout all() const;
+
+  /// Adds pieces, given by their items, to a layout: on a strip from x = `from` on, on sheets from a new sheet on. What
+  /// is too large at all of its angles is left over. `layout.used_length` then is that of the strip, or of the last
+  /// sheet.
+  void add(std::span<const int> items, double from, NestLayout& layout) const;
+
+ private:
+  /// A piece at the angle at which its box is smallest, of equals the narrowest.
+  struct Boxed {
+    int item = 0;
+    int angle = -1;    // -1: none fits
+    NestPoint corner;  // the shift that puts the box into the corner of the material
+    double width = 0, height = 0;
+  };
+  Boxed boxed(int item) const;
+
+  const NestProblem* problem_;
+  std::vector<Boxed> boxes_;  // of each item
+};
+
+}  // namespace tessera

@@ -1,0 +1,21 @@
+// Where a piece overlaps others least.
+#pragma once
+
+#include "products/nesting/layout/nest_random.h"
+#include "products/nesting/layout/nest_scene.h"
+
+namespace tessera {
+
+struct NestPlace {
+  NestPose pose;
+  double cost = 0;  // NestScene::cost
+};
+
+/// Of places sampled on the whole strip, round the present one and flush with the boxes of others, the best few moved
+/// downhill. The present place where none is better.
+NestPlace best_place(NestScene& scene, int piece, NestRandom& random);
+
+/// The same for a new piece, with `times` as many samples. False where no angle fits onto the strip.
+bool place_for_new(NestScene& scene, int item, int times, NestRandom& random, NestPlace& place);
+
+}  // namespace tessera

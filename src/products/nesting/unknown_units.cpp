@@ -1,0 +1,58 @@
+#include "products/nesting/unknown_units.h"
+
+#include <algorithm>
+
+#include "text/number_text.h"
+
+namespace tessera {
+namespace {
+
+/// With one decimal, or with three digits where that says nothing.
+std::string length_text(double mm) { return mm >= 10 ? fixed(mm, 1) : significant(mm, 3); }
+
+std::string size_text(double width_mm, double height_mm) {
+  return length_text(width_mm) + " x " + length_text(height_mm) + " mm";
+}
+
+/// How much room the drawings take as they lie in their file.
+std::string extent_text(const std::vector<NestDrawing>& drawings) {
+  if (drawings.empty()) return "it has no shape";
+  NestBox all = box_of(drawings.front().outline);
+  for (const NestDrawing& drawing : drawings) {
+    const NestBox box = box_of(drawing.outline);
+    all.low = {std::min(all.low.x, box.low.x), std::min(all.low.y, box.low.y)};
+    all.high = {std::max(all.high.x, box.high.x), std::max(all.high.y, box.high.y)};
+  }
+  return "its shapes take " + size_text(all.width(), all.height());
+}
+
+}  // namespace
+
+void UnknownUnits::add_svg(const std::string& path, const SvgDrawings& found) {
+  if (svgs_.count++ > 0) return;
+  const bool has_page = found.page_width_mm > 0 && found.page_height_mm > 0;
+  svgs_.first = path;
+  svgs_.size_mm =
+      has_page ? "its page is " + size_text(found.page_width_mm, found.page_height_mm) : extent_text(found.drawings);
+}
+
+void UnknownUnits::add_dxf(const std::string& path, const DxfDrawings& found) {
+  if (dxfs_.count++ > 0) return;
+  dxfs_.first = path;
+  dxfs_.size_mm = extent_text(found.drawings);
+}
+
+void UnknownUnits::tell(const std::string& path, NestInput& input) const {
+  const auto tell_of = [&](const Files& files, const std::string& unit, const std::string& what_sets_it) {
+    if (files.count == 0) return;
+    const std::string who = files.count == 1
+                                ? files.first + " says no unit"
+                                : path + ": " + std::to_string(files.count) + " files say no unit, as " + files.first;
+    input.notes.push_back(who + ": 1 unit is taken as " + unit + ", " + files.size_mm + "; " + what_sets_it);
+    input.unit += (input.unit.empty() ? "" : ", or ") + unit;
+  };
+  tell_of(svgs_, "1/96 inch", "width and height in mm in the SVG set it");
+  tell_of(dxfs_, "1 mm", "$INSUNITS in the DXF sets it");
+}
+
+}  // namespace tessera

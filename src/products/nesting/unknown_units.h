@@ -1,0 +1,33 @@
+// Drawings that do not say in which unit of length they are: what tessera nest takes them for is told.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "products/nesting/drawings/dxf_drawings.h"
+#include "products/nesting/nest_input.h"
+#include "products/nesting/drawings/svg_drawings.h"
+
+namespace tessera {
+
+class UnknownUnits {
+ public:
+  /// An SVG without a unit; `path` for people.
+  void add_svg(const std::string& path, const SvgDrawings& found);
+  /// A DXF without a unit.
+  void add_dxf(const std::string& path, const DxfDrawings& found);
+
+  /// Adds one note for each format, which names the first file, and sets NestInput::unit. `path`: the file or folder.
+  void tell(const std::string& path, NestInput& input) const;
+
+ private:
+  struct Files {
+    std::size_t count = 0;
+    std::string first;    // its path
+    std::string size_mm;  // "its page is 105.8 x 79.4 mm"
+  };
+
+  Files svgs_, dxfs_;
+};
+
+}  // namespace tessera

@@ -1,0 +1,303 @@
+#include "products/puzzle/arrangement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "products/puzzle/puzzle_solver.h"
+
+namespace tessera {
+namespace {
+
+/// What a boundary beside a gap costs, in parts of what one in contact is worth.
+constexpr float kGapCost = 1;
+/// What a boundary in contact is worth more where the pictures agree, and less where they do not: a bend's is 1, a
+/// straight line's 0.3.
+constexpr float kOfPictures = 0.5f;
+/// Of what is laid in one place: the best and so many others.
+constexpr std::size_t kMostBranches = 4;
+/// A place's contact is worth so much, by the neighbours with which it shares a side from corner to corner: one comes
+/// about by chance, two hardly.
+constexpr std::array<float, 4> kOfSides = {0.5f, 1, 2, 3};
+/// Coherence is next to nothing where a tenth of the boundaries is beside narrow gaps, and grows with the pieces still.
+constexpr double kGapsAgainst = 10;
+constexpr double kLeastCoherent = 0.05;
+/// What a place must be worth, in sides of a piece: so much agrees by chance. Or, for small pieces, in parts of what
+/// the place would be worth where all of the boundary touched.
+constexpr float kLeastWorth = 0.3f;
+constexpr float kLeastPart = 0.5f;
+/// Part of a piece's boundary, as it counts, that touches others in the end.
+constexpr float kLeastTouching = 0.2f;
+/// Of an arrangement, the best; a puzzle of 400 pieces has some hundreds, drawings that are none may have any number.
+constexpr std::size_t kMostPlaces = 4'000;
+/// Steps in which a piece comes to rest when it is laid, and rounds in which all do in the end.
+constexpr int kSettlingSteps = 3;
+constexpr int kLastRounds = 20;
+
+bool ahead(const Arrangement& a, const Arrangement& b) {
+  if (a.laid.size() != b.laid.size()) return a.laid.size() > b.laid.size();
+  return a.worth > b.worth;
+}
+
+}  // namespace
+
+Arrangement PuzzleArranger::beginning(int first) const {
+  Arrangement start;
+  start.used.assign(pieces_.size(), false);
+  lay({.piece = first}, start);
+  return start;
+}
+
+std::vector<PosedPiece> PuzzleArranger::laid_pieces(const Arrangement& in) const {
+  std::vector<PosedPiece> all;
+  for (const LaidPiece& laid : in.laid) all.push_back(posed(laid));
+  return all;
+}
+
+std::size_t PuzzleArranger::placed(const Arrangement& in) const {
+  return std::size_t(std::count(in.used.begin(), in.used.begin() + std::ptrdiff_t(pieces_count()), true));
+}
+
+double PuzzleArranger::gaps(const Arrangement& in) const {
+  std::size_t all = 0, beside_gap = 0;
+  for (const LaidPiece& laid : in.laid) {
+    if (is_frame(laid)) continue;
+    tell(in);
+    const PosedPiece piece = posed(laid);
+    std::vector<Beside> beside(piece.piece->points.size(), Beside::nothing);
+    for (const PosedPiece& neighbour : neighbours(piece, in, laid.piece))
+      see_neighbour(piece, neighbour, scale_, beside);
+    all += beside.size();
+    beside_gap += std::size_t(std::count(beside.begin(), beside.end(), Beside::gap));
+  }
+  return all > 0 ? double(beside_gap) / double(all) : 0;
+}
+
+/// Of the boundary, as it counts, the part that touches others, and so much times how well the pictures agree there.
+float PuzzleArranger::touching(const LaidPiece& laid, const Arrangement& in, float of_pictures) const {
+  tell(in);
+  const PosedPiece piece = posed(laid);
+  std::vector<Beside> beside(piece.piece->points.size(), Beside::nothing);
+  float pictures = 0;
+  for (const PosedPiece& neighbour : neighbours(piece, in, laid.piece))
+    pictures += see_neighbour(piece, neighbour, scale_, beside);
+  float all = 0, touching = 0;
+  for (std::size_t k = 0; k < beside.size(); ++k) {
+    all += piece.piece->weights[k];
+    if (beside[k] == Beside::contact) touching += piece.piece->weights[k];
+  }
+  return (touching + of_pictures * pictures) / all;
+}
+
+void PuzzleArranger::drop_loose(Arrangement& in) const {
+  for (bool dropped = true; dropped;) {
+    dropped = false;
+    for (std::size_t i = in.laid.size() - 1; i > 0; --i) {
+      if (touching(in.laid[i], in) >= kLeastTouching) continue;
+      in.used[std::size_t(in.laid[i].piece)] = false;
+      in.laid.erase(in.laid.begin() + std::ptrdiff_t(i));
+      dropped = true;
+    }
+  }
+}
+
+bool PuzzleArranger::whole(const Arrangement& in) const {
+  return placed(in) == pieces_count() && gaps(in) <= kMostPuzzleGaps;
+}
+
+double PuzzleArranger::coherence(const Arrangement& in) const {
+  double sum = 0;
+  for (const LaidPiece& laid : in.laid) {
+    if (!is_frame(laid)) sum += touching(laid, in, kOfPictures);
+  }
+  return sum * std::max(kLeastCoherent, 1 - kGapsAgainst * gaps(in));
+}
+
+std::vector<PosedPiece> PuzzleArranger::neighbours(const PosedPiece& piece, const Arrangement& in, int but) const {
+  std::vector<PosedPiece> all;
+  for (const LaidPiece& laid : in.laid) {
+    const PosedPiece other = posed(laid);
+    if (laid.piece != but && may_touch(piece, other, 4 * scale_.tolerance)) all.push_back(other);
+  }
+  return all;
+}
+
+void PuzzleArranger::appraise(PuzzlePlace& place) const {
+  const PuzzlePiece& piece = pieces_[std::size_t(place.piece)];
+  double worth = 0;
+  for (std::size_t k = 0; k < place.beside.size(); ++k) {
+    if (place.beside[k] == Beside::contact) worth += piece.weights[k];
+    if (place.beside[k] == Beside::gap) worth -= kGapCost * piece.weights[k];
+  }
+  worth += kOfPictures * place.pictures;
+  place.worth = float(worth) * piece.point_length / scale_.piece *
+                kOfSides[std::min<std::size_t>(std::size_t(place.whole_sides), kOfSides.size() - 1)];
+}
+
+bool PuzzleArranger::is_worth_laying(const PuzzlePlace& place) const {
+  const PuzzlePiece& piece = pieces_[std::size_t(place.piece)];
+  const float all =
+      std::accumulate(piece.weights.begin(), piece.weights.end(), 0.f) * piece.point_length / scale_.piece;
+  return place.worth >= std::min(kLeastWorth, kLeastPart * all);
+}
+
+bool PuzzleArranger::same_place(const PuzzlePlace& a, const PuzzlePlace& b) const {
+  if (a.piece != b.piece) return false;
+  const Vec2 centre = pieces_[std::size_t(a.piece)].centre;
+  const Vec2 off = a.pose.apply(centre) - b.pose.apply(centre);
+  const float turned = 1 - (a.pose.a * b.pose.a + a.pose.b * b.pose.b);
+  return norm(off) < 4 * scale_.tolerance && turned < 0.005f;
+}
+
+/// Whether only one of them can come true.
+bool PuzzleArranger::rivals(const PuzzlePlace& a, const PuzzlePlace& b) const {
+  if (a.piece == b.piece) return true;
+  const PuzzlePiece &p = pieces_[std::size_t(a.piece)], &q = pieces_[std::size_t(b.piece)];
+  const Vec2 off = a.pose.apply(p.centre) - b.pose.apply(q.centre);
+  return norm(off) < 0.3f * float(std::sqrt(p.area) + std::sqrt(q.area));
+}
+
+void PuzzleArranger::lay(const PuzzlePlace& place, Arrangement& in) const {
+  tell(in);
+  const PosedPiece rough = posed({place.piece, place.pose});
+  const std::vector<PosedPiece> around = neighbours(rough, in);
+  const Similarity pose = around.empty() ? place.pose : settled(rough, around, scale_, kSettlingSteps);
+  const PosedPiece piece = posed({place.piece, pose});
+  in.laid.push_back({place.piece, pose});
+  in.used[std::size_t(place.piece)] = true;
+  in.worth += place.worth;
+  std::erase_if(in.places, [&](const PuzzlePlace& other) {
+    return other.piece == place.piece || overlap(posed({other.piece, other.pose}), piece, scale_);
+  });
+  for (PuzzlePlace& other : in.places) {
+    const PosedPiece p = posed({other.piece, other.pose});
+    if (!may_touch(p, piece, 4 * scale_.tolerance)) continue;
+    other.pictures += see_neighbour(p, piece, scale_, other.beside);
+    appraise(other);
+  }
+  add_places_beside(in.laid.back(), in);
+  if (in.places.size() <= kMostPlaces) return;
+  std::stable_sort(in.places.begin(), in.places.end(),
+                   [](const PuzzlePlace& a, const PuzzlePlace& b) { return a.worth > b.worth; });
+  in.places.resize(kMostPlaces);
+}
+
+void PuzzleArranger::add_places_beside(const LaidPiece& laid, Arrangement& in) const {
+  for (const PieceMatch& match : matches_[std::size_t(laid.piece)]) {
+    if (match.piece == frame_ || in.used[std::size_t(match.piece)]) continue;
+    PuzzlePlace place{.piece = match.piece,
+                      .pose = followed_by(match.here_from_there, laid.pose),
+                      .whole_sides = match.whole_side ? 1 : 0};
+    const auto there =
+        std::find_if(in.places.begin(), in.places.end(), [&](const PuzzlePlace& p) { return same_place(p, place); });
+    if (there != in.places.end()) {
+      there->whole_sides += place.whole_sides;
+      appraise(*there);
+      continue;
+    }
+    tell(in);
+    const PosedPiece piece = posed({place.piece, place.pose});
+    const std::vector<PosedPiece> around = neighbours(piece, in);
+    if (std::any_of(around.begin(), around.end(), [&](const PosedPiece& p) { return overlap(piece, p, scale_); }))
+      continue;
+    place.beside.assign(piece.piece->points.size(), Beside::nothing);
+    for (const PosedPiece& neighbour : around) place.pictures += see_neighbour(piece, neighbour, scale_, place.beside);
+    appraise(place);
+    if (place.worth > 0) in.places.push_back(std::move(place));
+  }
+}
+
+void PuzzleArranger::find_places(Arrangement& in) const {
+  in.places.clear();
+  for (const LaidPiece& laid : in.laid) {
+    if (!is_frame(laid)) add_places_beside(laid, in);
+  }
+}
+
+/// In the frame's corners a piece may lie that no neighbour's side leads to.
+Arrangement PuzzleArranger::with_open_frame(Arrangement one) const {
+  one.frame_is_open = true;
+  add_places_beside(one.laid.front(), one);
+  return one;
+}
+
+/// The place that leads most over its rivals, and with it the best of those.
+void PuzzleArranger::branch(const Arrangement& one, bool with_rivals, std::vector<Arrangement>& next) const {
+  std::vector<float> rival(one.places.size(), 0);
+  for (std::size_t i = 0; i < one.places.size(); ++i) {
+    for (std::size_t j = i + 1; j < one.places.size(); ++j) {
+      if (!rivals(one.places[i], one.places[j])) continue;
+      rival[i] = std::max(rival[i], one.places[j].worth);
+      rival[j] = std::max(rival[j], one.places[i].worth);
+    }
+  }
+  std::size_t surest = 0;
+  const auto lead = [&](std::size_t i) { return one.places[i].worth - rival[i]; };
+  for (std::size_t i = 1; i < one.places.size(); ++i) {
+    const bool counts = is_worth_laying(one.places[i]), did = is_worth_laying(one.places[surest]);
+    if (counts != did ? counts : lead(i) > lead(surest)) surest = i;
+  }
+  if (one.places.empty() || !is_worth_laying(one.places[surest])) {
+    if (frame_ >= 0 && !one.frame_is_open && is_frame(one.laid.front()))
+      branch(with_open_frame(one), with_rivals, next);
+    return;
+  }
+  std::vector<std::size_t> options;
+  for (std::size_t i = 0; with_rivals && i < one.places.size(); ++i) {
+    if (i != surest && rivals(one.places[i], one.places[surest]) &&
+        one.places[i].worth > 0.5f * one.places[surest].worth)
+      options.push_back(i);
+  }
+  std::stable_sort(options.begin(), options.end(),
+                   [&](std::size_t a, std::size_t b) { return one.places[a].worth > one.places[b].worth; });
+  if (options.size() > kMostBranches - 1) options.resize(kMostBranches - 1);
+  options.insert(options.begin(), surest);
+  for (const std::size_t option : options) {
+    next.push_back(one);
+    lay(PuzzlePlace(one.places[option]), next.back());
+  }
+}
+
+/// The same pieces, laid equally well: as a rule in the same places, whatever their order.
+bool PuzzleArranger::same(const Arrangement& a, const Arrangement& b) const {
+  return a.used == b.used && std::abs(a.worth - b.worth) < 1e-3;
+}
+
+void PuzzleArranger::keep_best(std::vector<Arrangement>& all, int width) const {
+  std::stable_sort(all.begin(), all.end(), [](const Arrangement& a, const Arrangement& b) { return ahead(a, b); });
+  std::vector<Arrangement> kept;
+  for (Arrangement& one : all) {
+    if (int(kept.size()) == width) break;
+    if (std::none_of(kept.begin(), kept.end(), [&](const Arrangement& k) { return same(k, one); }))
+      kept.push_back(std::move(one));
+  }
+  all = std::move(kept);
+}
+
+void PuzzleArranger::settle_all(Arrangement& in) const {
+  for (int round = 0; round < kLastRounds; ++round) {
+    for (std::size_t i = 1; i < in.laid.size(); ++i) {  // the first stays: the frame, or what the others lie round
+      tell(in);
+      LaidPiece& laid = in.laid[i];
+      const PosedPiece piece = posed(laid);
+      laid.pose = settled(piece, neighbours(piece, in, laid.piece), scale_, 1);
+    }
+  }
+}
+
+Arrangement PuzzleArranger::followed_to_the_end(std::vector<Arrangement> followed, int width) const {
+  Arrangement best = followed.front();
+  while (!followed.empty()) {
+    std::vector<Arrangement> next;
+    for (const Arrangement& one : followed) {
+      if (ahead(one, best)) best = one;
+      branch(one, width > 1, next);
+    }
+    keep_best(next, width);
+    followed = std::move(next);
+  }
+  return best;
+}
+
+}  // namespace tessera

@@ -1,0 +1,112 @@
+// Pieces of a puzzle that are laid one after the other: which places are open beside those that lie, what each place is
+// worth, and which arrangement is the best that follows.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "products/puzzle/piece_matches.h"
+#include "products/puzzle/puzzle_contact.h"
+#include "products/puzzle/puzzle_piece.h"
+
+namespace tessera {
+
+/// A place that a piece may have, in one arrangement.
+struct PuzzlePlace {
+  int piece = 0;
+  Similarity pose = {};
+  std::vector<Beside> beside = {};  // of each point of its boundary
+  float pictures = 0;               // how well they agree, a sum over those points that touch
+  float worth = 0;
+  int whole_sides = 0;  // neighbours with which it shares one from corner to corner
+};
+
+struct LaidPiece {
+  int piece = 0;
+  Similarity pose = {};  // puzzle_from_piece
+};
+
+struct Arrangement {
+  std::vector<LaidPiece> laid;  // the frame first, if any
+  std::vector<bool> used;       // by piece
+  std::vector<PuzzlePlace> places;
+  double worth = 0;
+  bool frame_is_open = false;  // pieces are looked for along the frame, too
+};
+
+/// Lays pieces. It refers to what it is given, which may change between two calls.
+class PuzzleArranger {
+ public:
+  /// `frame`: the number of the last piece where that is a frame, else -1. `watch` is called often with the number of
+  /// pieces that lie; what it throws ends the work.
+  PuzzleArranger(const std::vector<PuzzlePiece>& pieces, const std::vector<std::vector<PieceMatch>>& matches,
+                 const PuzzleScale& scale, int frame, std::function<void(std::size_t)> watch)
+      : pieces_(pieces),
+        matches_(matches),
+        scale_(scale),
+        frame_(frame),
+        watch_(std::move(watch)) {}
+
+  std::size_t pieces_count() const { return pieces_.size() - (frame_ < 0 ? 0 : 1); }
+  PosedPiece posed(const LaidPiece& laid) const { return {&pieces_[std::size_t(laid.piece)], laid.pose}; }
+  bool is_frame(const LaidPiece& laid) const { return laid.piece == frame_; }
+  LaidPiece frame() const { return {frame_, {}}; }
+  const PuzzleScale& scale() const { return scale_; }
+  std::vector<PosedPiece> laid_pieces(const Arrangement& in) const;
+
+  /// One piece alone, or the frame.
+  Arrangement beginning(int first) const;
+
+  /// One more piece. The places of others that it takes away go, those beside it come.
+  void lay(const PuzzlePlace& place, Arrangement& in) const;
+
+  /// All places beside what lies, for an arrangement that was not made by lay() alone.
+  void find_places(Arrangement& in) const;
+
+  /// What comes of `starts`, where `width` arrangements are followed at a time: the one with most pieces. More than one
+  /// branch over places that exclude each other.
+  Arrangement followed_to_the_end(std::vector<Arrangement> starts, int width) const;
+
+  /// All pieces settle along their neighbours; the first one stays.
+  void settle_all(Arrangement& in) const;
+
+  /// Takes out pieces that hardly touch the others: they do not belong to them, as a straight side agrees with any other.
+  void drop_loose(Arrangement& in) const;
+
+  std::size_t placed(const Arrangement& in) const;
+
+  /// Part of the boundary of all pieces that is beside a narrow gap.
+  double gaps(const Arrangement& in) const;
+
+  /// All pieces lie and fit.
+  bool whole(const Arrangement& in) const;
+
+  /// How much pieces have in common; what is beside narrow gaps counts against it more than what touches counts for it.
+  double coherence(const Arrangement& in) const;
+
+  /// Calls the watch.
+  void tell(const Arrangement& in) const { watch_(placed(in)); }
+
+ private:
+  std::vector<PosedPiece> neighbours(const PosedPiece& piece, const Arrangement& in, int but = -1) const;
+  float touching(const LaidPiece& laid, const Arrangement& in, float of_pictures = 0) const;
+  void appraise(PuzzlePlace& place) const;
+  bool is_worth_laying(const PuzzlePlace& place) const;
+  bool same_place(const PuzzlePlace& a, const PuzzlePlace& b) const;
+  bool rivals(const PuzzlePlace& a, const PuzzlePlace& b) const;
+  void add_places_beside(const LaidPiece& laid, Arrangement& in) const;
+  Arrangement with_open_frame(Arrangement one) const;
+  void branch(const Arrangement& one, bool with_rivals, std::vector<Arrangement>& next) const;
+  bool same(const Arrangement& a, const Arrangement& b) const;
+  void keep_best(std::vector<Arrangement>& all, int width) const;
+
+  const std::vector<PuzzlePiece>& pieces_;
+  const std::vector<std::vector<PieceMatch>>& matches_;
+  const PuzzleScale& scale_;
+  int frame_;
+  std::function<void(std::size_t)> watch_;
+};
+
+}  // namespace tessera

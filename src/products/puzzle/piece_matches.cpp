@@ -1,0 +1,213 @@
+#include "products/puzzle/piece_matches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "products/puzzle/puzzle_contact.h"
+
+namespace tessera {
+namespace {
+
+/// Steps from the corner that a first alignment goes by, unless a side ends before.
+constexpr float kFirstSteps = 20;
+/// Steps that must run alike.
+constexpr int kLeastSteps = 6;
+/// Corners are round: the points next to them say nothing.
+constexpr int kRound = 2;
+/// Steps by which sides of one length may differ.
+constexpr float kSameLength = 1;
+/// Of each corner and side so many of the longest are held against the outlines.
+constexpr std::size_t kMostTried = 24;
+/// All of them, as a rule, where there are few pieces, so that no way to lay them is missed.
+constexpr std::size_t kMostTriedOfFew = 96;
+constexpr std::size_t kFewPieces = 25;
+
+struct Alignment {
+  Similarity here_from_there;
+  float rms = 0;
+};
+
+/// Least squares of there[k] on here[k], k from kRound to last.
+Alignment aligned(const std::vector<Vec2>& here, const std::vector<Vec2>& there, int last) {
+  double hx = 0, hy = 0, tx = 0, ty = 0;
+  const int n = last - kRound + 1;
+  for (int k = kRound; k <= last; ++k) {
+    hx += here[std::size_t(k)].x;
+    hy += here[std::size_t(k)].y;
+    tx += there[std::size_t(k)].x;
+    ty += there[std::size_t(k)].y;
+  }
+  const Vec2 h{float(hx / n), float(hy / n)}, t{float(tx / n), float(ty / n)};
+  double a = 0, b = 0;
+  for (int k = kRound; k <= last; ++k) {
+    const Vec2 p = there[std::size_t(k)] - t, q = here[std::size_t(k)] - h;
+    a += dot(p, q);
+    b += cross(p, q);
+  }
+  const double length = std::max(std::sqrt(a * a + b * b), 1e-30);
+  Alignment result{.here_from_there = {float(a / length), float(b / length), 0, 0}};
+  const Vec2 at = h - result.here_from_there.apply(t);
+  result.here_from_there.tx = at.x;
+  result.here_from_there.ty = at.y;
+  double squares = 0;
+  for (int k = kRound; k <= last; ++k) {
+    const Vec2 off = result.here_from_there.apply(there[std::size_t(k)]) - here[std::size_t(k)];
+    squares += dot(off, off);
+  }
+  result.rms = float(std::sqrt(squares / n));
+  return result;
+}
+
+/// The chords from the corner, which no turn changes: a cheap first look.
+bool chords_agree(const std::vector<Vec2>& here, const std::vector<Vec2>& there, int last, float tolerance) {
+  for (const int k : {last / 2, last}) {
+    const float a = norm(here[std::size_t(k)] - here[0]), b = norm(there[std::size_t(k)] - there[0]);
+    if (std::abs(a - b) > tolerance) return false;
+  }
+  return true;
+}
+
+struct Run {
+  Alignment alignment;
+  int steps = 0;
+};
+
+/// As far as both run alike; 0 steps: they do not.
+Run run_alike(const std::vector<Vec2>& here, const std::vector<Vec2>& there, int first, float tolerance) {
+  const int longest = int(std::min(here.size(), there.size())) - 1;
+  Run run{aligned(here, there, first), first};
+  if (run.alignment.rms > tolerance) return {};
+  while (run.steps < longest) {
+    const int next = std::min(longest, run.steps + std::max(4, run.steps / 4));
+    const Alignment longer = aligned(here, there, next);
+    const Vec2 off = longer.here_from_there.apply(there[std::size_t(next)]) - here[std::size_t(next)];
+    if (longer.rms > tolerance || norm(off) > 2 * tolerance) break;
+    run = {longer, next};
+  }
+  return run;
+}
+
+/// Whether a piece's corner fills one of the frame: its other side runs along the frame, too.
+bool fills(const PuzzleCorner& here, const PuzzleCorner& there, const Similarity& here_from_there,
+           const PuzzleScale& scale) {
+  const Vec2 off = here_from_there.apply(there.ahead[kLeastSteps]) - here.back[kLeastSteps];
+  return norm(off) < 2 * scale.tolerance;
+}
+
+/// Lengths count so much more where the pictures agree, and so much less where they do not.
+constexpr float kPictureShare = 0.5f;
+
+struct Found {
+  int piece;
+  Run run;
+  bool whole_side;
+  float steps;  // of the run, with what the pictures say
+};
+
+/// Along the run, mean.
+float pictures_agree(const PuzzlePiece& here, const PuzzleCorner& ahead, const PuzzlePiece& there,
+                     const PuzzleCorner& back, int steps, const PuzzleScale& scale) {
+  if (scale.contrast <= 0) return 0;
+  const auto outside = [](const std::vector<Vec2>& profile, int k, float sign) {
+    const Vec2 along = profile[std::size_t(k + 1)] - profile[std::size_t(k - 1)];
+    return Vec2{along.y, -along.x} * (sign / std::max(norm(along), 1e-20f));
+  };
+  float sum = 0;
+  for (int k = kRound; k < steps; ++k) {
+    sum += pictures_agree(here, ahead.ahead[std::size_t(k)], outside(ahead.ahead, k, 1), there,
+                          back.back[std::size_t(k)], outside(back.back, k, -1), scale);
+  }
+  return sum / float(std::max(1, steps - kRound));
+}
+
+void keep_best(std::vector<Found>& found, std::size_t most) {
+  std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
+    return a.whole_side != b.whole_side ? a.whole_side : a.steps > b.steps;
+  });
+  if (found.size() > most) found.resize(most);
+}
+
+using Matches = std::vector<std::vector<PieceMatch>>;
+
+/// What runs alike from corner `c` of piece `i` ahead, of the pieces from `first` on.
+void add_matches(const std::vector<PuzzlePiece>& pieces, std::size_t i, std::size_t c, std::size_t first,
+                 const PuzzleScale& scale, Matches& matches) {
+  const PuzzleCorner& here = pieces[i].corners[c];
+  std::vector<Found> found;
+  for (std::size_t j = first; j < pieces.size(); ++j) {
+    if (j == i) continue;
+    for (const PuzzleCorner& there : pieces[j].corners) {
+      const std::size_t last = std::min(here.ahead.size(), there.back.size()) - 1;  // of a speck that is near
+      const int steps = std::min(int(std::min({kFirstSteps, here.side_ahead, there.side_back})), int(last));
+      if (steps < kLeastSteps || !chords_agree(here.ahead, there.back, steps, 1.5f * scale.tolerance)) continue;
+      const Run run = run_alike(here.ahead, there.back, steps, scale.tolerance);
+      const bool whole_side = pieces[i].area > 0 && pieces[j].area > 0
+                                  ? std::abs(here.side_ahead - there.side_back) < kSameLength
+                                  : fills(here, there, run.alignment.here_from_there, scale);
+      if (run.steps == 0) continue;
+      const float agreement = pictures_agree(pieces[i], here, pieces[j], there, run.steps, scale);
+      found.push_back({int(j), run, whole_side, float(run.steps) * (1 + kPictureShare * agreement)});
+    }
+  }
+  keep_best(found, pieces.size() > kFewPieces ? kMostTried : kMostTriedOfFew);
+  for (const Found& f : found) {
+    const PosedPiece standing{&pieces[i], {}}, other{&pieces[std::size_t(f.piece)], f.run.alignment.here_from_there};
+    if (overlap(other, standing, scale)) continue;
+    const float worth = f.steps * scale.step;
+    const float apart = f.run.alignment.rms / scale.tolerance;
+    matches[i].push_back({f.piece, other.pose, worth, f.whole_side, int(c), apart});
+    matches[std::size_t(f.piece)].push_back({int(i), rigid_inverse(other.pose), worth, f.whole_side, -1, apart});
+  }
+}
+
+}  // namespace
+
+Matches piece_matches(const std::vector<PuzzlePiece>& pieces, const PuzzleScale& scale,
+                      const std::function<void(std::size_t)>& watch) {
+  Matches matches(pieces.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    for (std::size_t c = 0; c < pieces[i].corners.size(); ++c) {
+      watch(i);
+      add_matches(pieces, i, c, 0, scale, matches);
+    }
+  }
+  return matches;
+}
+
+double matched_length(const std::vector<PuzzlePiece>& pieces, std::size_t sample, const PuzzleScale& scale,
+                      const std::function<void()>& watch) {
+  const std::size_t count = std::min(sample, pieces.size());
+  Matches matches(pieces.size());
+  double length = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = k * pieces.size() / count;
+    for (std::size_t c = 0; c < pieces[i].corners.size(); ++c) {
+      watch();
+      matches[i].clear();
+      add_matches(pieces, i, c, 0, scale, matches);
+      float longest = 0;
+      for (const PieceMatch& match : matches[i])
+        longest = std::max(longest, match.whole_side ? match.worth * (1 - match.apart) : 0);
+      length += double(longest);
+    }
+  }
+  return length;
+}
+
+void match_frame_anew(const std::vector<PuzzlePiece>& pieces, const PuzzleScale& scale, Matches& matches,
+                      const std::function<void(std::size_t)>& watch) {
+  const std::size_t frame = pieces.size() - 1;
+  matches[frame].clear();
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    std::erase_if(matches[i], [&](const PieceMatch& match) { return match.piece == int(frame); });
+  }
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    for (std::size_t c = 0; c < pieces[i].corners.size(); ++c) {
+      watch(i);
+      add_matches(pieces, i, c, i == frame ? 0 : frame, scale, matches);
+    }
+  }
+}
+
+}  // namespace tessera

@@ -1,0 +1,21 @@
+// Where a puzzle that was laid without its frame may lie in it as a whole.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "products/puzzle/puzzle_contact.h"
+
+namespace tessera {
+
+/// frame_from_puzzle, the best first: turned so that the outer boundary lies along the frame. The pieces reach its edges
+/// as a rule, so that no corner is needed; a round frame allows any turn.
+std::vector<Similarity> poses_in_frame(const std::vector<PosedPiece>& laid, const PuzzlePiece& frame,
+                                       const PuzzleScale& scale);
+
+/// frame_from_puzzle with the scale at which the pieces reach the edges of the frame all round, also where some inside
+/// or along the edges are missing. Nothing: most of the frame's edge would stay open, or pieces would leave it.
+std::optional<Similarity> scaled_pose_in_frame(const std::vector<PosedPiece>& laid, const PuzzlePiece& frame,
+                                               const PuzzleScale& scale);
+
+}  // namespace tessera

@@ -1,0 +1,48 @@
+#include "render/afar_measure.h"
+
+#include "core/base/error.h"
+#include "job/canvas/overlays.h"
+#include "job/picture_size.h"
+#include "render/pieces/tones.h"
+
+namespace tessera {
+namespace {
+
+// Without the picture's path: cards may be handed on.
+constexpr const char* kUnreadable = "colour.image cannot be read any more";
+constexpr const char* kAnother = "colour.image has changed since the collage";
+constexpr const char* kTransparent = "colour.image is transparent here";
+
+/// Whether pieces that were chosen by this picture cover the colours that the report says.
+bool is_of_collage(const ColourImage& image, const CollageReport& report) {
+  return report.covered.empty() || covered_colours(report, *image.target) == report.covered;
+}
+
+}  // namespace
+
+AfarMeasure::AfarMeasure(const CollageReport& report, Drawers& drawers)
+    : canvas_(*report.canvas),
+      pieces_(report.placements.size()),
+      mosaic_(picture_size_px(report.job->output, *report.canvas)) {
+  try {
+    const ColourImage image = read_colour_image(*report.canvas, *report.job, drawers);
+    if (!is_of_collage(image, report)) {
+      not_measured_ = kAnother;
+      return;
+    }
+    const cv::Size size_px = picture_size_px(report.job->output, *report.canvas);
+    picture_ = cells_of_picture(image.bgra, comparison_cells(size_px));
+  } catch (const InputError&) {
+    not_measured_ = kUnreadable;
+  }
+}
+
+AfarNote AfarMeasure::note() const {
+  if (!not_measured_.empty()) return {{}, not_measured_};
+  const PicturePair pair = picture_pair(mosaic_.cells(), picture_, &canvas_);
+  AfarNote note{seen_from_afar(pair, width_in_pieces(canvas_, pieces_)), {}};
+  if (!note.seen) note.not_measured = kTransparent;
+  return note;
+}
+
+}  // namespace tessera

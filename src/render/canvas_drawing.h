@@ -1,0 +1,31 @@
+// What pictures show of a canvas besides the pieces: its edge, the drawing in canvas.keep_out, the ground.
+#pragma once
+
+#include "core/field/canvas.h"
+#include "artwork/drawers/drawers.h"
+#include "job/canvas/canvas_edge.h"
+#include "job/job_file.h"
+#include "layers/ground_tile.h"
+#include "layers/keep_out_drawing.h"
+
+namespace tessera {
+
+struct CanvasDrawing {
+  CanvasEdge edge;
+  KeepOutDrawing keep_out;
+  GroundTile ground;
+};
+
+/// For drawers of the job's canvas, when its pictures are made. Each drawing may take three times as long as
+/// check_canvas_drawing allows, so that what passed before the run does not fail after it on a busy machine.
+DrawerSettings canvas_picture_settings(const Job& job);
+
+/// Job::output is that of the pictures (on_paper). Throws InputError where a file cannot be read or drawn, and
+/// DrawingStopped.
+CanvasDrawing draw_canvas(const Job& job, const Canvas& canvas, Drawers& drawers);
+
+/// Before a long run: draws all files that draw_canvas will draw, as large. Throws InputError, which names job, key, file
+/// and reason, where that cannot be, and EnvironmentError where the program that draws is missing.
+void check_canvas_drawing(const Job& job, const Canvas& canvas, double seconds = DrawerSettings{}.seconds_per_drawing);
+
+}  // namespace tessera

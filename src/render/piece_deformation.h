@@ -1,0 +1,23 @@
+// Deforms the pieces of a finished collage as its job wishes, and takes up again what an earlier run deformed.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "result/collage_files.h"
+
+namespace tessera {
+
+/// Whether the job wishes it.
+bool deforms(const Job& job);
+
+/// Gives each piece the shape that it is deformed to (CollageReport::deformed). The shapes have outline and field, and
+/// placements are the exact ones.
+void deform_pieces(CollageReport& report);
+
+/// The same from what pieces.geojson in `dir` says, whose polygons are those of the placements' shapes, point by point.
+/// Throws InputError where they are not. Before each piece `look` is called, from any thread, and may throw.
+void take_up_deformed_pieces(
+    const std::string& dir, CollageReport& report, const std::function<void()>& look = [] {});
+
+}  // namespace tessera

@@ -1,0 +1,122 @@
+#include "render/pieces/piece_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "core/geometry/rasterise.h"
+
+namespace tessera {
+namespace {
+
+// A shape's sprites have sides of powers of two: pieces of about one size share one, and none is drawn much larger than
+// it must be.
+constexpr int kLeastSprite_px = 256;
+constexpr int kMostSprite_px = 4096;
+
+/// Picture px from artwork px for a piece.
+Similarity picture_from_artwork(const Placement& placement, const Artwork& artwork, double picture_px) {
+  const Similarity t = scaled(placement.canvas_from_shape, float(picture_px));
+  const float unit = 1 / artwork.unit_px;
+  Similarity m{t.a * unit, t.b * unit, 0, 0};
+  const Vec2 moved = m.apply(artwork.centroid_px);
+  m.tx = t.tx - moved.x;
+  m.ty = t.ty - moved.y;
+  return m;
+}
+
+cv::Rect rect_of(const Window& w) { return {w.x0, w.y0, w.width(), w.height()}; }
+
+int sprite_side(const Artwork& artwork, double picture_px_per_artwork_px) {
+  const double wanted = kSupersampling * picture_px_per_artwork_px * std::max(artwork.width_px, artwork.height_px);
+  int side = kLeastSprite_px;
+  while (side < wanted && side < kMostSprite_px) side *= 2;
+  return side;
+}
+
+/// The affine map that cv::warpAffine wants with WARP_INVERSE_MAP: sprite node from node of the supersampled rows,
+/// pixel centres at whole numbers on both sides.
+cv::Matx23d sprite_from_rows(const PieceDrawing& piece, double sprite_px, cv::Point corner) {
+  const Similarity inverse = piece.picture_from_artwork.inverse();
+  const double a = inverse.a * sprite_px / kSupersampling;
+  const double b = inverse.b * sprite_px / kSupersampling;
+  const double u = corner.x * kSupersampling + 0.5;
+  const double v = corner.y * kSupersampling + 0.5;
+  cv::Matx23d map(a, -b, a * u - b * v + inverse.tx * sprite_px - 0.5,  //
+                  b, a, b * u + a * v + inverse.ty * sprite_px - 0.5);
+  if (piece.mirrored_at_px) {
+    const double there_and_back = 2 * *piece.mirrored_at_px * sprite_px - 1;  // x of a node and of its mirror image
+    for (int column = 0; column < 3; ++column) map(0, column) = -map(0, column);
+    map(0, 2) += there_and_back;
+  }
+  return map;
+}
+
+template <class Pixel>
+void lay_over_pixels(const cv::Mat& bgra, cv::Mat& picture) {
+  for (int y = 0; y < bgra.rows; ++y) {
+    const cv::Vec4b* from = bgra.ptr<cv::Vec4b>(y);
+    Pixel* to = picture.ptr<Pixel>(y);
+    for (int x = 0; x < bgra.cols; ++x) {
+      const int rest = 255 - from[x][3];
+      if (rest == 255) continue;
+      for (int c = 0; c < Pixel::channels; ++c) {
+        to[x][c] = std::uint8_t(std::min(255, from[x][c] + (to[x][c] * rest + 127) / 255));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+PieceDrawing make_piece_drawing(const Placement& placement, std::size_t slot, const Shape& shape, const Outline& clip,
+                                double line_px, double picture_px, cv::Size picture) {
+  if (clip.curves.empty()) return {};
+  const Similarity picture_from_shape = scaled(placement.canvas_from_shape, float(picture_px));
+  cv::Rect reach = rect_of(bounding_window(clip, picture_from_shape).grown(1));
+  if (line_px > 0) {
+    reach |= rect_of(bounding_window(shape.outline, picture_from_shape).grown(1 + int(std::ceil(line_px / 2))));
+  }
+  PieceDrawing piece;
+  piece.outline = {&shape.outline.curves, picture_from_shape};
+  piece.slot = slot;
+  piece.picture_from_artwork = picture_from_artwork(placement, shape.artwork, picture_px);
+  if (shape.artwork.mirrored) piece.mirrored_at_px = shape.artwork.centroid_px.x;
+  piece.box = reach & cv::Rect({0, 0}, picture);
+  piece.sprite_side_px = sprite_side(shape.artwork, double(piece.picture_from_artwork.scale()));
+  return piece;
+}
+
+cv::Mat draw_rows(const PieceDrawing& piece, const Sprite& sprite, int begin, int end) {
+  const Sprite source = shrunk(sprite, kSupersampling * double(piece.picture_from_artwork.scale()));
+  cv::Mat drawn(end - begin, piece.box.width, CV_8UC4);
+  for (int top = begin, next = 0; top < end; top = next) {
+    next = std::min(end, (top / kStripRows + 1) * kStripRows);
+    cv::Mat fine;
+    cv::warpAffine(source.bgra, fine, sprite_from_rows(piece, source.px_per_artwork_px, {piece.box.x, top}),
+                   cv::Size(piece.box.width, next - top) * kSupersampling, cv::INTER_LINEAR | cv::WARP_INVERSE_MAP);
+    cv::Mat strip = drawn.rowRange(top - begin, next - begin);
+    cv::resize(fine, strip, strip.size(), 0, 0, cv::INTER_AREA);
+  }
+  return drawn;
+}
+
+void cut_to(const cv::Mat& coverage, cv::Mat& bgra) {
+  for (int y = 0; y < bgra.rows; ++y) {
+    const std::uint8_t* inside = coverage.ptr(y);
+    cv::Vec4b* row = bgra.ptr<cv::Vec4b>(y);
+    for (int x = 0; x < bgra.cols; ++x) {
+      for (int c = 0; c < 4; ++c) row[x][c] = std::uint8_t((row[x][c] * inside[x] + 127) / 255);
+    }
+  }
+}
+
+void lay_over(const cv::Mat& bgra, cv::Mat picture) {
+  if (picture.channels() == 4) {
+    lay_over_pixels<cv::Vec4b>(bgra, picture);
+  } else {
+    lay_over_pixels<cv::Vec3b>(bgra, picture);
+  }
+}
+
+}  // namespace tessera

@@ -1,0 +1,16 @@
+// A piece's warp in the frames of its drawing: the page's, and that of a sprite.
+#pragma once
+
+#include "core/deform/warp.h"
+#include "core/shape/shape.h"
+#include "render/pieces/sprite.h"
+
+namespace tessera {
+
+/// `warp` in the artwork frame times `units_per_px`; of a mirror image that of the drawing.
+Warp warp_of_page(const Artwork& artwork, const Warp& warp, double units_per_px);
+
+/// The sprite deformed, on a page that is `margin_px` larger on every side, artwork px.
+Sprite warped_sprite(const Sprite& sprite, const Artwork& artwork, const Warp& warp, float margin_px);
+
+}  // namespace tessera

@@ -1,0 +1,348 @@
+#include "render/result_drawing.h"
+
+#include <algorithm>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/stopwatch.h"
+#include "files/atomic_file.h"
+#include "files/available_cores.h"
+#include "checkpoint/checkpoint_origin.h"
+#include "artwork/drawers/drawers.h"
+#include "job/canvas/canvas_file.h"
+#include "job/canvas/canvas_page.h"
+#include "job/pieces/job_library.h"
+#include "job/palette.h"
+#include "job/picture_size.h"
+#include "text/number_text.h"
+#include "render/afar_measure.h"
+#include "render/canvas_drawing.h"
+#include "render/card_drawing.h"
+#include "result/card_input.h"
+#include "result/finished_result.h"
+#include "render/hue_turns.h"
+#include "render/label_map.h"
+#include "render/picture_drawing.h"
+#include "render/piece_colours.h"
+#include "render/piece_deformation.h"
+#include "result/placed_pieces.h"
+#include "render/png_stream.h"
+#include "result/result_file.h"
+#include "result/result_manifest.h"
+#include "result/run_record.h"
+#include "render/shown_picture.h"
+#include "render/svg_output.h"
+#include "render/tiff_pyramid.h"
+#include "render/pieces/tones.h"
+#include "text/utf8_text.h"
+
+namespace tessera {
+namespace {
+
+/// A result's job with what is asked for instead.
+struct DrawnJob {
+  Job job;
+  bool other_colours = false;  // else those of the result
+};
+
+DrawnJob job_of(const WholeResult& result, const PictureRequest& request) {
+  DrawnJob drawn{result.job};
+  Job& job = drawn.job;
+  drawn.other_colours = set_drawing_keys(job, request.keys);
+  if (request.library.size() == 1) {
+    job.library = request.library.front();
+    job.library_files.clear();
+  } else if (!request.library.empty()) {
+    job.library.clear();
+    job.library_files = request.library;
+  }
+  return drawn;
+}
+
+LibraryView opened_library(const Job& job) {
+  try {
+    return open_library_of(job);
+  } catch (const InputError& error) {
+    throw InputError(std::string(error.what()) + "; --library FILE of tessera draw says where it is now");
+  }
+}
+
+/// What the digests are, and how to come by the right library.
+std::string another_library(const std::string& dir, const ResultManifest& manifest, const LibraryView& library) {
+  const bool same_place = manifest.library == library.path();
+  const std::string maker = made_by(dir);
+  return library.path() + ": not the library that the collage was made from: the digest of its content is " +
+         digest_text(library.content_digest()) + ", that was " + digest_text(manifest.library_digest) +
+         (same_place ? ", built or changed since" : ", then in " + printable_utf8(manifest.library)) +
+         (maker.empty() ? "" : "; the collage was made by " + maker) +
+         "; --library FILE says where that library is; where it is gone, tessera library build makes it again of the "
+         "same drawings, or tessera collage a collage of this one";
+}
+
+LibraryView library_of(const std::string& dir, const Job& job, const ResultManifest& manifest) {
+  LibraryView library = opened_library(job);
+  if (library.content_digest() == manifest.library_digest) return library;
+  throw InputError(another_library(dir, manifest, library));
+}
+
+/// The job's own output on paper, and what is asked for instead.
+OutputSpec output_of(const WholeResult& result, const PictureRequest& request, const CanvasSpec& page,
+                     const Canvas& canvas) {
+  Job job = result.job;
+  job.output = on_paper(job.output, page, canvas);
+  set_drawing_keys(job, request.keys);
+  return job.output;
+}
+
+struct DrawnCanvas {
+  Canvas canvas;
+  CanvasDrawing drawing;
+};
+
+/// Also makes the job's output that of the pictures, which goes by the canvas, and the canvas' box on paper the page.
+DrawnCanvas canvas_of(const WholeResult& result, const PictureRequest& request, Job& job, DrawingObserver& observer) {
+  Drawers drawers(canvas_picture_settings(job));
+  const StopWatcher stop(observer, drawers);
+  Canvas canvas = load_canvas(job.canvas, drawers);
+  if (canvas_digest(canvas) != result.manifest.canvas_digest) {
+    const CanvasSpec& spec = job.canvas;
+    const std::string both = spec.file + (spec.file.empty() || spec.keep_out.empty() ? "" : " or ") + spec.keep_out;
+    throw InputError(both + ": another content than when the collage was made; put the file back to draw it");
+  }
+  shrink_box_to_page(job.canvas, canvas, drawers);
+  job.output = output_of(result, request, job.canvas, canvas);
+  check_picture_size(job.output, canvas);
+  CanvasDrawing drawing = draw_canvas(job, canvas, drawers);
+  return {std::move(canvas), std::move(drawing)};
+}
+
+std::vector<Placement> placements_of(const std::string& dir, const ResultManifest& manifest, std::size_t shapes) {
+  const std::vector<PlacedPiece> pieces = read_placed_pieces(dir);
+  if (pieces.size() != manifest.shapes.size()) {
+    throw InputError(path_in_result(dir, kManifestName) + ": not as many shapes as pieces.geojson has pieces");
+  }
+  std::vector<Placement> placements(pieces.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (index_of(manifest.shapes[i]) >= shapes) {
+      throw InputError(path_in_result(dir, kManifestName) + ": a shape that the library lacks");
+    }
+    placements[i].shape = manifest.shapes[i];
+    placements[i].canvas_from_shape = pieces[i].canvas_from_shape;
+  }
+  return placements;
+}
+
+std::vector<std::string> distinct(std::vector<std::string> colours) {
+  std::sort(colours.begin(), colours.end());
+  colours.erase(std::unique(colours.begin(), colours.end()), colours.end());
+  return colours;
+}
+
+InputError no_pdf(const std::string& dir, const std::string& harmony) {
+  return InputError(dir + ": colour.harmony: found \"" + harmony +
+                    "\" with a PDF, which has no means for it; allowed: " + "--set colour.harmony=" + kNoHarmony +
+                    ", or the PNG, TIFF and SVG");
+}
+
+/// Before anything is drawn.
+void check_can_be_drawn(const std::string& folder, const PictureRequest& request, const OutputSpec& output) {
+  const auto check = [&](bool wanted, const char* name) {
+    if (wanted) check_can_be_written(path_in_result(folder, name));
+  };
+  check(request.svg, "collage.svg");
+  check(request.png, "collage.png");
+  check(request.tiff, "collage.tiff");
+  check(request.pdf, "collage.pdf");
+  check(request.png && output.labels, "labels.png");
+}
+
+/// For a document of all drawings together, in which each of them has been drawn before.
+const DrawerSettings kWholeCollage{
+    .processes = 1, .seconds_per_drawing = 600, .bytes_per_process = std::size_t(4) << 30};
+
+/// Where the pictures go, and what the manifest of the result says of them.
+struct PictureFolder {
+  std::string path;
+  bool is_result = true;  // else there is no manifest in it
+};
+
+/// Draws one picture after the other; the manifest always tells which of them are there.
+class ResultPictures {
+ public:
+  ResultPictures(const PictureFolder& folder, const CollageReport& report, const ResultManifest& manifest,
+                 Drawers& drawers, const StopWatcher& stop, DrawingObserver& observer)
+      : dir_(folder.path),
+        is_result_(folder.is_result),
+        report_(report),
+        manifest_(manifest),
+        stop_(stop),
+        observer_(observer),
+        artworks_(report, drawers, stop) {}
+
+  void svg() {
+    begin("collage.svg");
+    write_file_atomically(path_in_result(dir_, "collage.svg"), drawn_svg("collage.svg"));
+    end("collage.svg");
+  }
+
+  /// Drawn once for both, and for who measures it, if anybody does.
+  void pixels(bool png, bool tiff, AfarMeasure* measure) {
+    std::vector<const char*> names;
+    if (png) names.push_back("collage.png");
+    if (tiff) names.push_back("collage.tiff");
+    for (const char* name : names) begin(name);
+    const std::size_t rows = std::size_t(picture_size_px(report_.job->output, *report_.canvas).height);
+    const PictureFormat format = picture_format(report_);
+    std::vector<std::unique_ptr<PictureFile>> owned;
+    if (png) owned.push_back(std::make_unique<PngStream>(path_in_result(dir_, "collage.png"), format));
+    if (tiff) owned.push_back(std::make_unique<TiffPyramid>(path_in_result(dir_, "collage.tiff"), format));
+    std::vector<PictureFile*> files;
+    for (const auto& file : owned) files.push_back(file.get());
+    if (measure) files.push_back(&measure->rows());
+    write_picture(report_, artworks_, files, stop_,
+                  [&](std::size_t done) { observer_.progressed(names.front(), done, rows); });
+    for (const char* name : names) end(name);
+  }
+
+  void labels() {
+    const PictureFormat format = label_format(report_);
+    begin("labels.png");
+    PngStream file(path_in_result(dir_, "labels.png"), format);
+    write_labels(report_, artworks_, file, stop_,
+                 [&](std::size_t done) { observer_.progressed("labels.png", done, std::size_t(format.size.height)); });
+    end("labels.png");
+  }
+
+  void pdf() {
+    begin("collage.pdf");
+    const std::string svg = drawn_svg("collage.pdf");
+    const std::span bytes(reinterpret_cast<const std::uint8_t*>(svg.data()), svg.size());
+    Drawers drawer(kWholeCollage);
+    const StopWatcher stop(observer_, drawer);
+    const std::vector<std::uint8_t> pdf = drawer.pdf_of_svg(bytes, width_pt());
+    stop_.check();
+    write_file_atomically(path_in_result(dir_, "collage.pdf"), pdf);
+    end("collage.pdf");
+  }
+
+  DrawingNotes notes() const { return artworks_.notes(); }
+
+ private:
+  /// Until the new picture is there, nothing is said about the one before.
+  void begin(const char* name) {
+    stop_.check();
+    if (std::erase_if(manifest_.pictures, [&](const DrawnPicture& p) { return p.file == name; }) > 0) tell();
+  }
+
+  void end(const char* name) {
+    manifest_.pictures.push_back({name, report_.job->output});
+    if (!manifest_.covered.empty()) manifest_.pictures.back().shift = report_.job->colour.shift;
+    manifest_.pictures.back().overlay = report_.job->colour.overlay;
+    manifest_.pictures.back().harmony = report_.harmony;
+    if (report_.colours != manifest_.colours) manifest_.pictures.back().colours = distinct(report_.colours);
+    tell();
+  }
+
+  void tell() const {
+    if (is_result_) write_manifest(dir_, manifest_);
+  }
+
+  double width_pt() const {
+    constexpr double kPointsPerInch = 72, kPxPerInch = 96;  // CSS
+    const OutputSpec& output = report_.job->output;
+    return kPointsPerInch * (output.width_mm == 0 ? output.width_px / kPxPerInch : output.width_mm / kMmPerInch);
+  }
+
+  std::string drawn_svg(const char* picture) {
+    std::mutex mutex;  // shapes are done in several threads
+    std::size_t done = 0;
+    std::string svg = collage_svg(report_, artworks_, [&] {
+      const std::lock_guard lock(mutex);
+      observer_.progressed(picture, ++done, report_.shapes.size());
+    });
+    stop_.check();
+    return svg;
+  }
+
+  const std::string dir_;
+  const bool is_result_;
+  const CollageReport& report_;
+  ResultManifest manifest_;
+  const StopWatcher& stop_;
+  DrawingObserver& observer_;
+  ShapeArtworks artworks_;
+};
+
+}  // namespace
+
+DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, DrawingObserver& observer) {
+  const Stopwatch watch;
+  const WholeResult result = read_result(dir);
+  const ResultManifest& manifest = result.manifest;
+  auto [job, other_colours] = job_of(result, request);
+  const std::string folder = request.to.empty() ? dir : request.to;
+  check_can_be_drawn(folder, request, job.output);
+  const std::vector<std::string> palette =
+      other_colours ? load_palette(job) : std::vector<std::string>();  // that of the job may be gone
+  Drawers drawers({.processes = available_cores()});
+  const StopWatcher stop(observer, drawers);
+  stop.check();
+  const LibraryView library = library_of(dir, job, manifest);
+  stop.check();
+  DrawnCanvas canvas = canvas_of(result, request, job, observer);
+  CollageReport report;
+  report.job = &job;
+  report.canvas = &canvas.canvas;
+  report.canvas_edge = std::move(canvas.drawing.edge);
+  report.keep_out = std::move(canvas.drawing.keep_out);
+  report.ground = job.output.background == kImageBackground ? image_background(dir, job.output, canvas.canvas)
+                                                            : std::move(canvas.drawing.ground);
+  report.overlay = image_overlay(dir, job.colour.overlay, canvas.canvas);
+  report.placements = placements_of(dir, manifest, library.size());
+  const LibraryParts parts{.outline = true, .field = true, .levels = 0, .artwork = true, .original = true};
+  report.shapes = read_placed_shapes(library, report.placements, parts, [&] { stop.check(); });
+  report.names_like_patterns = names_like_patterns(library, job);
+  report.covered = manifest.covered;
+  if (!other_colours) {
+    report.colours = manifest.colours;
+  } else if (draws_palette(job.colour, library)) {
+    report.colours = piece_colours(report, palette);
+  }
+  if (job.colour.shift > 0 && !report.covered.empty()) {
+    const std::vector<DrawnColours> drawn = drawn_colours(report.shapes, drawers);
+    report.tones = tones_towards_picture(report, drawn, shown_picture(dir), job.colour.shift);
+  }
+  harmonise(report, job.colour.harmony);
+  const auto is_turned = [](const Tone& tone) { return tone.turn_deg != 0; };
+  if (request.pdf && std::any_of(report.tones.begin(), report.tones.end(), is_turned)) {
+    throw no_pdf(dir, job.colour.harmony);
+  }
+  const bool is_result = request.to.empty();
+  const bool pixels = request.png || request.tiff;
+  std::optional<AfarMeasure> measure;
+  if (is_result && pixels && !job.colour.image.empty()) {
+    Drawers photo_drawer(photo_drawer_settings(1));
+    const StopWatcher photo_stop(observer, photo_drawer);
+    measure.emplace(report, photo_drawer);
+    photo_stop.check();
+  }
+  if (manifest.deformed) take_up_deformed_pieces(dir, report, [&] { stop.check(); });
+  ResultPictures pictures({folder, is_result}, report, manifest, drawers, stop, observer);
+  if (request.svg) pictures.svg();
+  if (pixels) pictures.pixels(request.png, request.tiff, measure ? &*measure : nullptr);
+  if (request.pdf) pictures.pdf();
+  if (request.png && job.output.labels) pictures.labels();
+  DrawingNotes notes = pictures.notes();
+  notes.layers = drawers.layers();
+  if (measure) notes.afar = measure->note();
+  notes.seconds = watch.seconds();
+  if (is_result) notes.cards = add_drawing_to_cards(dir, notes);
+  return notes;
+}
+
+}  // namespace tessera

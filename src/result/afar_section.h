@@ -1,0 +1,26 @@
+// How well a mosaic shows its picture from afar, as it stands in the cards and as `tessera card` prints it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/colour/seen_from_afar.h"
+
+namespace tessera {
+
+/// The figures that tell how well the drawn collage shows its picture from afar, or why there are none.
+struct AfarNote {
+  std::optional<SeenFromAfar> seen;
+  std::string not_measured;  // why there are no figures
+};
+
+/// Section "from_afar" of card.json (docs/result-format.md), as JSON.
+std::string afar_json(const AfarNote& note);
+
+/// The first line of afar_text().
+inline constexpr const char* kAfarHeading = "Seen from afar\n";
+
+/// A section of card.txt, lines of less than 80 characters but for names of files.
+std::string afar_text(const AfarNote& note);
+
+}  // namespace tessera

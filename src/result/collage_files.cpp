@@ -1,0 +1,144 @@
+#include "result/collage_files.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+#include "core/base/error.h"
+#include "core/collage/quality.h"
+#include "files/atomic_file.h"
+#include "job/pieces/job_library.h"
+#include "job/pieces/start_pieces.h"
+#include "job/pieces/wished_sizes.h"
+#include "files/output_folder.h"
+#include "result/card_output.h"
+#include "result/geojson_output.h"
+#include "result/result_manifest.h"
+#include "result/result_file.h"
+
+namespace tessera {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string in_directory(const std::string& dir, const char* name) { return (fs::path(dir) / name).string(); }
+
+Quality measured_quality(const CollageReport& report) {
+  std::vector<JudgedPiece> pieces =
+      judged_pieces(report.placements, [&](ShapeId id) -> const Shape& { return report.shape(id); });
+  for (std::size_t i = 0; i < report.styles.size(); ++i) pieces[i].style = report.styles[i];
+  return measure_quality(*report.canvas, pieces, wished_sizes(*report.job));
+}
+
+void remove_file(const std::string& path) {
+  std::error_code error;
+  fs::remove(path, error);
+  if (error) throw EnvironmentError("cannot remove " + path + ": " + error.message());
+}
+
+/// The result of the run before is none any more.
+void withdraw(const std::string& dir) {
+  remove_file(in_directory(dir, kManifestName));
+  remove_file(in_directory(dir, kShownPictureName));
+  for (const char* picture : kPictureNames) {
+    remove_file(in_directory(dir, picture));
+    remove_file(temporary_path(in_directory(dir, picture)));
+  }
+}
+
+ResultManifest manifest_of(const CollageReport& report, const CheckpointOrigin& origin, bool finished,
+                           const std::string& pieces, const std::string& job) {
+  ResultManifest manifest;
+  manifest.finished = finished;
+  manifest.pieces_digest = digest_text(pieces);
+  manifest.job_digest = digest_text(job);
+  manifest.library = library_text(*report.job);
+  manifest.library_digest = origin.library_digest;
+  manifest.canvas_digest = origin.canvas_digest;
+  manifest.overlay_digest = origin.overlay_digest;
+  manifest.start = start_file(*report.job);
+  manifest.start_digest = report.job->start.digest;
+  manifest.deformed = report.deformed.has_value();
+  if (report.deformed) {
+    manifest.shapes = report.deformed->shapes;
+  } else {
+    for (const Placement& placement : report.placements) manifest.shapes.push_back(placement.shape);
+  }
+  manifest.missing = pieces_of(report.missing);
+  manifest.colours = report.colours;
+  manifest.covered = report.covered;
+  return manifest;
+}
+
+/// Returns the text of the card.
+std::string write_cards(const std::string& dir, const CollageReport& report) {
+  const Quality quality = measured_quality(report);
+  const CollageSettings& settings = report.job->settings;
+  std::optional<DeformationFigures> deformation;
+  if (report.deformed) deformation = report.deformed->figures;
+  const std::string card = card_text(quality, report.statistics, settings, deformation, report.missing);
+  write_file_atomically(in_directory(dir, "card.json"), card_json(quality, report.statistics, settings, report.ranks,
+                                                                  report.record, deformation, report.missing));
+  write_file_atomically(in_directory(dir, "card.txt"), card);
+  return card;
+}
+
+}  // namespace
+
+void create_output_directory(const std::string& dir) {
+  std::error_code error;
+  fs::create_directories(dir, error);
+  if (error) throw EnvironmentError("cannot create the output directory " + dir + ": " + error.message());
+}
+
+void prepare_output_directory(const std::string& dir) {
+  create_output_directory(dir);
+  check_takes_files(dir);
+}
+
+void check_can_be_published(const std::string& dir) {
+  std::vector<const char*> names = {kManifestName, "pieces.geojson",  "job.toml",      "card.json",
+                                    "card.txt",    kShownPictureName, "checkpoint.h5", "checkpoint.previous.h5"};
+  names.insert(names.end(), std::begin(kPictureNames), std::end(kPictureNames));
+  for (const char* name : names) check_can_be_written(in_directory(dir, name));
+}
+
+void check_nothing_foreign_is_replaced(const std::string& dir, const std::string& job_file) {
+  const auto is_there = [&](const char* name) {
+    std::error_code error;
+    return fs::exists(fs::path(dir) / name, error);
+  };
+  std::error_code error;
+  if (fs::equivalent(fs::path(dir) / "job.toml", job_file, error) && !is_there(kManifestName)) {
+    throw InputError(dir + ": a result there would replace the job file " + job_file + "; give another --out");
+  }
+  constexpr const char* kOurs[] = {kManifestName, "run.log", "card.json", "checkpoint.h5", "checkpoint.previous.h5"};
+  if (std::any_of(std::begin(kOurs), std::end(kOurs), is_there)) return;
+  std::vector<const char*> names = {"pieces.geojson", "card.txt", "job.toml", kShownPictureName};
+  names.insert(names.end(), std::begin(kPictureNames), std::end(kPictureNames));
+  for (const char* name : names) {
+    if (!is_there(name)) continue;
+    throw InputError(in_directory(dir, name) +
+                     ": is there, and no run of tessera left it; give another --out, or remove it");
+  }
+}
+
+std::string publish_result(const std::string& dir, const CollageReport& report, const CheckpointOrigin& origin,
+                           bool finished) {
+  withdraw(dir);
+  const std::string pieces = geojson_text(report);
+  const std::string job = to_toml(*report.job);
+  write_file_atomically(in_directory(dir, "pieces.geojson"), pieces);
+  write_file_atomically(in_directory(dir, "job.toml"), job);
+  if (report.job->shown_png) write_file_atomically(in_directory(dir, kShownPictureName), *report.job->shown_png);
+  const ResultManifest manifest = manifest_of(report, origin, finished, pieces, job);
+  if (!finished) {
+    for (const char* card : {"card.json", "card.txt"}) remove_file(in_directory(dir, card));
+    write_manifest(dir, manifest);
+  }
+  const std::string card = write_cards(dir, report);
+  if (finished) write_manifest(dir, manifest);
+  return card;
+}
+
+}  // namespace tessera

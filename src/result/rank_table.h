@@ -1,0 +1,43 @@
+// Where the ranks of a run spent their time, and what they sent: the table at its end, and a section of card.json.
+#pragma once
+
+#include <algorithm>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "core/ranks/rank_statistics.h"
+
+namespace tessera {
+
+/// How one figure differs over the workers.
+struct Spread {
+  double min = 0;
+  double average = 0;
+  double max = 0;
+
+  /// How much longer all wait for the slowest than for an average one, percent; 0 where nothing was measured.
+  double imbalance_percent() const { return average > 0 ? 100 * (max / average - 1) : 0; }
+};
+
+/// There is at least one worker.
+template <class Figure>
+Spread spread_of(const std::vector<WorkerTimes>& workers, Figure figure) {
+  Spread spread{figure(workers.front()), 0, figure(workers.front())};
+  for (const WorkerTimes& worker : workers) {
+    const double value = figure(worker);
+    spread.min = std::min(spread.min, value);
+    spread.average += value / double(workers.size());
+    spread.max = std::max(spread.max, value);
+  }
+  return spread;
+}
+
+/// A line for each stage: least, average and greatest seconds over the workers, share of the loop, imbalance; then the
+/// master's stages, then messages. Lines of less than 80 characters. Empty where there was no worker.
+std::string ranks_text(const RankStatistics& ranks);
+
+/// The same for programs. Its keys differ from those of the card's other sections.
+nlohmann::ordered_json ranks_json(const RankStatistics& ranks);
+
+}  // namespace tessera

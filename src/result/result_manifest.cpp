@@ -1,0 +1,188 @@
+#include "result/result_manifest.h"
+
+#include <charconv>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "core/base/digest.h"
+#include "core/base/error.h"
+#include "files/atomic_file.h"
+#include "job/picture_size.h"
+#include "result/result_file.h"
+
+namespace tessera {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+using ReadJson = nlohmann::json;  // an ordered one would take very long for an object of very many members
+
+constexpr int kFormat = 1;
+/// A list of shapes and two of colours, of some hundred thousand pieces.
+constexpr JsonBounds kBounds{.values = 2'000'000, .levels = 32};
+
+std::string hex(std::uint64_t value) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
+  return text;
+}
+
+std::uint64_t number(const std::string& hex_digits) {
+  std::uint64_t value = 0;
+  const char* end = hex_digits.data() + hex_digits.size();
+  const auto [at, error] = std::from_chars(hex_digits.data(), end, value, 16);
+  if (error != std::errc() || at != end) throw InputError("\"" + hex_digits + "\" is no digest");
+  return value;
+}
+
+void check_colours(const std::vector<std::string>& colours, std::size_t pieces, bool may_be_none) {
+  if (colours.empty()) return;
+  if (colours.size() != pieces) throw InputError("not as many colours as pieces");
+  for (const std::string& text : colours) {
+    if (may_be_none && text.empty()) continue;
+    if (text.size() != 7 || text[0] != '#' || text.find_first_not_of("0123456789abcdef", 1) != text.npos)
+      throw InputError("found the colour \"" + text.substr(0, 20) + "\", allowed: #rrggbb");
+  }
+}
+
+Json to_json(const DrawnPicture& picture) {
+  const OutputSpec& output = picture.output;
+  Json json{{"file", picture.file},
+            {"width_px", picture_width_px(output)},
+            {"width_mm", output.width_mm},
+            {"dpi", output.dpi},
+            {"background", output.background},
+            {"outline_px", output.outline_px},
+            {"outline_colour", output.outline_colour},
+            {"shadow_strength", output.shadow_strength},
+            {"shadow_offset_px", output.shadow_offset_px},
+            {"shadow_blur_px", output.shadow_blur_px},
+            {"clip", output.clip},
+            {"keep_out", output.keep_out},
+            {"ground", output.ground},
+            {"ground_px", output.ground_px}};
+  if (output.background == kImageBackground) json["background_light"] = output.background_light;
+  if (picture.shift > 0) json["shift"] = picture.shift;
+  if (picture.overlay > 0) json["overlay"] = picture.overlay;
+  if (picture.harmony) {
+    json["harmony"] = {{"template", letter_of(picture.harmony->form)}, {"angle_deg", picture.harmony->angle_deg}};
+  }
+  if (picture.colours) json["palette"] = *picture.colours;
+  return json;
+}
+
+Harmony harmony_from_json(const ReadJson& harmony) {
+  return {template_of(harmony.at("template").get<std::string>()), harmony.at("angle_deg")};
+}
+
+/// Results of earlier versions say less: then it is as the defaults are.
+OutputSpec output_from_json(const ReadJson& picture) {
+  OutputSpec output;
+  output.width_px = picture.at("width_px");
+  output.width_mm = picture.value("width_mm", output.width_mm);
+  output.dpi = picture.value("dpi", output.dpi);
+  output.background = picture.at("background");
+  output.background_light = picture.value("background_light", output.background_light);
+  output.outline_px = picture.value("outline_px", output.outline_px);
+  output.outline_colour = picture.value("outline_colour", output.outline_colour);
+  output.shadow_strength = picture.value("shadow_strength", output.shadow_strength);
+  if (picture.contains("shadow_offset_px")) picture.at("shadow_offset_px").get_to(output.shadow_offset_px);
+  output.shadow_blur_px = picture.value("shadow_blur_px", output.shadow_blur_px);
+  output.clip = picture.value("clip", output.clip);
+  output.keep_out = picture.value("keep_out", output.keep_out);
+  output.ground = picture.value("ground", output.ground);
+  output.ground_px = picture.value("ground_px", output.ground_px);
+  return output;
+}
+
+ResultManifest from_json(const ReadJson& json) {
+  if (json.at("format") != kFormat) throw InputError("another format than " + std::to_string(kFormat));
+  ResultManifest manifest;
+  manifest.finished = json.at("state") == "finished";
+  manifest.pieces_digest = json.at("pieces").at("digest");
+  manifest.shapes = json.at("pieces").at("shapes").get<std::vector<ShapeId>>();
+  manifest.missing = json.at("pieces").value("missing", std::uint64_t(0));
+  manifest.deformed = json.at("pieces").value("deformed", false);
+  manifest.job_digest = json.at("job").at("digest");
+  manifest.library = json.at("library").at("file");
+  manifest.library_digest = number(json.at("library").at("digest"));
+  manifest.canvas_digest = number(json.at("canvas").at("digest"));
+  if (json.contains("overlays")) manifest.overlay_digest = number(json.at("overlays").at("digest"));
+  if (json.contains("start")) {
+    manifest.start = json.at("start").at("pieces");
+    manifest.start_digest = number(json.at("start").at("digest"));
+  }
+  if (json.contains("colours")) manifest.colours = json.at("colours").get<std::vector<std::string>>();
+  if (json.contains("covered")) manifest.covered = json.at("covered").get<std::vector<std::string>>();
+  check_colours(manifest.colours, manifest.shapes.size(), false);
+  check_colours(manifest.covered, manifest.shapes.size(), true);
+  for (const ReadJson& picture : json.at("pictures")) {
+    manifest.pictures.push_back({picture.at("file"), output_from_json(picture)});
+    manifest.pictures.back().shift = picture.value("shift", 0.);
+    manifest.pictures.back().overlay = picture.value("overlay", 0.);
+    if (picture.contains("harmony")) manifest.pictures.back().harmony = harmony_from_json(picture.at("harmony"));
+    if (picture.contains("palette"))
+      manifest.pictures.back().colours = picture.at("palette").get<std::vector<std::string>>();
+  }
+  return manifest;
+}
+
+ResultManifest parsed(const std::string& dir) {
+  const std::string bytes = read_result_json(dir, kManifestName, kBounds);
+  const std::string path = path_in_result(dir, kManifestName);
+  try {
+    return from_json(ReadJson::parse(bytes));
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(path + ": not a manifest of tessera collage: " + error.what());
+  } catch (const InputError& error) {
+    throw InputError(path + ": " + error.what());
+  }
+}
+
+void check_digest(const std::string& dir, const char* name, const std::string& expected) {
+  FileBlocks blocks = open_result_file(dir, name, kMostPiecesBytes);
+  while (!blocks.next().empty()) {
+  }
+  if (hex(blocks.digest()) == expected) return;
+  throw InputError(path_in_result(dir, name) + ": not the file that " + kManifestName + " was written with");
+}
+
+}  // namespace
+
+std::string digest_text(const std::string& bytes) {
+  Digest digest;
+  digest.add_all(std::span(bytes));
+  return hex(digest.value());
+}
+
+void write_manifest(const std::string& dir, const ResultManifest& manifest) {
+  Json pictures = Json::array();
+  for (const DrawnPicture& picture : manifest.pictures) {
+    pictures.push_back(to_json(picture));
+  }
+  Json json{{"format", kFormat},
+            {"state", manifest.finished ? "finished" : "unfinished"},
+            {"pieces", {{"digest", manifest.pieces_digest}, {"shapes", manifest.shapes}}},
+            {"job", {{"digest", manifest.job_digest}}},
+            {"library", {{"file", manifest.library}, {"digest", hex(manifest.library_digest)}}},
+            {"canvas", {{"digest", hex(manifest.canvas_digest)}}},
+            {"pictures", pictures}};
+  if (manifest.missing > 0) json["pieces"]["missing"] = manifest.missing;
+  if (manifest.deformed) json["pieces"]["deformed"] = true;
+  if (manifest.overlay_digest != 0) json["overlays"] = {{"digest", hex(manifest.overlay_digest)}};
+  if (!manifest.start.empty()) json["start"] = {{"pieces", manifest.start}, {"digest", hex(manifest.start_digest)}};
+  if (!manifest.colours.empty()) json["colours"] = manifest.colours;
+  if (!manifest.covered.empty()) json["covered"] = manifest.covered;
+  write_file_atomically(path_in_result(dir, kManifestName),
+                        json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+ResultManifest read_manifest(const std::string& dir) {
+  ResultManifest manifest = parsed(dir);
+  check_digest(dir, "pieces.geojson", manifest.pieces_digest);
+  check_digest(dir, "job.toml", manifest.job_digest);
+  return manifest;
+}
+
+}  // namespace tessera

@@ -1,0 +1,140 @@
+#include "run/campaign_run.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+
+#include "run/collage_run.h"
+#include "run/ranking_run.h"
+#include "terminal/terminal.h"
+#include "comm/stop_signals.h"
+#include "core/base/error.h"
+#include "job/job_file.h"
+#include "job/pieces/variations.h"
+#include "text/number_text.h"
+#include "files/output_lock.h"
+#include "result/card_input.h"
+#include "result/collage_files.h"
+#include "result/finished_result.h"
+
+namespace tessera {
+namespace {
+
+struct Task {
+  Variation variation;
+  std::string folder;
+  std::optional<CollageEnd> end;  // that it had before this campaign; nothing: it is open
+};
+
+std::string campaign_folder(const CampaignArguments& arguments) {
+  if (!arguments.out.empty()) return arguments.out;
+  return "out/" + std::filesystem::path(arguments.job).stem().string() + "-campaign";
+}
+
+/// How the run in this folder ended, if its collage is computed and drawn. Throws InputError where the folder holds the
+/// finished result of another job, which would be lost.
+std::optional<CollageEnd> earlier_end(const std::string& folder, const Job& job) {
+  const EarlierResult earlier = find_earlier_result(folder);
+  if (!is_finished_result_of(earlier, job) || !earlier.whole->drawn) return {};
+  return end_of_finished(earlier.whole->manifest);
+}
+
+/// All jobs are read before the first is begun, so that a mistake in the last shows at once.
+std::vector<Task> tasks_of(const CampaignArguments& arguments) {
+  std::vector<Task> tasks;
+  for (Variation& variation : make_variations(arguments.seeds, arguments.sets)) {
+    const Job job = load_job(arguments.job, variation.overrides);
+    const std::string folder = (std::filesystem::path(campaign_folder(arguments)) / variation.name).string();
+    tasks.push_back({std::move(variation), folder, earlier_end(folder, job)});
+  }
+  return tasks;
+}
+
+/// Folders that an earlier campaign left, or whoever else: before hours of work.
+void check_can_be_made(const std::vector<Task>& tasks) {
+  std::error_code error;
+  for (const Task& task : tasks) {
+    if (task.end || !std::filesystem::exists(task.folder, error)) continue;
+    prepare_output_directory(task.folder);
+    check_can_be_published(task.folder);
+  }
+}
+
+/// For scripts: a line a collage with tabs between state, folder and the values for --set.
+void print_list(const std::vector<Task>& tasks) {
+  for (const Task& task : tasks) {
+    std::vector<std::string> cells = {task.end ? "finished" : "open", task.folder};
+    cells.insert(cells.end(), task.variation.overrides.begin(), task.variation.overrides.end());
+    print_cells(cells);
+  }
+}
+
+/// The collage is there without its card, too.
+std::string measures_in(const std::string& folder) {
+  try {
+    const ResultCard card = read_card(folder);
+    return fixed(100 * card.quality.coverage, 2) + " % covered, " + fixed(card.total_s, 1) + " s";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+void print_result(const Task& task, CollageEnd end, std::size_t number, std::size_t of) {
+  print_line("%zu/%zu  %s: %s%s%s", number, of, task.variation.name.c_str(), measures_in(task.folder).c_str(),
+             end == CollageEnd::incomplete ? ", pieces are missing" : "", task.end ? ", finished before" : "");
+  print_now();
+}
+
+/// What an earlier campaign left unfinished goes on from its checkpoint, or is drawn.
+CollageArguments collage_of(const CampaignArguments& arguments, const Task& task) {
+  CollageArguments collage;
+  collage.job = arguments.job;
+  collage.out = task.folder;
+  collage.overrides = task.variation.overrides;
+  collage.quiet = true;
+  collage.resume = "auto";
+  return collage;
+}
+
+/// The exit code of all collages together: an incomplete one ends none of the others, an interrupted one ends the
+/// campaign.
+int make_all(const CampaignArguments& arguments, const std::vector<Task>& tasks, comm::Communicator& ranks) {
+  int exit_code = kDoneExitCode;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    if (tasks[i].end) remove_stale_lock(folder_lock_path(tasks[i].folder));  // of a campaign that was killed
+    const CollageEnd end = tasks[i].end ? *tasks[i].end : run_collage(collage_of(arguments, tasks[i]), ranks);
+    if (!is_finished(end)) return kUnfinishedExitCode;
+    if (end == CollageEnd::incomplete) exit_code = kIncompleteExitCode;
+    print_result(tasks[i], end, i + 1, tasks.size());
+  }
+  return comm::stop_signalled() ? kUnfinishedExitCode : exit_code;
+}
+
+}  // namespace
+
+int run_campaign(const CampaignArguments& arguments, comm::Communicator& ranks) {
+  if (ranks.size() > 1) {
+    throw InputError("campaign: found " + std::to_string(ranks.size()) +
+                     " ranks, allowed: 1; over more ranks slurm/campaign.sh makes an array of jobs");
+  }
+  const std::vector<Task> tasks = tasks_of(arguments);
+  if (arguments.list) {
+    print_list(tasks);
+    return 0;
+  }
+  prepare_output_directory(campaign_folder(arguments));
+  const OutputLock lock(folder_lock_path(campaign_folder(arguments)), campaign_folder(arguments));
+  check_can_be_made(tasks);
+  check_ranking_can_be_written(campaign_folder(arguments));
+  const int made = make_all(arguments, tasks, ranks);
+  if (made == kUnfinishedExitCode) {
+    print_message("unfinished: the same command goes on where this one was");
+    return kUnfinishedExitCode;
+  }
+  RankingArguments ranking{.folders = {}, .out = campaign_folder(arguments), .weights = arguments.weights};
+  for (const Task& task : tasks) ranking.folders.push_back(task.folder);
+  const int ranked = run_ranking(ranking);
+  return ranked == kDoneExitCode ? made : ranked;
+}
+
+}  // namespace tessera

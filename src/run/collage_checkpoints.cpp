@@ -1,0 +1,118 @@
+#include "run/collage_checkpoints.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "terminal/terminal.h"
+#include "core/base/error.h"
+
+namespace tessera {
+namespace {
+
+constexpr const char* kStartAgain = "--restart removes it and starts again";
+
+/// Throws InputError.
+CheckpointState read_matching(const std::string& path, const CheckpointOrigin& origin) {
+  const Checkpoint checkpoint = read_checkpoint(path);
+  check_origin(checkpoint, origin);
+  return checkpoint.state;
+}
+
+bool is_good(const std::string& path, const CheckpointOrigin& origin) {
+  try {
+    read_matching(path, origin);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+/// What to do about a checkpoint that cannot be used.
+std::string ways_out(const CheckpointFolder& folder, Start start, const CheckpointOrigin& origin) {
+  std::string text;
+  if (start == Start::resume && is_good(folder.previous(), origin)) {
+    text = "; " + folder.previous() + " is good: --resume=previous goes on from it";
+  }
+  if (start == Start::resume_previous && is_good(folder.latest(), origin)) {
+    text = "; " + folder.latest() + " is good: --resume goes on from it";
+  }
+  return text + "; " + kStartAgain;
+}
+
+struct Found {
+  std::string path;
+  std::string option;  // that goes on from it
+  bool there;
+};
+
+/// `damage`: why the result in the folder is not one that was finished.
+void require(const Found& wanted, const Found& other, const std::string& damage) {
+  if (wanted.there) return;
+  throw InputError(wanted.path + ": no such file" +
+                   (other.there ? "; " + other.path + " is there: " + other.option + " goes on from it"
+                                : ", nothing to go on with (a finished run removes it); leave --resume out to start") +
+                   (damage.empty() ? "" : "; the result in its folder is not whole: " + damage));
+}
+
+}  // namespace
+
+Start automatic_start(const EarlierResult& earlier) {
+  const CheckpointFolder folder(earlier.folder);
+  if (folder.has_latest() || earlier.finished()) return Start::resume;
+  return folder.has_previous() ? Start::resume_previous : Start::fresh;
+}
+
+CheckpointFolder checked_start(const EarlierResult& earlier, Start start) {
+  CheckpointFolder folder(earlier.folder);
+  const Found latest{folder.latest(), "--resume", folder.has_latest()};
+  const Found previous{folder.previous(), "--resume=previous", folder.has_previous()};
+  if (start == Start::resume && !earlier.finished()) require(latest, previous, earlier.damage);
+  if (start == Start::resume_previous) require(previous, latest, earlier.damage);
+  if (start == Start::fresh && (latest.there || previous.there)) {
+    const Found& best = latest.there ? latest : previous;
+    throw InputError(best.path + ": unfinished work; " + best.option + " goes on with it, " + kStartAgain);
+  }
+  return folder;
+}
+
+std::optional<CheckpointState> starting_state(const CheckpointFolder& folder, Start start,
+                                              const CheckpointOrigin& origin) {
+  if (start == Start::fresh || start == Start::restart) return {};
+  try {
+    return read_matching(start == Start::resume ? folder.latest() : folder.previous(), origin);
+  } catch (const InputError& error) {
+    throw InputError(error.what() + ways_out(folder, start, origin));
+  }
+}
+
+CollageCheckpoints::CollageCheckpoints(const CheckpointFolder& folder, const CheckpointOrigin& origin)
+    : folder_(folder),
+      origin_(origin) {}
+
+bool CollageCheckpoints::due() {
+  const double every_s = origin_.job->checkpoint.every_s;
+  return every_s > 0 && since_latest_.seconds() >= every_s;
+}
+
+void CollageCheckpoints::keep(const CheckpointState& state) {
+  try {
+    folder_.keep(checkpoint_bytes(make_checkpoint(origin_, state)));
+  } catch (const EnvironmentError& error) {
+    if (failure_.empty()) {
+      const bool after_bar = isatty(STDERR_FILENO) == 1;
+      if (after_bar) std::fputc('\n', stderr);
+      print_message(std::string("warning: no checkpoint: ") + error.what() + "; going on without");
+    }
+    failure_ = error.what();
+  }
+  since_latest_.lap();
+}
+
+std::string CollageCheckpoints::warning() const { return failure_.empty() ? "" : "no checkpoint: " + failure_; }
+
+void CollageCheckpoints::require_one() const {
+  if (!folder_.has_latest()) throw EnvironmentError("unfinished, and without a checkpoint: " + failure_);
+}
+
+}  // namespace tessera

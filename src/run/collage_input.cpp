@@ -1,0 +1,80 @@
+#include "run/collage_input.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "run/checked_job.h"
+#include "run/refined_result.h"
+#include "job/palette.h"
+#include "job/pieces/start_pieces.h"
+#include "result/collage_files.h"
+
+namespace tessera {
+namespace {
+
+Start start_of(const CollageArguments& arguments, const EarlierResult& earlier) {
+  if (arguments.restart) return Start::restart;
+  if (arguments.resume.empty()) return Start::fresh;
+  if (arguments.resume == "auto") return automatic_start(earlier);
+  return arguments.resume == "previous" ? Start::resume_previous : Start::resume;
+}
+
+Job job_of(const CollageArguments& arguments) {
+  Job job = load_job(arguments.job, arguments.overrides);
+  return arguments.refined ? with_pieces_of(*arguments.refined, std::move(job)) : job;
+}
+
+/// Where there is no folder, mistakes show before it is made.
+CheckpointFolder checkpoints_in(const EarlierResult& earlier, Start start) {
+  return std::filesystem::exists(earlier.folder) ? CheckpointFolder(earlier.folder) : checked_start(earlier, start);
+}
+
+CheckpointOrigin checked_origin(const CollageArguments& arguments, const Job& job,
+                                    const ShapeLibrary& library, const Canvas& canvas) {
+  const CheckpointOrigin origin = make_origin(job, library, canvas);
+  if (arguments.refined) check_is_the_same_collage(*arguments.refined, origin);
+  return origin;
+}
+
+/// The folder is there then. Returns the place of its lock.
+std::string locked_folder(const std::string& folder) {
+  create_output_directory(folder);
+  return folder_lock_path(folder);
+}
+
+}  // namespace
+
+std::string output_folder(const CollageArguments& arguments) {
+  if (!arguments.out.empty()) return arguments.out;
+  return "out/" + std::filesystem::path(arguments.job).stem().string();
+}
+
+CollageInput::CollageInput(const CollageArguments& arguments)
+    : job(job_of(arguments)),
+      folder(output_folder(arguments)),
+      earlier{.folder = folder, .whole = {}, .damage = {}},  // what is in a folder counts when it is locked
+      start(start_of(arguments, earlier)),
+      checkpoints(checkpoints_in(earlier, start)),
+      library(checked_library(job)),
+      palette(load_palette(job)),
+      canvas(checked_canvas(library, job)),
+      origin(checked_origin(arguments, job, library, canvas)),
+      lock(locked_folder(folder), folder) {
+  keep_removed_from_coming_back(library, canvas, job);
+  room_part = limit_to_room(library, job, canvas);
+  check_start_is_elsewhere(job, folder);
+  check_nothing_foreign_is_replaced(folder, arguments.job);
+  prepare_output_directory(folder);
+  earlier = find_earlier_result(folder);
+  start = start_of(arguments, earlier);
+  checkpoints = checked_start(earlier, start);
+  finished = start == Start::resume && !checkpoints.has_latest();
+  if (finished) {
+    check_finished_result(earlier, origin);
+  } else {
+    from = starting_state(checkpoints, start, origin);
+  }
+  check_can_be_published(folder);
+}
+
+}  // namespace tessera

@@ -1,0 +1,50 @@
+// What is kept about a run of tessera collage: a record for the card, and a line in run.log for each event. Warnings go
+// to stderr as well.
+#pragma once
+
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "core/base/interrupted.h"
+#include "core/collage/checkpoint_state.h"
+#include "result/run_log.h"
+#include "result/run_record.h"
+
+namespace tessera {
+
+class CollageJournal {
+ public:
+  /// `record`: what is known of the run when it starts.
+  CollageJournal(const std::string& folder, RunRecord record);
+
+  /// Notes where all ranks run, the master's first.
+  void ranks_are(std::vector<RankSite> sites);
+  void resumed(const CheckpointState& from);
+  /// Does nothing where the warning is empty.
+  void warn(const std::string& warning);
+  /// The same for what stands on stderr already.
+  void keep_warning(const std::string& warning);
+  /// The placements are complete as far as they go. Returns the record for the card.
+  const RunRecord& ended(const std::string& stopped_by, std::size_t pieces);
+
+  /// Does `work` and returns what it gives; an error that ends it is written down before it is passed on.
+  template <class Work>
+  auto watch(Work work) {
+    try {
+      return work();
+    } catch (const Interrupted& interrupted) {
+      log_.info(std::string("end: stopped by ") + interrupted.reason + " before the first round");
+      throw;
+    } catch (const std::exception& error) {
+      log_.error(error.what());
+      throw;
+    }
+  }
+
+ private:
+  RunLog log_;
+  RunRecord record_;
+};
+
+}  // namespace tessera

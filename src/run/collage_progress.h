@@ -1,0 +1,35 @@
+// What the user sees of the collage's loop, and how a signal or a time limit ends it.
+#pragma once
+
+#include <optional>
+
+#include "run/coverage_history.h"
+#include "terminal/progress_bar.h"
+#include "run/time_estimate.h"
+#include "run/time_limit.h"
+#include "core/settings/settings.h"
+#include "master/progress.h"
+
+namespace tessera {
+
+class CollageProgress : public master::Observer {
+ public:
+  /// `quiet`: shows nothing, but still obeys signals (comm/stop_signals.h) and the limit.
+  CollageProgress(const CollageSettings& settings, bool quiet, const TimeLimit& limit = TimeLimit());
+
+  void progressed(const master::Progress& progress) override;
+  const char* stop_requested() override;
+
+  const CoverageHistory& history() const { return history_; }
+
+ private:
+  TimeEstimate estimate_;
+  TimeLimit limit_;
+  CoverageHistory history_;
+  std::optional<ProgressBar> bar_;
+};
+
+/// "123 pieces, 45.6 % covered, 12.3 pieces/s"; in later attempts (fit = "all") which one instead of the rate.
+std::string progress_note(const master::Progress& progress);
+
+}  // namespace tessera

@@ -1,0 +1,27 @@
+// The end of the loop of tessera collage: its placements become the result.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "run/collage_checkpoints.h"
+#include "run/collage_input.h"
+#include "core/ranks/rank_statistics.h"
+#include "result/missing_shape.h"
+#include "result/run_record.h"
+#include "master/collage_loop.h"
+
+namespace tessera {
+
+/// Whether the run was ended before its first piece, and the folder holds a finished collage, which an empty result
+/// must not replace.
+bool leaves_older_result(const CollageInput& input, const master::CollageResult& result);
+
+/// Writes all but the pictures, then removes the checkpoints of a finished run: at every moment the folder holds what
+/// the run came to. Returns the text of the card. Throws EnvironmentError, also where an unfinished run has no
+/// checkpoint.
+std::string publish(const CollageInput& input, const master::CollageResult& result,
+                    const std::vector<MissingShape>& missing, const RankStatistics& ranks,
+                    const RunRecord& record, const CollageCheckpoints& checkpoints);
+
+}  // namespace tessera

@@ -1,0 +1,244 @@
+#include "run/collage_run.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "run/collage_checkpoints.h"
+#include "run/collage_input.h"
+#include "run/collage_journal.h"
+#include "run/collage_progress.h"
+#include "run/collage_publishing.h"
+#include "run/messages/collage_warnings.h"
+#include "run/collage_worker.h"
+#include "run/command_line.h"
+#include "run/rank_agreement.h"
+#include "run/result_drawing_run.h"
+#include "terminal/terminal.h"
+#include "run/time_limit.h"
+#include "run/unplaced_pieces.h"
+#include "comm/loop_clock.h"
+#include "comm/rank_sites.h"
+#include "comm/replacer_team.h"
+#include "comm/stop_signals.h"
+#include "comm/worker_team.h"
+#include "core/base/count_text.h"
+#include "core/base/error.h"
+#include "core/base/interrupted.h"
+#include "core/base/version.h"
+#include "core/matching/sized_settings.h"
+#include "job/pieces/job_library.h"
+#include "library/library_shapes.h"
+#include "library/one_colour.h"
+#include "result/rank_table.h"
+#include "text/utc_time.h"
+#include "master/collage_loop.h"
+
+namespace tessera {
+namespace {
+
+void say(const CollageArguments& arguments, const std::string& text) {
+  if (!arguments.quiet) print_lines(text + "\n");
+}
+
+/// Nothing where mpirun is ending the job, or a question was given up: workers may be gone, or busy with it.
+RankStatistics times_of(comm::LoopClock& clock, const master::CollageResult& result) {
+  if (comm::stop_signalled() || result.gave_up_question) return {};
+  try {
+    return clock.stop(result.own_work);
+  } catch (const Interrupted&) {
+    return {};
+  }
+}
+
+RunRecord record_of(const CollageInput& input) {
+  RunRecord record;
+  record.version = program_version();
+  record.commit = program_commit();
+  record.command_line = own_command_line();
+  record.job_file = std::filesystem::absolute(input.job.path).string();
+  record.library_file = library_text(input.job);
+  record.library_digest = input.origin.library_digest;
+  record.started_utc = utc_now();
+  return record;
+}
+
+/// A rank that does not say goodbye is waited for (rank_program.cpp), then killed by mpirun: each takes two seconds.
+double leaving_s(const comm::Communicator& ranks) { return ranks.size() > 1 ? 4 : 0; }
+
+/// Signals and the time limit hold from here on, whatever this rank waits for; so does the watch over the workers.
+StopReason watch_waits(comm::Communicator& ranks, const Job& job, const TimeLimit& limit,
+                       const std::shared_ptr<CollageJournal>& journal) {
+  comm::install_stop_handlers();
+  const StopReason stop_reason = [limit, leaving_s = leaving_s(ranks)]() -> const char* {
+    if (comm::stop_signalled()) return "signal";
+    return limit.round_over(leaving_s) ? "time_limit" : nullptr;
+  };
+  ranks.interrupt_waits_when(stop_reason);
+  ranks.watch_workers(job.comm.silence_s, [journal](const std::string& line) {
+    journal->warn(line + " (comm.silence_s): the run ends here");
+  });
+  return stop_reason;
+}
+
+/// As of the room that is filled: improving it takes as large a part.
+CollageSettings settings_of(const CollageInput& input) {
+  CollageSettings settings = with_sizes_times(input.job.size_factor, input.job.settings);
+  settings.improve.trials = int(std::ceil(double(settings.improve.trials) * input.room_part));
+  settings.improve.seconds *= input.room_part;
+  return settings;
+}
+
+master::CollageResult run_loop(const CollageArguments& arguments, const CollageInput& input, const TimeLimit& limit,
+                               Matcher& matcher, Replacer& replacer, ShapeSource& shapes,
+                               CollageCheckpoints& checkpoints) {
+  const CheckpointState* from = input.from ? &*input.from : nullptr;
+  if (from) say(arguments, "going on from " + from->name + ", " + count_text(from->placements.size(), "piece"));
+  const CollageSettings settings = settings_of(input);
+  CollageProgress progress(settings, arguments.quiet, limit);
+  master::CollageResult result =
+      master::make_collage(input.canvas, settings, matcher, shapes, progress, {from, &checkpoints}, &replacer);
+  result.statistics.last_tenth = progress.history().gained_in_last_tenth(result.statistics.total_s);
+  return result;
+}
+
+bool relaxes(const CollageArguments& arguments) { return arguments.refined && arguments.refined->relaxes; }
+
+/// The warning of keys that do nothing in this job. A result that is refined was warned of its keys when it was run: the
+/// warning is empty unless it says something else now.
+std::string idle_keys_warning_of(const CollageArguments& arguments, const Job& job) {
+  const std::string warning = idle_keys_warning(job);
+  if (arguments.refined && warning == idle_keys_warning(arguments.refined->whole.job)) return "";
+  return warning;
+}
+
+std::string standing_warning_of(const CollageInput& input) {
+  if (input.job.settings.wishes.given.empty()) return "";
+  constexpr LibraryParts kOutlines{.outline = true, .field = false, .levels = 0, .artwork = false};
+  std::map<ShapeId, Shape> read;
+  return standing_warning(input.job, input.canvas, [&](ShapeId id) -> const Shape& {
+    const auto [at, is_new] = read.try_emplace(id);
+    if (is_new) at->second = std::move(input.library.read(index_of(id), index_of(id) + 1, kOutlines).front());
+    return at->second;
+  });
+}
+
+std::string unable_library_warning_of(const CollageArguments& arguments, const CollageInput& input) {
+  const bool was_told = arguments.refined && arguments.refined->whole.job.colour.image == input.job.colour.image;
+  if (input.job.colour.image.empty() || was_told) return "";
+  return unable_library_warning(input.job, input.library.size(), is_of_one_colour(input.library));
+}
+
+/// A canvas of which only the room of removed pieces is filled says nothing of the drawing; the result that is refined
+/// was warned.
+std::string outline_alone_warning_of(const CollageArguments& arguments, const CollageInput& input) {
+  return arguments.refined || input.room_part < 1 ? "" : outline_alone_warning(input.job, input.canvas);
+}
+
+/// From the empty canvas or a checkpoint to the result without its pictures.
+CollageEnd compute(const CollageArguments& arguments, const CollageInput& input, const TimeLimit& limit,
+                   comm::Communicator& ranks, const std::shared_ptr<CollageJournal>& journal) {
+  // Before it is too late, but no question: whoever edits a job and runs it again wants just that.
+  journal->warn(replaced_result_warning(input.earlier, input.job));
+  journal->warn(idle_keys_warning_of(arguments, input.job));
+  journal->warn(unable_library_warning_of(arguments, input));
+  journal->warn(outline_alone_warning_of(arguments, input));
+  if (!arguments.refined) journal->warn(standing_warning_of(input));  // a result's pieces lie as it put them
+  if (relaxes(arguments)) journal->warn(idle_relaxing_warning(input.job));
+  journal->warn(short_limit_warning(limit.seconds(), leaving_s(ranks)));
+  if (input.from) journal->resumed(*input.from);
+  const StopReason stop_reason = watch_waits(ranks, input.job, limit, journal);
+  announce_run(ranks, program_identity(), input.job, input.origin.library_digest);
+  announce_overlays(ranks, input.job);
+  const SitedMatcher matching =
+      ranks.size() > 1 ? workers_matcher(ranks) : own_matcher(input.job, input.library, stop_reason);
+  LibraryShapes shapes(input.library);
+  const std::unique_ptr<Replacer> replacer =
+      ranks.size() > 1 ? comm::gather_replacers(ranks) : own_replacer(shapes, stop_reason);
+  // Over those that LLVM brings with the first kernel: they reset themselves when they are called, and a second signal
+  // at that moment, as timeout(1) sends it, would end the process.
+  comm::install_stop_handlers();
+  journal->ranks_are(comm::gather_sites(ranks, matching.site));
+  if (input.start == Start::restart) input.checkpoints.remove();
+
+  CollageCheckpoints checkpoints(input.checkpoints, input.origin);
+  comm::LoopClock clock(ranks);
+  const master::CollageResult result =
+      run_loop(arguments, input, limit, *matching.matcher, *replacer, shapes, checkpoints);
+  const RankStatistics times = times_of(clock, result);
+  const std::vector<MissingShape> missing = missing_shapes(input, result);
+  journal->warn(unplaced_warning(input, result, missing, arguments.refined.get()));
+  journal->warn(never_fitting_warning(input, result));
+  journal->warn(used_up_warning(input.job, input.canvas, result));
+  if (relaxes(arguments)) journal->warn(nothing_gained_warning(input.job, result));
+  journal->warn(empty_room_warning(input.job, result));
+  if (!input.job.start.removed.empty())
+    journal->warn(come_back_warning(input.job, input.canvas, result, input.library.variant_of()));
+  journal->keep_warning(checkpoints.warning());
+  const RunRecord& record = journal->ended(result.statistics.stopped_by, result.placements.size());
+  if (leaves_older_result(input, result)) {
+    checkpoints.require_one();
+    return CollageEnd::nothing_placed;
+  }
+  const std::string card = publish(input, result, missing, times, record, checkpoints) + ranks_text(times);
+  say(arguments, card + "\nwritten to " + input.folder);
+  if (result.unfinished) return CollageEnd::unfinished;
+  return missing.empty() && !result.placements.empty() ? CollageEnd::finished : CollageEnd::incomplete;
+}
+
+/// The pictures of a finished collage. False: interrupted.
+bool draw_pictures(const CollageArguments& arguments, const CollageInput& input, const TimeLimit& limit,
+                   comm::Communicator& ranks) {
+  comm::install_stop_handlers();
+  PictureRequest pictures;
+  pictures.svg = pictures.png = true;
+  pictures.library = library_paths(input.job);
+  try {
+    const bool drawn = draw(input.folder, pictures, arguments.quiet,
+                            [&] { return comm::stop_signalled() || limit.drawing_over(leaving_s(ranks)); });
+    if (!drawn) ranks.hurry();
+    return drawn;
+  } catch (const EnvironmentError& error) {
+    throw EnvironmentError(std::string(error.what()) + "; the collage is finished, tessera draw " + input.folder +
+                           " makes its pictures");
+  }
+}
+
+CollageEnd lead(const CollageArguments& arguments, comm::Communicator& ranks) {
+  const TimeLimit limit(time_limit_s(arguments.time_limit, std::getenv("SLURM_JOB_END_TIME"),
+                                     double(std::time(nullptr)), leaving_s(ranks)));
+  const CollageInput input(arguments);
+  CollageEnd end = CollageEnd::finished;
+  if (input.finished) {
+    say(arguments, input.folder + ": finished before, nothing is left to compute");
+    end = end_of_finished(input.earlier.whole->manifest);
+    print_warning(incomplete_warning(input.folder, input.earlier.whole->manifest));
+    if (input.earlier.whole->drawn) return end;
+  } else {
+    const auto journal =
+        std::make_shared<CollageJournal>(input.folder, record_of(input));  // the ranks' watch shares it
+    end = journal->watch([&] { return compute(arguments, input, limit, ranks, journal); });
+    if (!is_finished(end)) return end;
+  }
+  return draw_pictures(arguments, input, limit, ranks) ? end : CollageEnd::not_drawn;
+}
+
+}  // namespace
+
+CollageEnd end_of_finished(const ResultManifest& manifest) {
+  return manifest.complete() ? CollageEnd::finished : CollageEnd::incomplete;
+}
+
+CollageEnd run_collage(const CollageArguments& arguments, comm::Communicator& ranks) {
+  if (ranks.rank() != 0) run_collage_worker(ranks);
+  try {
+    return lead(arguments, ranks);
+  } catch (const Interrupted&) {  // before the first round: what was there is there still
+    return CollageEnd::not_begun;
+  }
+}
+
+}  // namespace tessera

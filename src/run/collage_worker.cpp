@@ -1,0 +1,100 @@
+#include "run/collage_worker.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <string>
+
+#include "run/foreign_end.h"
+#include "run/rank_agreement.h"
+#include "comm/heartbeat.h"
+#include "comm/matcher_server.h"
+#include "comm/node_turn.h"
+#include "comm/rank_sites.h"
+#include "comm/worker_team.h"
+#include "core/base/interrupted.h"
+#include "core/matching/matching_context.h"
+#include "core/matching/sized_settings.h"
+#include "core/ranks/partition.h"
+#include "core/replacing/own_replacer.h"
+#include "files/available_cores.h"
+#include "job/pieces/job_library.h"
+#include "library/library_shapes.h"
+#include "library/storage/shape_models.h"
+#include "worker/device_group.h"
+
+namespace tessera {
+namespace {
+
+MatchingContext context_of(const Job& job, const ShapeLibrary& library) {
+  return make_matching_context(with_sizes_times(job.size_factor, job.settings), std::uint32_t(library.size()));
+}
+
+/// A worker's devices and cores are its part of its node's, shared with the other workers there.
+worker::DeviceShare share_of_node(const comm::Communicator& ranks, const Job& job) {
+  const bool with_master = ranks.node_ranks().front() == 0;
+  return {ranks.local_rank() - with_master, ranks.local_size() - with_master, job.devices_per_worker};
+}
+
+int cores_of(const worker::DeviceShare& share) { return std::max(1, available_cores() / share.workers); }
+
+/// The canvas' size is that of the job, whatever its file shows.
+worker::DeviceNeeds needs_of(const Job& job, const ModelSource& models) {
+  return {.reads_models = models.reads_singly(), .field_nodes = double(job.canvas.width_px) * job.canvas.height_px};
+}
+
+std::function<void()> give_up_when(const StopReason& stop_reason) {
+  return [stop_reason] {
+    if (const char* reason = stop_reason()) throw Interrupted{reason};
+  };
+}
+
+std::string host_name() {
+  char name[256] = "";
+  gethostname(name, sizeof name - 1);
+  return name;
+}
+
+}  // namespace
+
+void run_collage_worker(comm::Communicator& ranks) {
+  Job job = receive_job(ranks, program_identity());
+  const comm::Heart heart(ranks, job.comm.silence_s);
+  const LibraryView library = open_library_of(job);
+  check_library(ranks, library);
+  receive_overlays(ranks, library, job);
+  resolve_wishes(library, job);
+  const ShapeRange part = even_range(library.size(), ranks.rank() - 1, ranks.size() - 1);
+  const MatchingContext context = context_of(job, library);
+  const worker::DeviceShare share = share_of_node(ranks, job);
+  const int cores = cores_of(share);
+  worker::limit_cpu_threads(cores);
+  comm::first_worker_of_node_first(ranks, [&] { worker::compile_kernels(job.devices, context); });
+  const auto look = [&ranks] { ranks.look(); };
+  const auto models = models_of(library, context);
+  const std::vector<worker::DevicePart> parts =
+      worker::device_parts(job.devices, context, part, needs_of(job, *models), share, look);
+  comm::tell_site(ranks, {host_name(), worker::describe(parts)});
+  LibraryShapes shapes(library);
+  comm::serve(ranks, worker::make_device_matcher(parts, context, models, look),
+              std::make_unique<OwnReplacer>(shapes, cores, look));
+}
+
+SitedMatcher own_matcher(const Job& job, const ShapeLibrary& library, const StopReason& stop_reason) {
+  const MatchingContext context = context_of(job, library);
+  const ShapeRange all = even_range(library.size(), 0, 1);
+  const auto give_up = give_up_when(stop_reason);
+  const auto models = models_of(library, context);
+  const std::vector<worker::DevicePart> parts = worker::device_parts(job.devices, context, all, needs_of(job, *models),
+                                                                     {.per_worker = job.devices_per_worker}, give_up);
+  take_abort_again();
+  return {worker::make_device_matcher(parts, context, models, give_up), {host_name(), worker::describe(parts)}};
+}
+
+SitedMatcher workers_matcher(comm::Communicator& ranks) { return {comm::gather_workers(ranks), {host_name(), {}}}; }
+
+std::unique_ptr<Replacer> own_replacer(ShapeSource& shapes, const StopReason& stop_reason) {
+  return std::make_unique<OwnReplacer>(shapes, available_cores(), give_up_when(stop_reason));
+}
+
+}  // namespace tessera

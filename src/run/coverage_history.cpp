@@ -1,0 +1,34 @@
+#include "run/coverage_history.h"
+
+#include <algorithm>
+
+namespace tessera {
+namespace {
+
+constexpr std::size_t kMostMoments = 4096;  // 2,048 at least of a long run, a tenth of them in its last tenth
+constexpr std::size_t kFewestMoments = 10;  // of a whole run; fewer are steps, no curve
+
+}  // namespace
+
+void CoverageHistory::add(double seconds, std::optional<double> coverage) {
+  latest_ = {seconds, coverage};
+  if (added_++ % every_ != 0) return;
+  moments_.push_back(latest_);
+  if (moments_.size() < kMostMoments) return;
+  for (std::size_t i = 0; 2 * i < moments_.size(); ++i) moments_[i] = moments_[2 * i];
+  moments_.resize(moments_.size() / 2);
+  every_ *= 2;
+}
+
+std::optional<double> CoverageHistory::gained_in_last_tenth(double total_s) const {
+  if (added_ < kFewestMoments) return {};
+  const double then_s = 0.9 * total_s;
+  const auto after =
+      std::find_if(moments_.begin(), moments_.end(), [&](const Moment& m) { return m.seconds > then_s; });
+  if (after == moments_.begin()) return {};
+  const std::optional<double> then = (after - 1)->coverage;
+  if (!then || !latest_.coverage) return {};
+  return *latest_.coverage - *then;
+}
+
+}  // namespace tessera

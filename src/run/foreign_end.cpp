@@ -1,0 +1,57 @@
+#include "run/foreign_end.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <string>
+
+#include "core/base/process_limits.h"
+#include "files/leftover_file.h"
+
+namespace tessera {
+namespace {
+
+/// Made at first: a signal handler may use no memory.
+std::array<char, 256> words;
+std::size_t word_bytes = 0;  // 0: nothing is told
+bool lives = false;
+
+void tell() { [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, words.data(), word_bytes); }
+
+void on_abort(int) {
+  remove_leftover_files();
+  tell();
+  if (word_bytes > 0) _exit(EXIT_FAILURE);
+  // The handler is gone, and abort() goes on to end the process.
+}
+
+}  // namespace
+
+ForeignEnd::ForeignEnd() {
+  [[maybe_unused]] static const int registered = std::atexit(tell);
+  const std::string limits = process_limits();
+  const std::string text = "tessera: a library that it uses has ended it" + limits + "\n";
+  word_bytes = limits.empty() ? 0 : std::min(text.size(), words.size());
+  std::copy_n(text.begin(), word_bytes, words.begin());
+  lives = true;
+  take_abort_again();
+}
+
+ForeignEnd::~ForeignEnd() {
+  word_bytes = 0;
+  lives = false;
+  signal(SIGABRT, SIG_DFL);
+}
+
+void take_abort_again() {
+  if (!lives) return;
+  struct sigaction action = {};
+  action.sa_handler = on_abort;
+  action.sa_flags = SA_RESETHAND;
+  sigaction(SIGABRT, &action, nullptr);
+}
+
+}  // namespace tessera

@@ -1,0 +1,261 @@
+#include "run/messages/collage_warnings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include "run/messages/key_text.h"
+#include "terminal/terminal.h"
+#include "core/base/count_text.h"
+#include "core/collage/former_pieces.h"
+#include "core/collage/standing_check.h"
+#include "job/canvas/canvas_enclosure.h"
+#include "job/job_keys.h"
+#include "job/job_tables.h"
+#include "job/job_value.h"
+#include "text/number_text.h"
+#include "master/relaxing.h"
+#include "master/replacing.h"
+
+namespace tessera {
+namespace {
+
+double covered_fraction(const Canvas& canvas, const master::CollageResult& result) {
+  double covered_px2 = 0;
+  for (const Placement& piece : result.placements) {
+    const double scale_px = piece.canvas_from_shape.scale();
+    covered_px2 += scale_px * scale_px;
+  }
+  return covered_px2 / canvas.area_px2;
+}
+
+/// Of `found`, ascending places in a list, those from `begin` to `end`; empty where there are none.
+std::string those_that_lie(const std::vector<std::size_t>& found, std::size_t begin, std::size_t end, const char* where,
+                           const std::function<std::string(std::size_t)>& name) {
+  const auto first = std::lower_bound(found.begin(), found.end(), begin);
+  const auto last = std::lower_bound(found.begin(), found.end(), end);
+  if (first == last) return "";
+  return count_text(std::size_t(last - first), "lies", "lie") + " " + where + ", the first is number " +
+         std::to_string(*first - begin) + ", \"" + name(*first) + "\"";
+}
+
+std::string text_of(master::NoRelaxing reason, const Job& job) {
+  const PieceSettings& pieces = job.settings.pieces;
+  switch (reason) {
+    case master::NoRelaxing::not_wanted: return "improve.relax is false";
+    case master::NoRelaxing::sizes_by_place: return "their sizes go by the place (pieces.size_map)";
+    case master::NoRelaxing::colours_by_place: return "they are chosen by what they cover (colour.image)";
+    case master::NoRelaxing::sizes_fixed: return "their sizes are fixed (pieces.scale_px, pieces.sizes, [[shapes]])";
+    case master::NoRelaxing::sizes_differ: break;
+  }
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      "sizes from %g to %g px are allowed (pieces.scale_px), and for that the largest is %g times the smallest at most",
+      double(pieces.min_scale_px), double(pieces.max_scale_px), double(master::kMostRelaxedSizeRatio));
+  return text;
+}
+
+/// `covered`: part of what the drawing encloses; `used`: what is done with it. Empty where it is no outline alone.
+std::string outline_text(const std::string& key, const std::string& file, double covered, const std::string& used) {
+  if (covered >= kOutlineAlone) return "";
+  const std::string percent = covered < 0.01 ? "less than 1" : fixed(100 * covered, 0);
+  return key + ": " + file + ": the drawing covers " + percent + " % of what it encloses, so that only its lines are " +
+         used + "; fill its path in the drawing (in an SVG fill=\"black\" instead of \"none\") if the whole was meant";
+}
+
+std::string idle_deform_warning(const Job& job) {
+  const DeformKind kind = job.settings.deform.kind;
+  if (kind == DeformKind::capped) return "";
+  for (const char* key : {"most_px", "most_part", "most_area", "most_pad"}) {
+    if (!is_default(job, "deform", key))
+      return with_value(job, "deform", key) + " means nothing without deform.kind = \"capped\"";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string replaced_result_warning(const EarlierResult& earlier, const Job& job) {
+  if (!earlier.damage.empty()) {
+    return earlier.folder + ": this run replaces a result that is not whole: " + earlier.damage;
+  }
+  const std::string differences = earlier.finished() ? result_differences(earlier.whole->job, job) : "";
+  if (differences.empty()) return "";
+  return earlier.folder + ": the finished result of another job is replaced as soon as a piece is placed" +
+         differences + "; another --out keeps it";
+}
+
+const char* limit_that_ended(const RunStatistics& run) {
+  for (const char* key : {"seconds", "pieces", "coverage"}) {
+    if (run.stopped_by == key) return key;
+  }
+  return nullptr;
+}
+
+std::string empty_result_warning(const std::string& folder, const Job& job, const master::CollageResult& result,
+                                 const std::vector<std::string>& what_to_try) {
+  if (result.unfinished || !result.placements.empty()) return "";
+  const std::string text = folder + ": the collage is empty: ";
+  if (const char* limit = limit_that_ended(result.statistics)) {
+    return text + with_value(job, "stop", limit) + " ended it before the first piece";
+  }
+  if (what_to_try.empty()) {
+    return text +
+           "no shape may stand: weights, regions and names of [[shapes]], style.like and start.not_anew leave none";
+  }
+  return text + "nothing fits; try " + joined_warnings(what_to_try);
+}
+
+std::string incomplete_warning(const std::string& folder, const ResultManifest& manifest) {
+  if (manifest.complete()) return "";
+  if (manifest.shapes.empty()) return folder + ": the collage is empty; run.log says why";
+  return folder + ": " + count_text(manifest.missing, "piece is", "pieces are") + " missing; card.txt names them";
+}
+
+std::string used_up_warning(const Job& job, const Canvas& canvas, const master::CollageResult& result) {
+  constexpr double kFilled = 0.85;  // of the canvas, by a library that fits it
+  const double covered = covered_fraction(canvas, result);
+  if (result.statistics.stopped_by != "used_up" || job.settings.pieces.fit_all) return "";
+  if (covered <= 0 || covered >= kFilled - 0.1) return "";
+  const double factor = std::sqrt(kFilled / covered);
+  const PieceSettings& pieces = job.settings.pieces;
+  char text[300];
+  std::snprintf(text, sizeof text,
+                "the library is used up with %.0f %% of the canvas covered; pieces %.1f times as large would fill it: "
+                "pieces.scale_px = [%.0f, %.0f], or pieces.fit = \"all\"; so would more uses (pieces.uses)",
+                100 * covered, factor, factor * double(pieces.min_scale_px), factor * double(pieces.max_scale_px));
+  return text;
+}
+
+std::string standing_warning(const Job& job, const Canvas& canvas,
+                             const std::function<const Shape&(ShapeId)>& shape) {
+  const std::vector<GivenPiece>& pieces = job.settings.wishes.given;
+  const std::size_t first_of_start = rows_of(job, "given").size();
+  const auto name = [&](std::size_t piece) { return shape(pieces[piece].shape).name; };
+  const PieceSettings& settings = job.settings.pieces;
+  const StandingCheck found = check_standing(canvas, pieces, settings.padding_px > 0 ? 0 : settings.overlap_px, shape);
+  const char* in_a_zone = "in a zone that pieces keep out of";
+  const std::string given = those_that_lie(found.kept_out, 0, first_of_start, in_a_zone, name);
+  std::string start;
+  for (const std::string& part :
+       {those_that_lie(found.kept_out, first_of_start, pieces.size(), in_a_zone, name),
+        those_that_lie(found.outside, first_of_start, pieces.size(), "outside the canvas", name),
+        those_that_lie(found.overlapping, first_of_start, pieces.size(), "on pieces before them", name)}) {
+    if (!part.empty()) start += (start.empty() ? "" : "; ") + part;
+  }
+  std::string text;
+  if (!given.empty()) text = "of [[given]] " + given;
+  if (!start.empty()) text += (text.empty() ? "" : "; ") + ("of start.pieces " + start);
+  return text.empty() ? text : text + "; they stand as they are";
+}
+
+std::string idle_dpi_warning(const Job& job) {
+  if (is_default(job, "output", "dpi") || job.output.width_mm > 0 || job.canvas.width_mm > 0) return "";
+  return with_value(job, "output", "dpi") +
+         " means nothing without a size on paper: output.width_mm, or canvas.size_mm; the picture is " +
+         std::to_string(job.output.width_px) + " px wide (output.width_px)";
+}
+
+std::string idle_shift_warning(const Job& job) {
+  if (is_default(job, "colour", "shift") || !job.colour.image.empty()) return "";
+  return with_value(job, "colour", "shift") + " means nothing without colour.image";
+}
+
+std::string idle_light_warning(const Job& job) {
+  if (is_default(job, "output", "background_light") || job.output.background == kImageBackground) return "";
+  return with_value(job, "output", "background_light") + " means nothing without output.background = \"image\"";
+}
+
+std::string idle_keys_warning(const Job& job) {
+  std::vector<std::string> warnings = {idle_dpi_warning(job)};
+  if (job.settings.pieces.padding_px > 0 && !is_default(job, "pieces", "overlap_px")) {
+    warnings.push_back(with_value(job, "pieces", "overlap_px") + " does not count beside " +
+                       with_value(job, "pieces", "padding_px") + ", which keeps all pieces apart");
+  }
+  if (!job.settings.pieces.fit_all && !is_default(job, "pieces", "least_scale_px")) {
+    warnings.push_back(with_value(job, "pieces", "least_scale_px") + " means nothing without pieces.fit = \"all\"");
+  }
+  if (is_default(job, "library", "colours") && !is_default(job, "library", "colours_within")) {
+    warnings.push_back(with_value(job, "library", "colours_within") + " means nothing without library.colours");
+  }
+  if (job.colour.image.empty() && !is_default(job, "colour", "weight")) {
+    warnings.push_back(with_value(job, "colour", "weight") + " means nothing without colour.image");
+  }
+  warnings.push_back(idle_shift_warning(job));
+  warnings.push_back(idle_light_warning(job));
+  warnings.push_back(idle_deform_warning(job));
+  return joined_warnings(warnings);
+}
+
+std::string unable_library_warning(const Job& job, std::size_t shapes, bool one_colour) {
+  constexpr std::size_t kFew = 50;
+  if (job.colour.image.empty()) return "";
+  if (one_colour && job.colour.pieces != "palette") {
+    return "nearly all shapes of the library are of one colour, which cannot show colour.image; colour.pieces = "
+           "\"palette\" draws them in the colours of the palette that are nearest to it";
+  }
+  if (shapes >= kFew || job.colour.pieces == "palette") return "";
+  return "a library of " + count_text(shapes, "shape") +
+         " has few colours to show colour.image; photos take 500 and more";
+}
+
+std::string outline_alone_warning(const Job& job, const Canvas& canvas) {
+  const CanvasSpec& spec = job.canvas;
+  std::vector<std::string> warnings;
+  if (!spec.file.empty() && spec.region_colours.empty())
+    warnings.push_back(outline_text("canvas.file", spec.file, covered_part_of_enclosed(canvas), "filled"));
+  if (!spec.keep_out.empty() && spec.keep_out_rectangles.empty())
+    warnings.push_back(outline_text("canvas.keep_out", spec.keep_out, zones_part_of_enclosed(canvas), "kept free"));
+  return joined_warnings(warnings);
+}
+
+std::string idle_relaxing_warning(const Job& job) {
+  const std::optional<master::NoRelaxing> reason = master::why_not_relaxed(job.settings);
+  return reason ? "the pieces are not relaxed, as " + text_of(*reason, job) : "";
+}
+
+std::string empty_room_warning(const Job& job, const master::CollageResult& result) {
+  const std::size_t removed = job.start.removed.size();
+  if (removed == 0 || result.unfinished || result.placements.size() > job.settings.wishes.given.size()) return "";
+  return "nothing came in for the " + count_text(removed, "piece") +
+         " of start.remove: no shape that may stand there fits, or a limit of [stop] was reached";
+}
+
+std::string come_back_warning(const Job& job, const Canvas& canvas, const master::CollageResult& result,
+                              const std::vector<std::uint32_t>& silhouettes) {
+  if (result.unfinished) return "";
+  const std::size_t standing = std::min(job.settings.wishes.given.size(), result.placements.size());
+  const std::vector<GivenPiece>& removed = job.start.removed;
+  const auto back = std::count_if(removed.begin(), removed.end(), [&](const GivenPiece& piece) {
+    return std::any_of(result.placements.begin() + std::ptrdiff_t(standing), result.placements.end(),
+                       [&](const Placement& p) {
+                         return silhouettes[index_of(p.shape)] == silhouettes[index_of(piece.shape)] &&
+                                lies_where_it_lay(piece.canvas_from_shape, p.canvas_from_shape, canvas.period);
+                       });
+  });
+  if (back == 0) return "";
+  return std::to_string(back) + " of " + count_text(removed.size(), "piece") +
+         " that went came back to where they lay: no other drawing may come in for them, by the library, " +
+         "[[shapes]] and pieces.uses";
+}
+
+std::string nothing_gained_warning(const Job& job, const master::CollageResult& result) {
+  const RunStatistics& run = result.statistics;
+  if (result.unfinished || run.trials == 0 || run.trials_kept > 0 || master::why_not_relaxed(job.settings)) return "";
+  return "no trial covered more, out of " + std::to_string(run.trials) + ": the pieces lie where they lay" +
+         (master::pays_to_replace(job.settings) ? "; with a larger --trials they are exchanged, too" : "");
+}
+
+std::string joined_warnings(const std::vector<std::string>& warnings) {
+  std::string text;
+  for (const std::string& warning : warnings) text += (text.empty() || warning.empty() ? "" : "; ") + warning;
+  return text;
+}
+
+void print_warning(const std::string& warning) {
+  if (!warning.empty()) print_message("warning: " + warning);
+}
+
+}  // namespace tessera

@@ -1,0 +1,169 @@
+#include "run/messages/place_advice.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "run/messages/key_text.h"
+#include "core/base/error.h"
+#include "core/collage/any_place.h"
+#include "core/matching/stances.h"
+#include "job/canvas/canvas_file.h"
+#include "job/job_tables.h"
+
+namespace tessera {
+namespace {
+
+constexpr std::size_t kShapesTried = 24;  // of many, evenly from all
+constexpr std::size_t kMostTrials = 96;
+constexpr float kSmallerStep = 0.8f;
+constexpr float kLeastTried_px = 1;
+constexpr float kRoomBeside = 0.03f;  // of the canvas' longer side: twice what has_any_place does not see
+constexpr LibraryParts kOutlines{.outline = true, .field = false, .levels = 0, .artwork = false};
+
+/// The tables that say something else than [pieces] of some shapes.
+std::string in_tables(const Job& job, const std::string& column) {
+  std::string text;
+  for (const char* table : {"shapes", "regions"}) {
+    const std::vector<JobRow>& rows = rows_of(job, table);
+    const bool says = std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row.contains(column); });
+    if (says) text += column + " of [[" + table + "]] or ";
+  }
+  return text;
+}
+
+/// One way in which one of the shapes may stand, at its smallest.
+struct Trial {
+  const Outline* outline;
+  float scale_px;
+  DirectionRange rotations;
+  std::uint32_t region;
+};
+
+class KeysTried {
+ public:
+  KeysTried(const Job& job, const CollageSettings& sized, const ShapeLibrary& library, const Canvas& canvas,
+            const std::vector<ShapeId>& shapes)
+      : job_(job),
+        pieces_(sized.pieces),
+        canvas_(canvas) {
+    const StanceTable whole(sized, std::uint32_t(library.size()));
+    const std::size_t count = std::min(shapes.size(), kShapesTried);
+    outlines_.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const ShapeId shape = shapes[i * shapes.size() / count];
+      outlines_.push_back(std::move(library.read(index_of(shape), index_of(shape) + 1, kOutlines).front().outline));
+      add_trials(whole, shape);
+    }
+  }
+
+  std::vector<std::string> keys_that_help() const {
+    std::vector<std::string> keys;
+    if (trials_.empty() || any_fits(canvas_, kept_px(), false)) return keys;
+    if (const std::optional<Smaller> smaller = largest_that_fits()) keys.push_back(sizes_text(*smaller));
+    std::erase(keys, "");
+    if (any_fits(canvas_, kept_px(), true))
+      keys.push_back("other rotations, " + in_tables(job_, "rotation_deg") +
+                     with_value(job_, "pieces", "rotation_deg"));
+    if (pieces_.padding_px > 0 && any_fits(canvas_, -pieces_.overlap_px, false)) {
+      keys.push_back("less " + with_value(job_, "pieces", "padding_px"));
+    }
+    if (canvas_.has_zones() && any_fits(without_zones(), kept_px(), false)) {
+      keys.push_back("less of the canvas kept out of (canvas.keep_out, [[keep_out]])");
+    }
+    return keys;
+  }
+
+ private:
+  void add_trials(const StanceTable& whole, ShapeId shape) {
+    for (std::uint32_t region = 0; region < std::max<std::size_t>(1, canvas_.regions.size()); ++region) {
+      const StanceTable table = whole.limited({.region = region});
+      const StanceList& list = table.list(shape);
+      for (const Stance& stance : table.of(list)) {
+        if (stance.poses.min_scale_px > list.min_scale_px || trials_.size() == kMostTrials) break;
+        trials_.push_back({&outlines_.back(), stance.poses.min_scale_px, stance.poses.rotations, region});
+      }
+    }
+  }
+
+  float kept_px() const { return pieces_.padding_px > 0 ? pieces_.padding_px : -pieces_.overlap_px; }
+
+  bool fits(const Trial& trial, const Canvas& canvas, float kept_px, float factor, bool any_rotation) const {
+    const CanvasField& room = canvas.regions.empty() ? canvas.distance : canvas.regions[trial.region].distance;
+    const DirectionRange rotations = any_rotation ? DirectionRange{} : trial.rotations;
+    return has_any_place(*trial.outline, factor * trial.scale_px, rotations, {room, canvas.period, kept_px});
+  }
+
+  bool any_fits(const Canvas& canvas, float kept_px, bool any_rotation) const {
+    return std::any_of(trials_.begin(), trials_.end(),
+                       [&](const Trial& trial) { return fits(trial, canvas, kept_px, 1, any_rotation); });
+  }
+
+  /// The largest size, in steps, at which one of the shapes fits with some room beside it: where it must lie in one
+  /// place alone, no collage finds that.
+  struct Smaller {
+    float factor;
+    float scale_px;
+  };
+  std::optional<Smaller> largest_that_fits() const {
+    const float room_beside_px = kept_px() + kRoomBeside * float(std::max(canvas_.width_px, canvas_.height_px));
+    float largest_px = 0;
+    for (const Trial& trial : trials_) largest_px = std::max(largest_px, trial.scale_px);
+    for (float factor = kSmallerStep; factor * largest_px >= kLeastTried_px; factor *= kSmallerStep) {
+      for (const Trial& trial : trials_) {
+        if (fits(trial, canvas_, room_beside_px, factor, false)) return Smaller{factor, factor * trial.scale_px};
+      }
+    }
+    return {};
+  }
+
+  /// Empty where the job allows none smaller.
+  std::string sizes_text(const Smaller& smaller) const {
+    if (pieces_.fit_all) {
+      return is_default(job_, "pieces", "least_scale_px")
+                 ? ""
+                 : "smaller pieces, " + with_value(job_, "pieces", "least_scale_px");
+    }
+    if (job_.drawn_sizes) {
+      const std::string text =
+          "drawings " + std::to_string(int(100 * smaller.factor)) + " % as large, " + where_sizes_stand(job_);
+      return may_fit_all(job_) ? text + "; pieces.fit = \"all\", which finds such sizes" : text;
+    }
+    return "pieces of " + length_text(job_, double(smaller.scale_px)) + " or less, " + where_sizes_stand(job_);
+  }
+
+  /// As it is where its file cannot be read any more: the collage is finished, and this is for a message alone.
+  Canvas without_zones() const {
+    Job job = job_;
+    job.canvas.keep_out.clear();
+    job.canvas.keep_out_rectangles.clear();
+    try {
+      return canvas_of(job);
+    } catch (const InputError&) {
+    } catch (const EnvironmentError&) {
+    }
+    return canvas_;
+  }
+
+  const Job& job_;
+  const PieceSettings& pieces_;
+  const Canvas& canvas_;
+  std::vector<Outline> outlines_;
+  std::vector<Trial> trials_;
+};
+
+}  // namespace
+
+std::vector<std::string> keys_that_keep_out(const Job& job, const CollageSettings& sized,
+                                            const ShapeLibrary& library, const Canvas& canvas,
+                                            const std::vector<ShapeId>& shapes) {
+  return KeysTried(job, sized, library, canvas, shapes).keys_that_help();
+}
+
+bool may_fit_all(const Job& job) { return rows_of(job, "regions").empty(); }
+
+std::string where_sizes_stand(const Job& job) {
+  return in_tables(job, "scale_px") + with_value(job, "pieces", job.drawn_sizes ? "sizes" : "scale_px");
+}
+
+}  // namespace tessera

@@ -1,0 +1,243 @@
+#include "run/nesting/nest_chains.h"
+
+#include <algorithm>
+#include <mutex>
+#include <numeric>
+#include <vector>
+
+#include "comm/encode.h"
+#include "comm/heartbeat.h"
+#include "comm/rank_watch.h"
+#include "core/base/interrupted.h"
+#include "core/base/stopwatch.h"
+#include "products/nesting/layout/column_layout.h"
+#include "files/parallel_for.h"
+
+#include <boost/serialization/vector.hpp>
+
+namespace tessera {
+namespace {
+
+/// Everything as numbers, whole ones below 2^53.
+using Numbers = std::vector<double>;
+
+class Taker {
+ public:
+  explicit Taker(Numbers numbers) : numbers_(std::move(numbers)) {}
+  double next() { return numbers_.at(at_++); }
+  int whole() { return int(next()); }
+
+ private:
+  Numbers numbers_;
+  std::size_t at_ = 0;
+};
+
+Numbers numbers_of(const NestProblem& problem, const NestEffort& effort, std::uint64_t seed) {
+  Numbers out{double(effort.chains), double(effort.work_of_piece),
+              double(seed >> 32),    double(seed & 0xffffffffu),
+              problem.height,        problem.length,
+              problem.spacing,       double(problem.items.size())};
+  for (const NestItem& item : problem.items) {
+    out.insert(out.end(), {double(item.demand), double(item.angles_deg.size()), double(item.outline.size())});
+    out.insert(out.end(), item.angles_deg.begin(), item.angles_deg.end());
+    for (const NestPoint p : item.outline) out.insert(out.end(), {p.x, p.y});
+  }
+  return out;
+}
+
+NestProblem problem_of(Taker& in, NestEffort& effort, std::uint64_t& seed) {
+  effort.chains = in.whole();
+  effort.work_of_piece = std::uint64_t(in.next());
+  const std::uint64_t high = std::uint64_t(in.next());
+  seed = (high << 32) | std::uint64_t(in.next());
+  NestProblem problem;
+  problem.height = in.next();
+  problem.length = in.next();
+  problem.spacing = in.next();
+  problem.items.resize(std::size_t(in.next()));
+  for (NestItem& item : problem.items) {
+    item.demand = in.whole();
+    item.angles_deg.resize(std::size_t(in.next()));
+    item.outline.resize(std::size_t(in.next()));
+    for (double& angle : item.angles_deg) angle = in.next();
+    for (NestPoint& p : item.outline) {
+      p.x = in.next();
+      p.y = in.next();
+    }
+  }
+  return problem;
+}
+
+Numbers numbers_of(const NestLayout& layout) {
+  Numbers out{double(layout.chain), double(layout.sheets), layout.used_length, double(layout.left_over.size()),
+              double(layout.pieces.size())};
+  out.insert(out.end(), layout.left_over.begin(), layout.left_over.end());
+  for (const NestedPiece& piece : layout.pieces) {
+    out.insert(out.end(), {double(piece.item), double(piece.angle), piece.shift.x, piece.shift.y, double(piece.sheet)});
+  }
+  return out;
+}
+
+NestLayout layout_of(Taker in) {
+  NestLayout layout;
+  layout.chain = in.whole();
+  layout.sheets = in.whole();
+  layout.used_length = in.next();
+  layout.left_over.resize(std::size_t(in.next()));
+  layout.pieces.resize(std::size_t(in.next()));
+  for (int& count : layout.left_over) count = in.whole();
+  for (NestedPiece& piece : layout.pieces) {
+    piece.item = in.whole();
+    piece.angle = in.whole();
+    piece.shift.x = in.next();
+    piece.shift.y = in.next();
+    piece.sheet = in.whole();
+  }
+  return layout;
+}
+
+/// The best layout and the progress of this rank's chains. Several threads may call it: a mutex lets one in at a time.
+class Findings {
+ public:
+  /// `looked` is called for every piece that is moved.
+  using Looked = std::function<void(double done, const NestLayout& best)>;
+  Findings(std::size_t chains, Looked looked) : done_(chains, 0), looked_(std::move(looked)) {}
+
+  void add(const NestLayout& layout) {
+    const std::lock_guard lock(mutex_);
+    if (best_.pieces.empty() || is_better(layout, best_)) best_ = layout;
+  }
+
+  void look(std::size_t chain, double done) {
+    const std::lock_guard lock(mutex_);
+    done_[chain] = done;
+    looked_(std::accumulate(done_.begin(), done_.end(), 0.0) / double(done_.size()), best_);
+  }
+
+  /// To be called when no chain is at work any more.
+  const NestLayout& best() const { return best_; }
+
+ private:
+  std::mutex mutex_;
+  std::vector<double> done_;  // of each chain
+  NestLayout best_;           // without a piece: none yet
+  Looked looked_;
+};
+
+/// What each rank has to do.
+struct Search {
+  NestProblem problem;
+  NestEffort effort;
+  std::uint64_t seed = 0;
+};
+
+/// How many of the chains are this rank's: first, first + step and so on.
+std::size_t chains_of(const comm::Communicator& ranks, const NestEffort& effort) {
+  return ranks.rank() < effort.chains ? std::size_t((effort.chains - 1 - ranks.rank()) / ranks.size()) + 1 : 0;
+}
+
+/// The best of this rank's chains, of which there is one at least.
+NestLayout best_of(const Search& search, const comm::Communicator& ranks, Findings& findings) {
+  std::vector<NestLayout> layouts(chains_of(ranks, search.effort));
+  const PosedItems shapes = posed_items(search.problem, [&] { findings.look(0, 0); });
+  parallel_for(layouts.size(), [&](std::size_t i) {
+    layouts[i] = nest_chain(
+        search.problem, shapes, search.effort, search.seed, ranks.rank() + int(i) * ranks.size(),
+        [&](const NestLayout& layout) { findings.add(layout); }, [&](double done) { findings.look(i, done); });
+  });
+  return best_layout(layouts);
+}
+
+/// What a worker tells rank 0: a layout, and whether it is the last.
+struct Report {
+  NestLayout layout;
+  bool is_last = false;
+};
+
+void send(comm::Communicator& ranks, const Report& report) {
+  Numbers numbers = numbers_of(report.layout);
+  numbers.insert(numbers.begin(), double(report.is_last));
+  ranks.send(0, comm::Tag::nest_layout, comm::encode(numbers));
+}
+
+Report receive(comm::Communicator& ranks, int from) {
+  Taker in(comm::decode<Numbers>(ranks.receive(from, comm::Tag::nest_layout)));
+  const bool is_last = in.whole() != 0;
+  return {layout_of(std::move(in)), is_last};
+}
+
+NestLayout last_of(comm::Communicator& ranks, int worker) {
+  for (;;) {
+    Report report = receive(ranks, worker);
+    if (report.is_last) return std::move(report.layout);
+  }
+}
+
+/// Adds all that has arrived by now; a stop must have been asked for.
+void add_arrived(comm::Communicator& ranks, int worker, Findings& findings) {
+  try {
+    for (;;) {
+      const NestLayout layout = receive(ranks, worker).layout;
+      if (!layout.pieces.empty()) findings.add(layout);
+    }
+  } catch (const Interrupted&) {  // nothing more is there
+  }
+}
+
+/// A worker's chains. Rank 0 is told the best now and then, also where it is no other one: a worker that sends nothing
+/// for RankWatch::kMostBusy times `silence_s` counts as lost.
+void search_and_tell(const Search& search, comm::Communicator& ranks, double silence_s) {
+  // Rank 0 keeps what it is told until the end: so the longer the search, the rarer.
+  constexpr double kLeastPause_s = 0.25, kPausePart = 0.02;
+  const double most_pause_s = silence_s * comm::RankWatch::kMostBusy / 6;
+  const Stopwatch watch;
+  double sent_s = -1;
+  Findings findings(chains_of(ranks, search.effort), [&](double, const NestLayout& best) {
+    ranks.look();
+    const double now_s = watch.seconds();
+    if (now_s - sent_s < std::clamp(kPausePart * now_s, kLeastPause_s, most_pause_s)) return;
+    send(ranks, {best, false});
+    sent_s = now_s;
+  });
+  send(ranks, {best_of(search, ranks, findings), true});
+}
+
+/// A worker that is done: its heart beats on, as rank 0 waits for the others.
+[[noreturn]] void wait_until_job_ends(comm::Communicator& ranks) {
+  for (;;) ranks.receive(0, comm::Tag::nest_layout);  // which never comes: JobEnded
+}
+
+}  // namespace
+
+NestOutcome best_nesting(comm::Communicator& ranks, const NestProblem& problem, const NestEffort& effort,
+                         std::uint64_t seed, const NestProgress& progress,
+                         const std::function<const char*()>& stop_reason) {
+  ranks.interrupt_waits_when(stop_reason);
+  const int workers = std::min(ranks.size(), effort.chains) - 1;
+  Findings findings(chains_of(ranks, effort), [&](double done, const NestLayout& best) {
+    ranks.look();
+    progress(done, best);
+    if (const char* reason = stop_reason()) throw Interrupted{reason};
+  });
+  findings.add(ColumnLayout(problem).all());
+  try {
+    ranks.broadcast(comm::encode(numbers_of(problem, effort, seed)));
+    std::vector<NestLayout> of_ranks{best_of({problem, effort, seed}, ranks, findings)};
+    for (int worker = 1; worker <= workers; ++worker) of_ranks.push_back(last_of(ranks, worker));
+    return {best_layout(of_ranks), nullptr};
+  } catch (const Interrupted& stop) {
+    for (int worker = 1; worker <= workers; ++worker) add_arrived(ranks, worker, findings);
+    return {findings.best(), stop.reason};
+  }
+}
+
+void work_on_nesting(comm::Communicator& ranks, double silence_s) {
+  const comm::Heart heart(ranks, silence_s);
+  Search search;
+  Taker in(comm::decode<Numbers>(ranks.broadcast({})));
+  search.problem = problem_of(in, search.effort, search.seed);
+  if (chains_of(ranks, search.effort) > 0) search_and_tell(search, ranks, silence_s);
+  wait_until_job_ends(ranks);
+}
+
+}  // namespace tessera

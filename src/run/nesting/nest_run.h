@@ -1,0 +1,33 @@
+// tessera nest, after its arguments are read: from the drawings to the files of a layout.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comm/communicator.h"
+
+namespace tessera {
+
+struct NestArguments {
+  std::string input;
+  std::optional<double> strip_mm;
+  std::vector<double> sheet_mm;  // width, height; empty: a strip
+  std::vector<double> angles_deg;
+  std::vector<std::string> demands;  // "NAME=COUNT"
+  double spacing_mm = 0;
+  std::string effort = "good";
+  std::uint64_t seed = 1;
+  std::string folder;  // empty: out/<name of the input>
+  bool quiet = false;
+  std::optional<std::string> time_limit;
+  double silence_s = 60;  // of a rank, then it is lost; as comm.silence_s of a job
+};
+
+/// Rank 0 writes the layout, the others search with it. Returns the exit code (exit_codes.h). A time limit that the
+/// user gave ends the search and is no interruption; signals, the end of a Slurm job and a lost rank are, though the
+/// best layout so far is written all the same.
+int nest_on_all_ranks(NestArguments arguments, comm::Communicator& ranks);
+
+}  // namespace tessera

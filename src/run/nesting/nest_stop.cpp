@@ -1,0 +1,48 @@
+#include "run/nesting/nest_stop.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+
+#include "comm/stop_signals.h"
+
+namespace tessera {
+namespace {
+
+constexpr double kLeaving_s = 4;  // of several ranks, as of a collage
+/// mpirun kills its ranks two seconds after a signal; a picture, and leaving, take the rest.
+constexpr double kDrawingAfterSignal_s = 1.2;
+
+}  // namespace
+
+NestStop::NestStop(const std::optional<std::string>& argument, bool several_ranks)
+    : was_asked_for_(argument.has_value()),
+      leaving_s_(several_ranks ? kLeaving_s : 0),
+      limit_(time_limit_s(argument, std::getenv("SLURM_JOB_END_TIME"), double(std::time(nullptr)), leaving_s_)) {}
+
+bool NestStop::has_limit() const { return std::isfinite(limit_.seconds()); }
+
+void NestStop::leave_time_for(double writing_s, double drawing_s) {
+  constexpr double kMostOfWriting = 0.75, kMostOfBoth = 0.25;  // of the limit
+  left_s_ = std::max(std::min(writing_s, kMostOfWriting * limit_.seconds()),
+                     std::min(writing_s + drawing_s, kMostOfBoth * limit_.seconds()));
+}
+
+const char* NestStop::search_over() {
+  if (comm::stop_signalled()) return "signal";
+  return limit_.round_over(leaving_s_ + left_s_) ? "time_limit" : nullptr;
+}
+
+const char* NestStop::writing_over() { return comm::stop_signalled_again() ? "signal" : nullptr; }
+
+const char* NestStop::drawing_over(std::size_t drawn) {
+  if (comm::seconds_since_stop() > kDrawingAfterSignal_s) return "signal";
+  return drawn > 0 && limit_.drawing_over(leaving_s_) ? "time_limit" : nullptr;
+}
+
+double NestStop::search_left_s() const {
+  return limit_.seconds() - reserve_s(limit_.seconds()) - leaving_s_ - left_s_ - watch_.seconds();
+}
+
+}  // namespace tessera

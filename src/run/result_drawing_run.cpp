@@ -1,0 +1,67 @@
+#include "run/result_drawing_run.h"
+
+#include <optional>
+#include <utility>
+
+#include "run/messages/collage_warnings.h"
+#include "terminal/progress_bar.h"
+#include "terminal/terminal.h"
+#include "artwork/drawers/drawers.h"
+#include "result/run_log.h"
+
+namespace tessera {
+namespace {
+
+class DrawingProgress : public DrawingObserver {
+ public:
+  DrawingProgress(bool quiet, std::function<bool()> stop) : quiet_(quiet), stop_(std::move(stop)) {}
+
+  /// A bar for each picture.
+  void progressed(const char* picture, std::size_t done, std::size_t total) override {
+    if (quiet_) return;
+    if (picture_ != picture) bar_.emplace(picture_ = picture, total);
+    bar_->update(done);
+  }
+
+  bool stop_requested() override { return stop_(); }
+
+ private:
+  bool quiet_;
+  std::function<bool()> stop_;
+  std::string picture_;
+  std::optional<ProgressBar> bar_;
+};
+
+/// What a user could mend goes to stderr, too.
+void warn(const std::string& folder, const std::string& warning, RunLog& log) {
+  if (warning.empty()) return;
+  print_warning(folder + ": " + warning);
+  log.warning(warning);
+}
+
+}  // namespace
+
+void tell_layers(const std::string& folder, const DrawerLayers& layers, RunLog& log) {
+  const std::string note = layers_note(layers);
+  if (any_failed(layers)) return warn(folder, note, log);
+  if (!note.empty()) log.info(note);
+}
+
+bool draw(const std::string& folder, const PictureRequest& request, bool quiet, std::function<bool()> stop) {
+  DrawingProgress progress(quiet, std::move(stop));
+  const std::string& pictures = request.to.empty() ? folder : request.to;
+  RunLog log(pictures);
+  try {
+    const DrawingNotes notes = draw_result(folder, request, progress);
+    warn(pictures, drawing_warning(notes), log);
+    tell_layers(pictures, notes.layers, log);
+    if (!quiet && notes.afar) print_lines(afar_text(*notes.afar));
+    log.info("drawn");
+    return true;
+  } catch (const DrawingStopped&) {
+    log.info("drawing interrupted");
+    return false;
+  }
+}
+
+}  // namespace tessera

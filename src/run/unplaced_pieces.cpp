@@ -1,0 +1,176 @@
+#include "run/unplaced_pieces.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "run/messages/collage_warnings.h"
+#include "run/messages/key_text.h"
+#include "run/messages/place_advice.h"
+#include "core/base/count_text.h"
+#include "core/collage/missing_pieces.h"
+#include "core/matching/sized_settings.h"
+#include "core/matching/stances.h"
+#include "core/matching/use_limits.h"
+
+namespace tessera {
+namespace {
+
+constexpr std::size_t kNamesTold = 6;
+constexpr std::size_t kNamesAtATime = 4096;
+constexpr LibraryParts kNamesOnly{.outline = false, .field = false, .levels = 0, .artwork = false};
+
+/// With fit = "all" at the smallest that were allowed.
+CollageSettings smallest_sizes(const Job& job) {
+  const CollageSettings first = with_sizes_times(job.size_factor, job.settings);
+  return with_sizes_times(double(least_size_factor(first.pieces)), first);
+}
+
+std::vector<ShapeId> all_that_may_stand(const CollageInput& input) {
+  std::vector<ShapeId> shapes;
+  const StanceTable whole(input.job.settings, std::uint32_t(input.library.size()));
+  for (std::uint32_t region = 0; region < std::max<std::size_t>(1, input.canvas.regions.size()); ++region) {
+    const StanceTable table = whole.limited({.region = region});
+    for (std::uint32_t i = 0; i < table.open_shapes(); ++i) shapes.push_back(table.open_shape(i));
+  }
+  std::sort(shapes.begin(), shapes.end());
+  shapes.erase(std::unique(shapes.begin(), shapes.end()), shapes.end());
+  return shapes;
+}
+
+std::vector<std::string> with_canvas(std::vector<std::string> keys, const Job& job) {
+  if (job.settings.match.tangent_dockings == 0) {
+    keys.push_back("more " + with_value(job, "match", "tangent_dockings") +
+                   ": without, nothing docks along straight sides");
+  }
+  keys.push_back("a larger " + with_value(job, "canvas", job.canvas.width_mm > 0 ? "size_mm" : "size_px"));
+  return keys;
+}
+
+/// Where single pieces lack room that there would be for each of them alone.
+std::vector<std::string> keys_that_make_room(const Job& job) {
+  std::vector<std::string> keys;
+  if (job.settings.pieces.fit_all) {
+    if (!is_default(job, "pieces", "least_scale_px"))
+      keys.push_back("smaller pieces, " + with_value(job, "pieces", "least_scale_px"));
+  } else {
+    keys.push_back("smaller pieces, " + where_sizes_stand(job));
+    if (may_fit_all(job)) keys.push_back("pieces.fit = \"all\", which finds their sizes");
+  }
+  for (const char* key : {"padding_px", "apart_px"}) {
+    if (!is_default(job, "pieces", key)) keys.push_back("less " + with_value(job, "pieces", key));
+  }
+  if (job.settings.pieces.least_uses > 1) keys.push_back("fewer " + with_value(job, "pieces", "uses"));
+  return keys;
+}
+
+/// For shapes of which none, or too few, found a place.
+std::vector<std::string> what_to_try(const CollageInput& input, const std::vector<ShapeId>& shapes) {
+  const Job& job = input.job;
+  std::vector<std::string> keys = keys_that_keep_out(job, smallest_sizes(job), input.library, input.canvas, shapes);
+  if (keys.empty()) keys = keys_that_make_room(job);
+  return with_canvas(std::move(keys), job);
+}
+
+std::string empty_warning(const CollageInput& input, const master::CollageResult& result) {
+  const std::vector<ShapeId> shapes = all_that_may_stand(input);
+  const bool is_full = !shapes.empty() && !limit_that_ended(result.statistics);
+  return empty_result_warning(input.folder, input.job, result,
+                              is_full ? what_to_try(input, shapes) : std::vector<std::string>());
+}
+
+/// Refining what is to stay as it is lets no piece more come in than the result has; nobody gave that limit.
+bool keeps_number_of_pieces(const Job& job, const RefinedResult* refined, const std::string& limit) {
+  return refined != nullptr && limit == "pieces" &&
+         job.settings.stop.pieces != refined->whole.job.settings.stop.pieces &&
+         std::size_t(job.settings.stop.pieces) == refined->whole.manifest.shapes.size();
+}
+
+std::string missing_warning(const CollageInput& input, const master::CollageResult& result,
+                            const std::vector<MissingShape>& missing, const RefinedResult* refined) {
+  const Job& job = input.job;
+  const std::uint64_t pieces = pieces_of(missing);
+  const std::string what =
+      count_text(pieces, "piece is", "pieces are") + " missing: " + missing_text(missing, kNamesTold) + "; ";
+  if (const char* limit = limit_that_ended(result.statistics)) {
+    if (keeps_number_of_pieces(job, refined, limit))
+      return what + refined->folder + " lacks them, too, and refining it so lets no piece more come in";
+    return what + with_value(job, "stop", limit) + " ended the collage before they found a place";
+  }
+  std::vector<ShapeId> shapes;
+  for (const MissingShape& shape : missing) shapes.push_back(shape.id);
+  const std::string tried =
+      job.settings.pieces.fit_all
+          ? "no sizes down to " + length_text(job, double(job.settings.pieces.least_scale_px)) + " gave all a place"
+          : "they found no place";
+  return what + tried + "; try " + joined_warnings(what_to_try(input, shapes));
+}
+
+/// Says for each class of shapes whether none of them stands, though the job wishes for a size of their own and counts
+/// none of them.
+std::vector<bool> absent_classes(const CollageInput& input, const master::CollageResult& result) {
+  const Wishes& wishes = input.job.settings.wishes;
+  const UseLimits uses(input.job.settings.pieces, wishes);
+  std::vector<bool> absent;
+  for (const ShapeWish& wish : wishes.classes) absent.push_back(wish.weight > 0 && !wish.poses.scale_px.empty());
+  for (std::uint32_t i = 0; i < wishes.class_of_shape.size(); ++i) {
+    if (uses.least(ShapeId{i}) > 0) absent[wishes.class_of_shape[i]] = false;
+  }
+  for (const Placement& p : result.placements) absent[wishes.class_of_shape[index_of(p.shape)]] = false;
+  return absent;
+}
+
+std::string never_fitting_text(const CollageInput& input, const std::vector<ShapeId>& shapes) {
+  const std::vector<std::string> keys =
+      keys_that_keep_out(input.job, smallest_sizes(input.job), input.library, input.canvas, shapes);
+  if (keys.empty()) return "";
+  const std::size_t first = index_of(shapes.front());
+  const std::string others = shapes.size() == 1 ? " fits" : " and " + count_text(shapes.size() - 1, "other") + " fit";
+  return '"' + input.library.read(first, first + 1, kNamesOnly).front().name + '"' + others +
+         " nowhere on the canvas; try " + joined_warnings(keys);
+}
+
+}  // namespace
+
+std::string never_fitting_warning(const CollageInput& input, const master::CollageResult& result) {
+  constexpr std::size_t kMostClasses = 8;  // each may take a tenth of a second
+  const std::vector<std::uint32_t>& class_of_shape = input.job.settings.wishes.class_of_shape;
+  if (result.unfinished || result.placements.empty() || class_of_shape.empty()) return "";
+  const std::vector<bool> absent = absent_classes(input, result);
+  std::map<std::uint32_t, std::vector<ShapeId>> shapes_of_class;
+  for (const ShapeId shape : all_that_may_stand(input)) {
+    const std::uint32_t of = class_of_shape[index_of(shape)];
+    if (absent[of]) shapes_of_class[of].push_back(shape);
+  }
+  std::size_t tried = 0;
+  for (const auto& [of, shapes] : shapes_of_class) {
+    if (const std::string text = never_fitting_text(input, shapes); !text.empty()) return text;
+    if (++tried == kMostClasses) break;
+  }
+  return "";
+}
+
+std::vector<MissingShape> missing_shapes(const CollageInput& input, const master::CollageResult& result) {
+  if (result.unfinished) return {};
+  std::vector<MissingShape> named;
+  std::vector<Shape> block;
+  std::size_t begin = 0;
+  for (const MissingPieces& missing : missing_pieces(input.job.settings, input.library.drawings(), result.placements)) {
+    const std::size_t i = index_of(missing.shape);
+    if (i >= begin + block.size()) {
+      begin = i / kNamesAtATime * kNamesAtATime;
+      block = input.library.read(begin, std::min(begin + kNamesAtATime, input.library.size()), kNamesOnly);
+    }
+    named.push_back({missing.shape, block[i - begin].name, missing.wanted, missing.standing});
+  }
+  return named;
+}
+
+std::string unplaced_warning(const CollageInput& input, const master::CollageResult& result,
+                             const std::vector<MissingShape>& missing, const RefinedResult* refined) {
+  if (result.unfinished) return "";
+  if (result.placements.empty()) return empty_warning(input, result);
+  return missing.empty() ? "" : missing_warning(input, result, missing, refined);
+}
+
+}  // namespace tessera

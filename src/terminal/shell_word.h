@@ -1,0 +1,16 @@
+// Words for a shell: commands to be typed next, and lists that scripts read.
+#pragma once
+
+#include <string>
+
+namespace tessera {
+
+/// The text as a word of a command that bash reads back as it was, in quotes where it must be. Bytes that are not to be
+/// printed (printable_utf8) are escaped: $'a\033'.
+std::string shell_word(const std::string& text);
+
+/// The text for a table that people read: unchanged where all of it can be printed and it does not look like an escaped
+/// word; else what shell_word makes of it.
+std::string shell_cell(const std::string& text);
+
+}  // namespace tessera

@@ -1,0 +1,15 @@
+// "Did you mean": the name of a list that is closest to a mistyped one.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace tessera {
+
+/// Levenshtein's distance: how many bytes have to be inserted, deleted or substituted to make `b` of `a`.
+std::size_t edit_distance(const std::string& a, const std::string& b);
+
+/// The nearest of `names`, the first of equals; empty where even that is too far off to help.
+std::string nearest_name(const std::string& name, const std::vector<std::string>& names);
+
+}  // namespace tessera

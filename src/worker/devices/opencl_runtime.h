@@ -1,0 +1,185 @@
+// A thin layer over OpenCL's C++ binding: errors that say which call failed on which device, buffers that know their
+// length, and one function that launches kernels. Nothing here knows about shapes.
+#pragma once
+
+#include <CL/opencl.hpp>
+#include <algorithm>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "worker/devices/device_memory.h"
+
+namespace tessera::worker {
+
+/// The error as one line with the call's name, the code and the device.
+EnvironmentError opencl_error(const cl::Error& error, const std::string& device);
+
+/// Runs `calls`; an OpenCL error becomes an EnvironmentError.
+template <class Calls>
+auto checked(const std::string& device, Calls&& calls) {
+  try {
+    return calls();
+  } catch (const cl::Error& error) {
+    throw opencl_error(error, device);
+  }
+}
+
+/// Called between the launches of a question while its answer is waited for, many times a second as a rule. What it
+/// throws ends the wait; the session must not be used again then.
+using BetweenLaunches = std::function<void()>;
+
+/// A device with its queue (in order: every command sees what the one before it left) and a built program.
+class DeviceSession {
+ public:
+  /// Throws EnvironmentError with the build log where the source does not compile.
+  DeviceSession(const cl::Device& device, const std::string& source, const std::string& build_options,
+                BetweenLaunches between_launches = {});
+
+  const std::string& name() const { return name_; }
+  const cl::Context& context() const { return context_; }
+  const cl::CommandQueue& queue() const { return queue_; }
+  cl::Kernel kernel(const char* name) const;
+  const cl::Device& device() const { return device_; }
+  std::uint32_t compute_units() const { return compute_units_; }
+  /// Hands what was posted to the device, without waiting.
+  void flush() const;
+  /// For enqueue(): notes that `launch` was posted.
+  void add_launch(cl::Event launch) const { launches_.push_back(std::move(launch)); }
+  /// Waits until all launches that were posted are done, one after the other.
+  void wait_for_launches() const;
+  /// Whether wait_for_launches would not wait any more.
+  bool launches_are_done() const;
+
+ private:
+  cl::Device device_;
+  std::string name_;
+  std::uint32_t compute_units_ = 0;
+  cl::Context context_;
+  cl::CommandQueue queue_;
+  cl::Program program_;
+  BetweenLaunches between_launches_;
+  mutable std::deque<cl::Event> launches_;  // posted, and not yet known to be done
+};
+
+/// `T` is a number or a struct of kernels/records.h.
+template <class T>
+class DeviceBuffer {
+ public:
+  explicit DeviceBuffer(const DeviceSession& session) : session_(&session) {}
+  DeviceBuffer(const DeviceSession& session, const std::vector<T>& content) : session_(&session) { write(content); }
+
+  /// Makes room for at least `count` elements. What was in it may be lost. A buffer that grows grows by half at least.
+  void reserve(std::size_t count) {
+    if (count <= capacity_ && capacity_ > 0) return;
+    capacity_ = std::max({count, capacity_ + capacity_ / 2, std::size_t(1)});  // OpenCL knows no empty buffers
+    checked(session_->name(), [&] {
+      buffer_ = cl::Buffer();  // the old one first: both together may not fit
+      buffer_ = make_device_buffer(session_->context(), session_->device(), capacity_ * sizeof(T));
+    });
+  }
+
+  /// Writes the first content.size() elements. Returns when `content` may change again.
+  void write(const std::vector<T>& content) {
+    reserve(content.size());
+    write_at(0, content);
+  }
+
+  /// Writes the elements from `first` on, for which there must be room. Returns when `content` may change again.
+  void write_at(std::size_t first, const std::vector<T>& content) {
+    if (content.empty()) return;
+    checked(session_->name(), [&] {
+      session_->queue().enqueueWriteBuffer(buffer_, CL_TRUE, first * sizeof(T), content.size() * sizeof(T),
+                                           content.data());
+    });
+  }
+
+  /// As write(), without waiting: the content is given away, and freed when it is written.
+  void post(std::vector<T> content) {
+    reserve(content.size());
+    if (content.empty()) return;
+    auto given = std::make_unique<std::vector<T>>(std::move(content));
+    checked(session_->name(), [&] {
+      cl::Event written;
+      session_->queue().enqueueWriteBuffer(buffer_, CL_FALSE, 0, given->size() * sizeof(T), given->data(), nullptr,
+                                           &written);
+      const auto free = [](cl_event, cl_int, void* done) { delete static_cast<std::vector<T>*>(done); };
+      written.setCallback(CL_COMPLETE, free, given.release());  // where this fails it is lost, not freed too early
+    });
+  }
+
+  /// Writes the content of `places` places of equal length, the first of which is `first`, of `all_places` in the end.
+  /// The first part that comes makes the room. Returns when `content` may change again.
+  void write_part(const std::vector<T>& content, std::size_t first, std::size_t places, std::size_t all_places) {
+    const std::size_t of_a_place = content.size() / places;
+    if (first == 0) reserve(all_places * of_a_place);
+    write_at(first * of_a_place, content);
+  }
+
+  /// Sets the first `count` elements to zero, without waiting.
+  void clear(std::size_t count) {
+    reserve(count);
+    if (count == 0) return;
+    checked(session_->name(),
+            [&] { session_->queue().enqueueFillBuffer(buffer_, std::uint32_t(0), 0, count * sizeof(T)); });
+  }
+
+  /// Reads the first `count` elements, once all that was posted before is done.
+  std::vector<T> read(std::size_t count) const {
+    session_->wait_for_launches();
+    std::vector<T> content(count);
+    if (count == 0) return content;
+    checked(session_->name(),
+            [&] { session_->queue().enqueueReadBuffer(buffer_, CL_TRUE, 0, count * sizeof(T), content.data()); });
+    return content;
+  }
+
+  const cl::Buffer& get() const { return buffer_; }
+
+ private:
+  const DeviceSession* session_;
+  cl::Buffer buffer_;
+  std::size_t capacity_ = 0;
+};
+
+/// More work than this goes to the device in several launches, so that a stop is seen between them, however large the
+/// library: a few hundred milliseconds on two CPU cores, and enough to fill a large GPU. Kernels see their global ids
+/// alone.
+inline constexpr std::size_t kMostWorkItems = std::size_t(1) << 20;
+/// GPUs allow no more groups in the second dimension (CUDA's limit of a grid).
+inline constexpr std::size_t kMostRows = 65535;
+
+/// Work items; the first dimension comes in groups of `group` (at most kMostWorkItems), or smaller ones where the device
+/// allows no more for a kernel, rounded up: kernels check it. A kernel that needs groups of a certain size
+/// (reqd_work_group_size) gets these alone, of which `group` then is the size.
+struct WorkSize {
+  std::size_t x = 0;
+  std::size_t y = 1;
+  std::size_t group = 1;
+};
+
+void set_argument(cl::Kernel& kernel, cl_uint index, std::uint32_t value);
+template <class T>
+void set_argument(cl::Kernel& kernel, cl_uint index, const DeviceBuffer<T>& buffer) {
+  kernel.setArg(index, buffer.get());
+}
+
+/// Throws EnvironmentError where the device does not allow the groups that the kernel needs.
+void enqueue(const DeviceSession& session, cl::Kernel& kernel, const WorkSize& size, cl_uint arguments);
+
+/// Posts `kernel` with its arguments: buffers and 32-bit numbers. Does nothing where there is no work.
+template <class... Arguments>
+void launch(const DeviceSession& session, cl::Kernel& kernel, const WorkSize& size, const Arguments&... arguments) {
+  if (size.x == 0 || size.y == 0) return;
+  checked(session.name(), [&] {
+    cl_uint index = 0;
+    (set_argument(kernel, index++, arguments), ...);
+    enqueue(session, kernel, size, index);
+  });
+}
+
+}  // namespace tessera::worker
