@@ -1,6 +1,5 @@
-# tessera_test(NAME SOURCES ... LINK ... [RANKS 1 2 4] [LABELS ...])
-# A GoogleTest binary of that name. With RANKS it is started by mpirun once for each number of ranks; without, it is
-# registered as one ctest entry. RapidCheck runs with a fixed seed, so that a red test is red again; a failure prints it.
+# Tests: one program a room, one ctest entry a file. RapidCheck runs with a fixed seed, so that a red test is red again; a
+# failure prints it.
 find_package(GTest REQUIRED)
 
 include_directories(${PROJECT_SOURCE_DIR}/tests)
@@ -17,39 +16,41 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
   set(TESSERA_TEST_OPTIONS -O1)
 endif()
 
-# One precompiled header for all tests.
-if(TESSERA_PRECOMPILED_HEADERS)
-  list(APPEND TESSERA_TEST_OPTIONS -fpch-preprocess)
-  file(TOUCH ${PROJECT_BINARY_DIR}/test_headers.cpp)
-  add_library(tessera_test_headers OBJECT ${PROJECT_BINARY_DIR}/test_headers.cpp)
-  target_link_libraries(tessera_test_headers PRIVATE tessera_options tessera_opencv GTest::gtest rapidcheck)
-  target_compile_options(tessera_test_headers PRIVATE ${TESSERA_TEST_OPTIONS})
-  target_precompile_headers(tessera_test_headers PRIVATE ${TESSERA_STANDARD_HEADERS} <gtest/gtest.h> <rapidcheck.h>
-                            <rapidcheck/gtest.h> <opencv2/imgproc.hpp>)
-endif()
+# main() of all of them: --file=test_pad runs the tests of that file alone.
+add_library(tessera_test_main STATIC ${PROJECT_SOURCE_DIR}/tests/support/test_main.cpp)
+target_link_libraries(tessera_test_main PUBLIC tessera_options GTest::gtest rapidcheck)
 
-function(tessera_test name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;RANKS;LABELS" ${ARGN})
+# tessera_test_program(NAME SOURCES ... LINK ...)
+function(tessera_test_program name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_compile_options(${name} PRIVATE ${TESSERA_TEST_OPTIONS})
-  if(TESSERA_PRECOMPILED_HEADERS)
-    target_precompile_headers(${name} REUSE_FROM tessera_test_headers)
-  endif()
+  target_compile_definitions(${name} PRIVATE TESSERA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  target_link_libraries(${name} PRIVATE ${ARG_LINK} tessera_test_main)
+  tessera_batches(${name})
+endfunction()
+
+# tessera_test_entry(NAME [LABELS ...] COMMAND ...): a ctest entry with what every test needs.
+function(tessera_test_entry name)
+  cmake_parse_arguments(ARG "" "" "LABELS;COMMAND" ${ARGN})
+  add_test(NAME ${name} COMMAND ${ARG_COMMAND})
   # Tests do not lie beside the program that reads drawings.
-  set(drawer_place ENVIRONMENT_MODIFICATION "TESSERA_DRAWER=set:${PROJECT_BINARY_DIR}/src/cli/tessera-drawer")
-  if(ARG_RANKS)
-    target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest rapidcheck)
-    foreach(ranks IN LISTS ARG_RANKS)
-      add_test(NAME ${name}.${ranks}_ranks
-               COMMAND ${MPIEXEC_EXECUTABLE} --oversubscribe --allow-run-as-root --bind-to none
-                       -n ${ranks} $<TARGET_FILE:${name}>)
-      set_tests_properties(${name}.${ranks}_ranks PROPERTIES LABELS "mpi;${ARG_LABELS}" TIMEOUT ${TESSERA_TEST_TIMEOUT_S}
-                           PROCESSORS 2 ENVIRONMENT RC_PARAMS=seed=2016 ${drawer_place})
-    endforeach()
-  else()
-    target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest GTest::gtest_main rapidcheck)
-    add_test(NAME ${name} COMMAND ${name})
-    set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${TESSERA_TEST_TIMEOUT_S} ENVIRONMENT RC_PARAMS=seed=2016
-                         ${drawer_place})
-  endif()
+  set_tests_properties(${name} PROPERTIES
+    LABELS "${ARG_LABELS}" TIMEOUT ${TESSERA_TEST_TIMEOUT_S} ENVIRONMENT RC_PARAMS=seed=2016
+    ENVIRONMENT_MODIFICATION "TESSERA_DRAWER=set:${PROJECT_BINARY_DIR}/src/cli/tessera-drawer")
+endfunction()
+
+# tessera_tests(NAME LINK <target>... [LABELS ...] [EXCEPT <file>...]): the program NAME of the calling folder's *.cpp, and
+# an entry for each test_*.cpp, named like it. A new file needs no line here.
+function(tessera_tests name)
+  cmake_parse_arguments(ARG "" "" "LINK;LABELS;EXCEPT" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *.cpp)
+  list(REMOVE_ITEM sources ${ARG_EXCEPT})
+  tessera_test_program(${name} SOURCES ${sources} LINK ${ARG_LINK})
+  foreach(source IN LISTS sources)
+    get_filename_component(file ${source} NAME_WE)
+    if(file MATCHES "^test_")
+      tessera_test_entry(${file} LABELS ${ARG_LABELS} COMMAND ${name} --file=${file})
+    endif()
+  endforeach()
 endfunction()

@@ -3,7 +3,7 @@
 
 #include "bench/inputs/formula_shapes.h"
 #include "library/storage/library_file.h"
-#include "io/scratch_folder.h"
+#include "support/scratch_folder.h"
 
 namespace tessera::test {
 

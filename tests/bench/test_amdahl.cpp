@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace tessera::bench {
-namespace {
+namespace test_amdahl {
 
 TEST(Amdahl, FindsThePartsThatTheTimesWereMadeOf) {
   const AmdahlFit fit = fit_amdahl({{1, 12}, {2, 7}, {4, 4.5}, {10, 3}});
@@ -20,5 +20,5 @@ TEST(Amdahl, OneNumberOfWorkersSaysNothingOfASerialPart) {
   EXPECT_NEAR(fit.loop_s(2), 5, 1e-9);
 }
 
-}  // namespace
+}  // namespace test_amdahl
 }  // namespace tessera::bench

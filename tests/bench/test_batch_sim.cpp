@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace tessera::bench {
-namespace {
+namespace test_batch_sim {
 
 /// Four windows of 3, 2, 2 and 1 s.
 ReplacingCase by_hand() {
@@ -47,5 +47,5 @@ TEST(BatchSim, AsByHand) {
   EXPECT_NEAR(found[7].batch_s, 5 + 0.002, 1e-6);
 }
 
-}  // namespace
+}  // namespace test_batch_sim
 }  // namespace tessera::bench

@@ -11,10 +11,10 @@
 #include "bench/replacing_case.h"
 #include "bench/scaling_case.h"
 #include "core/base/error.h"
-#include "io/scratch_folder.h"
+#include "support/scratch_folder.h"
 
 namespace tessera::bench {
-namespace {
+namespace test_benchmarks {
 
 const Setting kQuick{.quick = true, .devices = "all", .out = ""};
 
@@ -304,5 +304,5 @@ TEST(Benchmarks, ScalingChecksItsArguments) {
 
 TEST(Benchmarks, NameTheLibraryThatIsMissing) { EXPECT_THROW(bench_table2(kQuick, {"none.h5", {}}), InputError); }
 
-}  // namespace
+}  // namespace test_benchmarks
 }  // namespace tessera::bench

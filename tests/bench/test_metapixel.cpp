@@ -8,10 +8,10 @@
 
 #include "core/base/error.h"
 #include "formula_library.h"
-#include "io/scratch_folder.h"
+#include "support/scratch_folder.h"
 
 namespace tessera::bench {
-namespace {
+namespace test_metapixel {
 
 TEST(TileGrid, HasTheAspectAndTheNumber) {
   const TileGrid grid = tile_grid({1024, 683}, 3000);
@@ -38,5 +38,5 @@ TEST(Tiles, OutlinesAreNoTiles) {
   EXPECT_THROW(write_tiles(LibraryFile(library.path()), "#ffffff", folder.path("")), InputError);
 }
 
-}  // namespace
+}  // namespace test_metapixel
 }  // namespace tessera::bench

@@ -7,7 +7,7 @@
 #include "support/matcher_round.h"
 
 namespace tessera::bench {
-namespace {
+namespace test_paper_matcher {
 
 test::MatchingScene paper_scene() { return test::make_scene(paper_settings(test::scene_settings())); }
 
@@ -63,5 +63,5 @@ TEST(PaperMatcher, RanksByTheObjective) {
   }
 }
 
-}  // namespace
+}  // namespace test_paper_matcher
 }  // namespace tessera::bench

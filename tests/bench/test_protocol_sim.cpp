@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace tessera::bench {
-namespace {
+namespace test_protocol_sim {
 
 /// One measure, one count, one dock, one refine.
 RoundCosts by_hand(int workers) {
@@ -51,5 +51,5 @@ TEST(ProtocolSim, AsByHand) {
   EXPECT_NEAR(rounds[5].master_busy_s, rounds[0].master_busy_s + 0.04, 1e-9);
 }
 
-}  // namespace
+}  // namespace test_protocol_sim
 }  // namespace tessera::bench

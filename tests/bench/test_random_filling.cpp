@@ -7,7 +7,7 @@
 #include "support/synthetic_library.h"
 
 namespace tessera::bench {
-namespace {
+namespace test_random_filling {
 
 TEST(RandomFilling, OverlapsNothing) {
   const std::vector<Shape> library = test::synthetic_library(6);
@@ -29,5 +29,5 @@ TEST(RandomFilling, OverlapsNothing) {
   EXPECT_GT(q.coverage, 0.3);
 }
 
-}  // namespace
+}  // namespace test_random_filling
 }  // namespace tessera::bench

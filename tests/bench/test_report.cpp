@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 
 namespace tessera::bench {
-namespace {
+namespace test_report {
 
 TEST(Report, TableAlignsItsColumns) {
   TextTable table({"", "pieces", "s"});
@@ -28,5 +28,5 @@ TEST(Report, SaysWhereItCannotBeWritten) {
   EXPECT_THROW(write_report({"", {{"benchmark", "none"}}}, "/proc/none.json"), EnvironmentError);
 }
 
-}  // namespace
+}  // namespace test_report
 }  // namespace tessera::bench

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace tessera::bench {
-namespace {
+namespace test_round_model {
 
 /// A run of ten rounds as a machine would give that counts 1 ms a thousand shapes, docks 40 ms over all workers, and
 /// has a master that takes 5 ms and 0.5 ms a worker.
@@ -70,5 +70,5 @@ TEST(RoundModel, NoPartIsBelowZero) {
   EXPECT_EQ(x[1], 0);
 }
 
-}  // namespace
+}  // namespace test_round_model
 }  // namespace tessera::bench

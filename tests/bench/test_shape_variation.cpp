@@ -7,7 +7,7 @@
 #include "support/matching_scene.h"
 
 namespace tessera {
-namespace {
+namespace test_shape_variation {
 
 Shape shape_of(const Outline& outline) { return test::shape_from_outline(outline, {}); }
 
@@ -52,5 +52,5 @@ TEST(ShapeVariation, StretchesAlongItsDirection) {
   EXPECT_NEAR(box.width() / box.height(), 1.5f * 1.5f, 0.01f);
 }
 
-}  // namespace
+}  // namespace test_shape_variation
 }  // namespace tessera

@@ -7,7 +7,7 @@
 #include <set>
 
 namespace tessera::bench {
-namespace {
+namespace test_table2_rows {
 
 const Table2Row& row_of(std::string_view figure) {
   const auto rows = table2_rows();
@@ -56,5 +56,5 @@ TEST(Table2Rows, SumsOfTheColumns) {
   EXPECT_NEAR(total_min, 1543.6, 1e-9);
 }
 
-}  // namespace
+}  // namespace test_table2_rows
 }  // namespace tessera::bench

@@ -11,7 +11,7 @@
 #include "core/matching/matching_context.h"
 
 namespace tessera::bench {
-namespace {
+namespace test_varied_shapes {
 
 TEST(VariedShapes, VariationsAreDistinctAndMild) {
   std::set<std::tuple<bool, float, float>> seen;
@@ -53,5 +53,5 @@ TEST(VariedShapes, ModelsAreThoseOfTheShapes) {
   }
 }
 
-}  // namespace
+}  // namespace test_varied_shapes
 }  // namespace tessera::bench

@@ -5,7 +5,7 @@
 #include "terminal/progress_bar.h"
 
 namespace tessera::cli {
-namespace {
+namespace test_library_output {
 
 TEST(ProgressText, ForATerminalAndForALogFile) {
   EXPECT_EQ(progress_text("library", 50, 200, "31 shapes", 30, 0), "library: 25 %, 31 shapes, 0:30 left");
@@ -77,5 +77,5 @@ TEST(BuildCounts, AddUpToTheFiles) {
   EXPECT_EQ(build_counts(report), "9 files: 5 shapes, 1 merged with these, 3 skipped");
 }
 
-}  // namespace
+}  // namespace test_library_output
 }  // namespace tessera::cli

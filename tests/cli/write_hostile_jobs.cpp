@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/hostile_job.h"
+#include "job/hostile_job.h"
 
 int main(int argc, char** argv) {
   const std::vector<std::string> libraries = {"own.h5", "own.h5", "own.h5", "pipe", "/dev/zero", "folder", "none.h5"};

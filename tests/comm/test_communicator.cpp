@@ -11,7 +11,7 @@
 #include "on_all_ranks.h"
 
 namespace tessera::comm {
-namespace {
+namespace test_communicator {
 
 using test::on_all_ranks;
 
@@ -167,5 +167,5 @@ TEST(NodeTurn, OneWorkerOfTheNodeGoesFirst) {
   });
 }
 
-}  // namespace
+}  // namespace test_communicator
 }  // namespace tessera::comm

@@ -10,7 +10,7 @@
 #include "idle_replacer.h"
 
 namespace tessera::comm {
-namespace {
+namespace test_distributed_matchers {
 
 using tessera::test::MatcherKind;
 using tessera::test::MatcherSuite;
@@ -73,5 +73,5 @@ INSTANTIATE_TEST_SUITE_P(Distributed, MatcherSuite,
                          testing::Values(team_of(1), team_of(2), team_of(3), team_of(11), team_of(30)),
                          [](const auto& info) { return info.param.name; });
 
-}  // namespace
+}  // namespace test_distributed_matchers
 }  // namespace tessera::comm

@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 
 namespace tessera::comm {
-namespace {
+namespace test_first_failure {
 
 TEST(FirstFailure, IsTheOneThatTheMasterTells) {
   InProcessNetwork network(3);
@@ -34,5 +34,5 @@ TEST(FirstFailure, WantOfMemoryIsTheMachines) {
   }
 }
 
-}  // namespace
+}  // namespace test_first_failure
 }  // namespace tessera::comm

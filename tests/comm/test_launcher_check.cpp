@@ -6,7 +6,7 @@
 #include <map>
 
 namespace tessera::comm {
-namespace {
+namespace test_launcher_check {
 
 std::string problem(const std::map<std::string, std::string>& variables, int ranks = 1) {
   const auto value = [&](const char* name) {
@@ -48,5 +48,5 @@ TEST(LauncherCheck, open_mpis_ranks_are_fine_inside_other_launchers) {
   EXPECT_EQ(problem({{"OMPI_COMM_WORLD_SIZE", "1"}, {"SLURM_PROCID", "0"}, {"SLURM_STEP_NUM_TASKS", "2"}}, 1), "");
 }
 
-}  // namespace
+}  // namespace test_launcher_check
 }  // namespace tessera::comm

@@ -17,7 +17,7 @@
 #include "support/idle_matcher.h"
 
 namespace tessera::comm {
-namespace {
+namespace test_loop_clock {
 
 using test::on_all_ranks;
 using test::run_job;
@@ -148,5 +148,5 @@ TEST(LoopClock, AMasterWithoutWorkersHasNothingToSay) {
   });
 }
 
-}  // namespace
+}  // namespace test_loop_clock
 }  // namespace tessera::comm

@@ -5,7 +5,7 @@
 #include "core/base/interrupted.h"
 
 namespace tessera::comm {
-namespace {
+namespace test_lost_worker {
 
 TEST(LostWorker, IsToldOnceHoweverManyWaitsItEnds) {
   InProcessNetwork network(2);
@@ -29,5 +29,5 @@ TEST(LostWorker, StaysLostWhenItIsHeardOfAgain) {
   EXPECT_EQ(told, 1);
 }
 
-}  // namespace
+}  // namespace test_lost_worker
 }  // namespace tessera::comm

@@ -16,7 +16,7 @@
 #include "core/base/error.h"
 
 namespace tessera::comm {
-namespace {
+namespace test_messages {
 
 float any_float() { return std::bit_cast<float>(*rc::gen::arbitrary<std::uint32_t>()); }
 Vec2 any_vec2() { return {any_float(), any_float()}; }
@@ -252,5 +252,5 @@ TEST(Failures, KeepTheirKindAndText) {
   }
 }
 
-}  // namespace
+}  // namespace test_messages
 }  // namespace tessera::comm

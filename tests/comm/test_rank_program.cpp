@@ -8,7 +8,7 @@
 #include "on_all_ranks.h"
 
 namespace tessera::comm {
-namespace {
+namespace test_rank_program {
 
 using test::JobOutcome;
 using test::on_all_ranks;
@@ -125,5 +125,5 @@ TEST(RankProgram, AnInterruptedWaitLeavesTheJobToRankZero) {
   });
 }
 
-}  // namespace
+}  // namespace test_rank_program
 }  // namespace tessera::comm

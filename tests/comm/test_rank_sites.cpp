@@ -6,7 +6,7 @@
 #include "on_all_ranks.h"
 
 namespace tessera::comm {
-namespace {
+namespace test_rank_sites {
 
 RankSite site_of(int rank) {
   RankSite site{"host" + std::to_string(rank), {}};
@@ -30,5 +30,5 @@ TEST(RankSites, ReachRankZeroInTheOrderOfTheRanks) {
   });
 }
 
-}  // namespace
+}  // namespace test_rank_sites
 }  // namespace tessera::comm

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace tessera::comm {
-namespace {
+namespace test_rank_watch {
 
 constexpr double kSilence_s = 10;
 constexpr Heartbeat kBusy{.waiting = false, .for_s = 3};
@@ -112,5 +112,5 @@ TEST_F(RankWatchTest, a_message_that_all_wait_for_is_lost) {
   EXPECT_FALSE(watch_.lost());
 }
 
-}  // namespace
+}  // namespace test_rank_watch
 }  // namespace tessera::comm

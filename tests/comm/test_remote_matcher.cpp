@@ -14,7 +14,7 @@
 #include "support/matcher_round.h"
 
 namespace tessera::comm {
-namespace {
+namespace test_remote_matcher {
 
 using tessera::test::MatchingScene;
 using tessera::test::Round;
@@ -307,5 +307,5 @@ TEST(RemoteMatcher, PartsOfTheLibraryOnAnyNumberOfRanksAnswerAsTheWhole) {
       });
 }
 
-}  // namespace
+}  // namespace test_remote_matcher
 }  // namespace tessera::comm

@@ -13,7 +13,7 @@
 #include "support/replacement_windows.h"
 
 namespace tessera::comm {
-namespace {
+namespace test_replacer_team {
 
 using tessera::test::any_windows;
 using tessera::test::endless_windows;
@@ -176,5 +176,5 @@ TEST(ReplacerTeam, AWorkersErrorEndsTheJobWhileOthersWork) {
   });
 }
 
-}  // namespace
+}  // namespace test_replacer_team
 }  // namespace tessera::comm

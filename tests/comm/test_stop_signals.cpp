@@ -10,7 +10,7 @@
 #include <string>
 
 namespace tessera::comm {
-namespace {
+namespace test_stop_signals {
 
 int cleaned_up = -1;  // where the child says that it cleaned up
 
@@ -153,5 +153,5 @@ TEST(StopSignals, OfARunAreStillNotedAfterADelay) {
   EXPECT_EQ(end.exit_code, 7);
 }
 
-}  // namespace
+}  // namespace test_stop_signals
 }  // namespace tessera::comm

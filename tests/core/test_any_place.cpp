@@ -7,7 +7,7 @@
 #include "core/field/keep_out.h"
 
 namespace tessera {
-namespace {
+namespace test_any_place {
 
 constexpr DirectionRange kAnyRotation;
 
@@ -60,5 +60,5 @@ TEST(AnyPlace, OnASeamlessCanvasNothingReachesItself) {
   EXPECT_FALSE(fits(canvas, 450, kAnyRotation));
 }
 
-}  // namespace
+}  // namespace test_any_place
 }  // namespace tessera

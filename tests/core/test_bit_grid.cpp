@@ -9,7 +9,7 @@
 #include "core/geometry/distance_transform.h"
 
 namespace tessera {
-namespace {
+namespace test_bit_grid {
 
 /// Widths on both sides of one and of two words.
 int any_width() { return *rc::gen::element(1, 5, 63, 64, 65, 100, 128, 130); }
@@ -77,5 +77,5 @@ TEST(BitGrid, DilationIsAThresholdOfTheDistance) {
 
 TEST(BitGrid, WithoutNodes) { EXPECT_EQ(dilated_by_disc(BitGrid(0, 0), 9).words(), 0); }
 
-}  // namespace
+}  // namespace test_bit_grid
 }  // namespace tessera

@@ -10,7 +10,7 @@
 #include "support/synthetic_shapes.h"
 
 namespace tessera {
-namespace {
+namespace test_boundary_map {
 
 constexpr float kReach_px = 25;
 
@@ -121,5 +121,5 @@ TEST(BoundaryMap, WithoutPiecesNothingIsNear) {
   EXPECT_EQ(map.hits({1, 2}, {1, 0}, 5, 0).other_px, 5);
 }
 
-}  // namespace
+}  // namespace test_boundary_map
 }  // namespace tessera

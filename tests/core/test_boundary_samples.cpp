@@ -7,7 +7,7 @@
 #include "support/polygon_distance.h"
 
 namespace tessera {
-namespace {
+namespace test_boundary_samples {
 
 using namespace relaxed_pieces;
 
@@ -26,5 +26,5 @@ TEST(BoundarySamples, LengthsAddUpAndStepsAreBounded) {
   }
 }
 
-}  // namespace
+}  // namespace test_boundary_samples
 }  // namespace tessera

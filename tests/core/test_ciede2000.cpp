@@ -7,7 +7,7 @@
 #include "core/colour/ciede2000.h"
 
 namespace tessera {
-namespace {
+namespace test_ciede2000 {
 
 constexpr double kRad = std::numbers::pi / 180;
 
@@ -110,5 +110,5 @@ RC_GTEST_PROP(Ciede2000Property, IsThatOfTheAngles, ()) {
   RC_ASSERT(std::abs(double(ciede2000(x, y)) - expected) <= 2e-3 + 1e-4 * expected);
 }
 
-}  // namespace
+}  // namespace test_ciede2000
 }  // namespace tessera

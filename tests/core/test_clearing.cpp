@@ -9,7 +9,7 @@
 #include "relaxed_pieces.h"
 
 namespace tessera {
-namespace {
+namespace test_clearing {
 
 using namespace relaxed_pieces;
 
@@ -143,5 +143,5 @@ TEST(Clearing, APieceBecomesHardlyLargerThanItWas) {
   EXPECT_LT(pieces[0].canvas_from_shape.scale(), 30.101f);
 }
 
-}  // namespace
+}  // namespace test_clearing
 }  // namespace tessera

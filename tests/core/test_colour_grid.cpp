@@ -8,7 +8,7 @@
 #include "support/colours.h"
 
 namespace tessera {
-namespace {
+namespace test_colour_grid {
 
 const Lab kRed{53, 80, 67};
 const Lab kBlue{32, 79, -108};
@@ -111,5 +111,5 @@ TEST(ColourGrid, MirroredIsThatOfTheMirroredDrawing) {
   expect_colour(model.colour[6], {70, 0, 0});
 }
 
-}  // namespace
+}  // namespace test_colour_grid
 }  // namespace tessera

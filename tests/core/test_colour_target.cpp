@@ -8,7 +8,7 @@
 #include "support/colours.h"
 
 namespace tessera {
-namespace {
+namespace test_colour_target {
 
 using test::opaque;
 
@@ -177,5 +177,5 @@ TEST(NearColours, WithoutAWishAnyShapeWillDo) {
   EXPECT_GT(light.length(), 500u) << "the less colour counts, the more shapes come into question";
 }
 
-}  // namespace
+}  // namespace test_colour_target
 }  // namespace tessera

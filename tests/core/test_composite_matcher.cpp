@@ -8,7 +8,7 @@
 #include "support/idle_matcher.h"
 
 namespace tessera {
-namespace {
+namespace test_composite_matcher {
 
 /// Counts in as many steps as it is told, and notes in `calls` what it is asked: "post 0" is of the part with shape 0.
 class SteppingMatcher : public test::IdleMatcher {
@@ -145,5 +145,5 @@ TEST(CompositeMatcher, PartsThatCountedDifferentSamplesAreTold) {
   }
 }
 
-}  // namespace
+}  // namespace test_composite_matcher
 }  // namespace tessera

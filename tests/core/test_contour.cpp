@@ -9,7 +9,7 @@
 #include "core/geometry/polygon.h"
 
 namespace tessera {
-namespace {
+namespace test_contour {
 
 /// Antialiased disc: coverage falls from 1 to 0 within a node's width.
 Grid<float> disc(int size, Vec2 centre, float radius) {
@@ -96,5 +96,5 @@ TEST(Contour, StepsStayWithinACellOfAnyGrid) {
   }));
 }
 
-}  // namespace
+}  // namespace test_contour
 }  // namespace tessera

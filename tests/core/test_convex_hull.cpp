@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace tessera {
-namespace {
+namespace test_convex_hull {
 
 std::vector<Vec2> any_points(int most) {
   std::vector<Vec2> points(std::size_t(*rc::gen::inRange(1, most)));
@@ -58,5 +58,5 @@ TEST(ConvexHull, LeastWidthIsThatOfTheNarrowestStrip) {
   }));
 }
 
-}  // namespace
+}  // namespace test_convex_hull
 }  // namespace tessera

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace tessera {
-namespace {
+namespace test_count_text {
 
 TEST(CountText, OneIsSingularAndAllOthersArePlural) {
   EXPECT_EQ(count_text(0, "piece"), "0 pieces");
@@ -15,5 +15,5 @@ TEST(CountText, OneIsSingularAndAllOthersArePlural) {
   EXPECT_EQ(by_count(0, "is", "are"), "are");
 }
 
-}  // namespace
+}  // namespace test_count_text
 }  // namespace tessera

@@ -8,7 +8,7 @@
 #include "core/settings/tuning.h"
 
 namespace tessera {
-namespace {
+namespace test_deck {
 
 constexpr std::uint32_t kLarge = 1'000'000;
 
@@ -75,5 +75,5 @@ TEST(Deck, FavoursNoPartOfTheLibrary) {
   for (const double part : drawn) EXPECT_NEAR(part, even, 0.12 * even);
 }
 
-}  // namespace
+}  // namespace test_deck
 }  // namespace tessera

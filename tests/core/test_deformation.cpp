@@ -15,7 +15,7 @@
 #include "support/synthetic_shapes.h"
 
 namespace tessera {
-namespace {
+namespace test_deformation {
 
 using test::make_test_shape;
 
@@ -299,5 +299,5 @@ TEST(ShapeIdentity, IsKeptByWhatPadsDoNotSeeAndLostByWhatTheyDo) {
   EXPECT_GT(identity.pad_distance(warp), 3 * larger + 0.03);
 }
 
-}  // namespace
+}  // namespace test_deformation
 }  // namespace tessera

@@ -9,7 +9,7 @@
 #include <vector>
 
 namespace tessera {
-namespace {
+namespace test_distance_transform {
 
 Grid<std::uint8_t> any_set(int width, int height, int inverse_density) {
   Grid<std::uint8_t> set(width, height);
@@ -52,5 +52,5 @@ TEST(DistanceTransform, LargestGridDoesNotOverflow) {
   EXPECT_EQ(squared(16383, 1), float(16383. * 16383. + 1));
 }
 
-}  // namespace
+}  // namespace test_distance_transform
 }  // namespace tessera

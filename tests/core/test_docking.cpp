@@ -16,7 +16,7 @@
 #include "support/synthetic_library.h"
 
 namespace tessera {
-namespace {
+namespace test_docking {
 
 Similarity random_similarity(float min_scale, float max_scale) {
   const float scale = min_scale + (max_scale - min_scale) * 0.001f * float(*rc::gen::inRange(0, 1000));
@@ -403,5 +403,5 @@ TEST(BinLimit, KeepsTheShareAndAtLeastTheFirstPairs) {
   EXPECT_EQ(bin_limit_for(h, 1000), std::uint32_t(kDistanceBins));
 }
 
-}  // namespace
+}  // namespace test_docking
 }  // namespace tessera

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace tessera {
-namespace {
+namespace test_former_pieces {
 
 constexpr TakenOut kFirst{ShapeId{0}, 0};
 const std::vector<std::uint32_t> kOwn = {0, 1, 2};
@@ -78,5 +78,5 @@ TEST(FormerPieces, OthersOfItsRegionComeIn) {
   EXPECT_TRUE(others(s, {ShapeId{0}, 1}));
 }
 
-}  // namespace
+}  // namespace test_former_pieces
 }  // namespace tessera

@@ -12,7 +12,7 @@
 #include "support/input_error.h"
 
 namespace tessera {
-namespace {
+namespace test_harmony {
 
 using enum HarmonicTemplate;
 
@@ -147,5 +147,5 @@ TEST(Harmony, GoesByTheGaussianOfThePaper) {
   EXPECT_NEAR(harmonised_hue(100, {Y, 0}), there(100, 93.6), 1e-9);
 }
 
-}  // namespace
+}  // namespace test_harmony
 }  // namespace tessera

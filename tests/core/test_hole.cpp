@@ -12,7 +12,7 @@
 #include "replaced_pieces.h"
 
 namespace tessera {
-namespace {
+namespace test_hole {
 
 using namespace replaced_pieces;
 using relaxed_pieces::kDisc;
@@ -375,5 +375,5 @@ TEST(HoleShape, InteriorPointsAreEvenInside) {
   }
 }
 
-}  // namespace
+}  // namespace test_hole
 }  // namespace tessera

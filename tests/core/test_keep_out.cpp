@@ -8,7 +8,7 @@
 #include "core/field/field_lookup.h"
 
 namespace tessera {
-namespace {
+namespace test_keep_out {
 
 KeepOutRectangle rectangle(Vec2 middle_px, Vec2 half_size_px, float turned_rad = 0, float corner_px = 0) {
   return {middle_px, half_size_px, {std::cos(turned_rad), std::sin(turned_rad)}, corner_px};
@@ -114,5 +114,5 @@ TEST(KeepOut, OverlappingZonesCountOnce) {
   EXPECT_NEAR(canvas.area_px2, 100 * 80 - 50 * 20, 2);
 }
 
-}  // namespace
+}  // namespace test_keep_out
 }  // namespace tessera

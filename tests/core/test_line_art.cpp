@@ -12,7 +12,7 @@
 #include "support/synthetic_shapes.h"
 
 namespace tessera {
-namespace {
+namespace test_line_art {
 
 const Shape& thin_ring() {
   static const Shape shape = test::make_test_shape("ring", test::ring_outline(0.88f));
@@ -164,5 +164,5 @@ TEST(WideGap, ASearchCanBeStopped) {
   EXPECT_GE(checks, 5);
 }
 
-}  // namespace
+}  // namespace test_line_art
 }  // namespace tessera

@@ -2,7 +2,7 @@
 #include "matcher_suite.h"
 
 namespace tessera::test {
-namespace {
+namespace test_matchers {
 
 std::unique_ptr<Matcher> make_reference(const MatchingContext& context, std::uint32_t first,
                                         std::vector<ShapeModel> models) {
@@ -34,5 +34,5 @@ TEST(CompositeMatcher, RefusesPartsThatDoNotFollowOneAnother) {
   EXPECT_THROW(CompositeMatcher(std::move(parts)), std::logic_error);
 }
 
-}  // namespace
+}  // namespace test_matchers
 }  // namespace tessera::test

@@ -11,7 +11,7 @@
 #include "support/synthetic_library.h"
 
 namespace tessera {
-namespace {
+namespace test_mirrored_shape {
 
 constexpr int kPadLevels = PadParameters{}.levels;
 
@@ -110,5 +110,5 @@ TEST(MirroredShape, PartsThatWereNotReadStayEmpty) {
   EXPECT_TRUE(image.levels[0].samples.empty());
 }
 
-}  // namespace
+}  // namespace test_mirrored_shape
 }  // namespace tessera

@@ -4,7 +4,7 @@
 #include "core/collage/missing_pieces.h"
 
 namespace tessera {
-namespace {
+namespace test_missing_pieces {
 
 std::vector<Placement> placed(const std::vector<std::uint32_t>& shapes) {
   std::vector<Placement> placements;
@@ -74,5 +74,5 @@ TEST(MissingPieces, AMirrorImageIsAPieceOfItsShape) {
   EXPECT_EQ(missing(s, {0, 3, 3}, {0, 1, 0, 1}), "0: 1 of 2; ");
 }
 
-}  // namespace
+}  // namespace test_missing_pieces
 }  // namespace tessera

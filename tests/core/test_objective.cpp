@@ -8,7 +8,7 @@
 #include "support/synthetic_shapes.h"
 
 namespace tessera {
-namespace {
+namespace test_objective {
 
 const PieceSize kPiece{50, 200, 100};
 
@@ -152,5 +152,5 @@ TEST(ExactAreas, SeeTheGapThatNothingCanEnter) {
   EXPECT_EQ(apart.gap_px2, 0);
 }
 
-}  // namespace
+}  // namespace test_objective
 }  // namespace tessera

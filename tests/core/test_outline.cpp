@@ -10,7 +10,7 @@
 #include "core/geometry/polygon.h"
 
 namespace tessera {
-namespace {
+namespace test_outline {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -188,5 +188,5 @@ TEST(Outline, PixelsOfTheSourceCount) {
   EXPECT_EQ(std::get<SkipReason>(trace_outline(alpha, {}, 10)), SkipReason::too_small);  // an icon of 18 px
 }
 
-}  // namespace
+}  // namespace test_outline
 }  // namespace tessera

@@ -12,7 +12,7 @@
 #include "support/room_for_stacks.h"
 
 namespace tessera {
-namespace {
+namespace test_own_replacer {
 
 using test::any_windows;
 using test::endless_windows;
@@ -140,5 +140,5 @@ TEST(OwnReplacer, ForgetsShapesAndReadsThemAgain) {
   EXPECT_EQ(asked(replacer, few), expected);
 }
 
-}  // namespace
+}  // namespace test_own_replacer
 }  // namespace tessera

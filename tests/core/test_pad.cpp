@@ -13,7 +13,7 @@
 #include "support/random_curves.h"
 
 namespace tessera {
-namespace {
+namespace test_pad {
 
 constexpr PadParameters kPad;
 constexpr float kSigma = 0.05f;  // of curves about 7 long
@@ -200,5 +200,5 @@ TEST(Pad, OfAPastedStretchEqualsTheOriginal) {
   }));
 }
 
-}  // namespace
+}  // namespace test_pad
 }  // namespace tessera

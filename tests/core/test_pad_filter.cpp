@@ -7,7 +7,7 @@
 #include <algorithm>
 
 namespace tessera {
-namespace {
+namespace test_pad_filter {
 
 bool within(std::uint8_t byte, std::uint8_t low, std::uint8_t high) { return low <= byte && byte <= high; }
 
@@ -85,5 +85,5 @@ TEST(PadFilter, SignsFitTheirOwnAndFlatOnes) {
   }
 }
 
-}  // namespace
+}  // namespace test_pad_filter
 }  // namespace tessera

@@ -9,7 +9,7 @@
 #include <random>
 
 namespace tessera {
-namespace {
+namespace test_pad_index {
 
 constexpr int kElements = 8;
 
@@ -103,5 +103,5 @@ TEST(PadIndex, SignsMeetInOneBlock) {
   EXPECT_LE(mixed, 1);
 }
 
-}  // namespace
+}  // namespace test_pad_index
 }  // namespace tessera

@@ -10,7 +10,7 @@
 #include "core/pad/pad_index.h"
 
 namespace tessera {
-namespace {
+namespace test_pair_limits {
 
 /// Pairs of some samples, by segment and sample.
 struct Pairs {
@@ -104,5 +104,5 @@ TEST(PairLimits, AMatcherThatCountsOthersIsTold) {
   EXPECT_THROW(pair_limits(4, 10, 100, count), std::logic_error);
 }
 
-}  // namespace
+}  // namespace test_pair_limits
 }  // namespace tessera

@@ -8,7 +8,7 @@
 #include "core/ranks/partition.h"
 
 namespace tessera {
-namespace {
+namespace test_partition {
 
 std::vector<std::uint64_t> some_weights() {
   return *rc::gen::container<std::vector<std::uint64_t>>(rc::gen::inRange<std::uint64_t>(0, 1000));
@@ -197,5 +197,5 @@ TEST(FairShares, HeaviestFirstAndOfEqualOnesTheFirst) {
 
 TEST(FairShares, NeedAPart) { EXPECT_THROW(fair_shares({}, {}), std::invalid_argument); }
 
-}  // namespace
+}  // namespace test_partition
 }  // namespace tessera

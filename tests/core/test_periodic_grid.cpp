@@ -7,7 +7,7 @@
 #include <set>
 
 namespace tessera {
-namespace {
+namespace test_periodic_grid {
 
 TEST(Period, WithoutOneEverythingStaysWhereItIs) {
   const Period none;
@@ -138,5 +138,5 @@ TEST(PeriodicGrid, IsCutOffOnlyWhereItDoesNotRepeat) {
   EXPECT_EQ(grid.with_next_nodes(), (Window{20, 0, 121, 50}));
 }
 
-}  // namespace
+}  // namespace test_periodic_grid
 }  // namespace tessera

@@ -15,7 +15,7 @@
 #include "support/synthetic_shapes.h"
 
 namespace tessera {
-namespace {
+namespace test_picture_measures {
 
 JudgedPiece laid(const Outline& unit_outline, float scale_px, Vec2 centre_px, const std::string& shape,
                  float rotation_rad = 0) {
@@ -308,5 +308,5 @@ TEST(Quality, PartsOfAPieceOutsideOfTheCanvasAreOutside) {
   EXPECT_NEAR(measure_quality(make_rectangle_canvas(100, 100), {two}).outside, 0.04, 1e-6);
 }
 
-}  // namespace
+}  // namespace test_picture_measures
 }  // namespace tessera

@@ -11,7 +11,7 @@
 #include "random_pieces.h"
 
 namespace tessera {
-namespace {
+namespace test_piece_on_field {
 
 const Shape& any_shape() { return test::four_shapes()[*rc::gen::inRange<std::size_t>(0, test::four_shapes().size())]; }
 
@@ -174,5 +174,5 @@ TEST(PieceOnField, ExactAreasCountEveryNode) {
   }));
 }
 
-}  // namespace
+}  // namespace test_piece_on_field
 }  // namespace tessera

@@ -12,7 +12,7 @@
 #include "support/synthetic_shapes.h"
 
 namespace tessera {
-namespace {
+namespace test_placed_outlines {
 
 constexpr float kPadding_px = 6;
 constexpr double kNeeded_px = kPadding_px + 0.002;  // for the three decimals of pieces.geojson
@@ -421,5 +421,5 @@ TEST(PlacedOutlines, APieceDoesNotSwallowASmallZone) {
   }
 }
 
-}  // namespace
+}  // namespace test_placed_outlines
 }  // namespace tessera

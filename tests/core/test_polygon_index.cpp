@@ -9,7 +9,7 @@
 #include "support/synthetic_shapes.h"
 
 namespace tessera {
-namespace {
+namespace test_polygon_index {
 
 Outline any_outline() {
   const int kind = *rc::gen::inRange(0, 4);
@@ -115,5 +115,5 @@ TEST(PieceDistance, IsALowerBoundBeyondTheGrid) {
   }));
 }
 
-}  // namespace
+}  // namespace test_polygon_index
 }  // namespace tessera

@@ -11,7 +11,7 @@
 #include "core/settings/tuning.h"
 
 namespace tessera {
-namespace {
+namespace test_pool {
 
 TEST(Pool, KeepsTheBestInATotalOrder) {
   Pool pool;
@@ -181,5 +181,5 @@ TEST(Pool, FindsWhatAChangeReaches) {
   }));
 }
 
-}  // namespace
+}  // namespace test_pool
 }  // namespace tessera

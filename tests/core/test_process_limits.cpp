@@ -5,7 +5,7 @@
 #include <sys/resource.h>
 
 namespace tessera {
-namespace {
+namespace test_process_limits {
 
 TEST(ProcessLimits, AreToldWhereTheyAreSet) {
   rlimit before{};
@@ -22,5 +22,5 @@ TEST(ProcessLimits, AreToldWhereTheyAreSet) {
   EXPECT_EQ(process_limits().find("ulimit -f") == std::string::npos, before.rlim_cur == RLIM_INFINITY);
 }
 
-}  // namespace
+}  // namespace test_process_limits
 }  // namespace tessera

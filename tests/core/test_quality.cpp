@@ -11,7 +11,7 @@
 #include "support/synthetic_shapes.h"
 
 namespace tessera {
-namespace {
+namespace test_quality {
 
 using test::make_test_shape;
 
@@ -229,5 +229,5 @@ RC_GTEST_PROP(Rasterise, HalvesOfACutShapeNeitherOverlapNorLeaveCells, ()) {
   for (std::size_t i = 0; i < whole.data().size(); ++i) RC_ASSERT(whole.data()[i] == (a.data()[i] ^ b.data()[i]));
 }
 
-}  // namespace
+}  // namespace test_quality
 }  // namespace tessera

@@ -12,7 +12,7 @@
 #include "core/shape/model_sample.h"
 
 namespace tessera {
-namespace {
+namespace test_quantised_pad {
 
 Pad random_pad() {
   Pad pad;
@@ -94,5 +94,5 @@ RC_GTEST_PROP(ModelSample, key_points_stay_where_they_were, ()) {
   for (std::size_t i = 0; i < found.size(); ++i) RC_ASSERT(norm(found[i] - pyramid.keypoint[i]) < 1e-4f * radius);
 }
 
-}  // namespace
+}  // namespace test_quantised_pad
 }  // namespace tessera

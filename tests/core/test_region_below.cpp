@@ -6,7 +6,7 @@
 #include "support/synthetic_shapes.h"
 
 namespace tessera {
-namespace {
+namespace test_region_below {
 
 /// 200 x 100 px, halved in the middle.
 Canvas halves() {
@@ -37,5 +37,5 @@ TEST(RegionBelow, IsTheFirstWhereNoneHasAny) {
   EXPECT_EQ(region_below(make_rectangle_canvas(200, 100), square, {40, 0, 150, 50}), 0u);
 }
 
-}  // namespace
+}  // namespace test_region_below
 }  // namespace tessera

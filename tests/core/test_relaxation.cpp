@@ -11,7 +11,7 @@
 #include "relaxed_pieces.h"
 
 namespace tessera {
-namespace {
+namespace test_relaxation {
 
 using namespace relaxed_pieces;
 
@@ -388,5 +388,5 @@ TEST(Relaxation, WhereLookThrowsPiecesAreAsTheyWere) {
   EXPECT_EQ(pieces[0].canvas_from_shape, pose(40, 0, {70, 70}));
 }
 
-}  // namespace
+}  // namespace test_relaxation
 }  // namespace tessera

@@ -9,7 +9,7 @@
 #include <vector>
 
 namespace tessera {
-namespace {
+namespace test_repetition {
 
 constexpr double kShare_px2 = 3600;
 
@@ -110,5 +110,5 @@ TEST(Repetition, ItsEnergyIsThatOfAllPieces) {
   }));
 }
 
-}  // namespace
+}  // namespace test_repetition
 }  // namespace tessera

@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace tessera {
-namespace {
+namespace test_room {
 
 /// From -0.5 to 0.5 both ways.
 const Outline& square() {
@@ -93,5 +93,5 @@ TEST(Room, OfPiecesOutsideTheCanvasThereIsNone) {
   EXPECT_EQ(canvas.regions[0].area_px2, 0);
 }
 
-}  // namespace
+}  // namespace test_room
 }  // namespace tessera

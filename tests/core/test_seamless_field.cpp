@@ -7,7 +7,7 @@
 #include "target_layers.h"
 
 namespace tessera {
-namespace {
+namespace test_seamless_field {
 
 using test::four_shapes;
 using test::Piece;
@@ -201,5 +201,5 @@ TEST(SeamlessCurve, IsTheSameWhereverTheSeamLies) {
   EXPECT_GE(found, samples * 98 / 100) << found << " of " << samples;
 }
 
-}  // namespace
+}  // namespace test_seamless_field
 }  // namespace tessera

@@ -9,7 +9,7 @@
 #include "core/colour/ssim.h"
 
 namespace tessera {
-namespace {
+namespace test_seen_from_afar {
 
 Grid<WeightedColour> cells_of(const Grid<WeightedColour>& pixels, int width, int height) {
   AreaMeans means(pixels.width(), pixels.height(), width, height);
@@ -203,5 +203,5 @@ TEST(SeenFromAfar, AnySizeHasFigures) {
   EXPECT_FALSE(seen_from_afar(pair_of(patterned(9, 9, 1), patterned(9, 9, 2)), 0).value().at_piece_size);
 }
 
-}  // namespace
+}  // namespace test_seen_from_afar
 }  // namespace tessera

@@ -12,7 +12,7 @@
 #include "support/synthetic_shapes.h"
 
 namespace tessera {
-namespace {
+namespace test_shape_builder {
 
 /// In an artwork of a few hundred px.
 TracedOutline traced(const Outline& outline, float scale_px = 100, Vec2 centre_px = {200, 300}) {
@@ -93,5 +93,5 @@ TEST(ShapeBuilder, SizeAndPlaceInTheArtworkDoNotMatter) {
   }
 }
 
-}  // namespace
+}  // namespace test_shape_builder
 }  // namespace tessera

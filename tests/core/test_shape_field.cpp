@@ -7,7 +7,7 @@
 #include "support/synthetic_shapes.h"
 
 namespace tessera {
-namespace {
+namespace test_shape_field {
 
 /// About the size of a library shape, and as many points.
 Outline shape_frame(Outline outline) {
@@ -80,5 +80,5 @@ TEST(ShapeField, IsALowerBoundBeyondTheGrid) {
   }
 }
 
-}  // namespace
+}  // namespace test_shape_field
 }  // namespace tessera

@@ -8,7 +8,7 @@
 #include <thread>
 
 namespace tessera {
-namespace {
+namespace test_shared_tasks {
 
 class Helpers {
  public:
@@ -93,5 +93,5 @@ TEST(SharedTasks, WhoHelpsEndsWhenTheyAreClosed) {
   EXPECT_EQ(done, 2) << "whoever has tasks does them";
 }
 
-}  // namespace
+}  // namespace test_shared_tasks
 }  // namespace tessera

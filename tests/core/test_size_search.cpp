@@ -9,7 +9,7 @@
 #include "core/settings/tuning.h"
 
 namespace tessera {
-namespace {
+namespace test_size_search {
 
 struct Searched {
   std::vector<float> factors;  // of the attempts, in their order
@@ -109,5 +109,5 @@ TEST(SizeSearch, GoesOnFromItsStateAndFromNoOther) {
   EXPECT_TRUE(SizeSearch().restore(SizeSearch().state()));
 }
 
-}  // namespace
+}  // namespace test_size_search
 }  // namespace tessera

@@ -11,7 +11,7 @@
 #include "support/random_curves.h"
 
 namespace tessera {
-namespace {
+namespace test_smoothing_spline {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -104,5 +104,5 @@ TEST(SmoothingSpline, TinyPolygon) {
   EXPECT_EQ(spline.even_points(16).size(), 16u);
 }
 
-}  // namespace
+}  // namespace test_smoothing_spline
 }  // namespace tessera

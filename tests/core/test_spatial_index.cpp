@@ -9,7 +9,7 @@
 #include "core/geometry/tile_index.h"
 
 namespace tessera {
-namespace {
+namespace test_spatial_index {
 
 Window any_window(int low, int high) {
   const int x = *rc::gen::inRange(low, high);
@@ -71,5 +71,5 @@ TEST(TileIndex, FindsEveryThingWhoseRegionAWindowOverlaps) {
   }));
 }
 
-}  // namespace
+}  // namespace test_spatial_index
 }  // namespace tessera

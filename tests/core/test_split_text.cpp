@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace tessera {
-namespace {
+namespace test_split_text {
 
 using Parts = std::vector<std::string_view>;
 
@@ -30,5 +30,5 @@ TEST(Joined, PutsSeparatorsBetween) {
   EXPECT_EQ(joined({"a", "b c"}, " "), "a b c");
 }
 
-}  // namespace
+}  // namespace test_split_text
 }  // namespace tessera

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 namespace tessera {
-namespace {
+namespace test_stances {
 
 constexpr float kTurn_rad = 6.2831853f;
 
@@ -154,5 +154,5 @@ TEST(Stances, SizeMapIsLinearBetweenItsCellsAndGoesOnBeyond) {
   EXPECT_FLOAT_EQ(map.at({90, -90}), 1);
 }
 
-}  // namespace
+}  // namespace test_stances
 }  // namespace tessera

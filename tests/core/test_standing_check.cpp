@@ -7,7 +7,7 @@
 #include "support/synthetic_shapes.h"
 
 namespace tessera {
-namespace {
+namespace test_standing_check {
 
 const Shape& square() {
   static const Shape shape = test::make_test_shape("square", test::rectangle_outline(1, 1));
@@ -68,5 +68,5 @@ TEST(StandingCheck, AcrossASeamNothingIsOutside) {
   EXPECT_EQ(found.overlapping, Places{1});
 }
 
-}  // namespace
+}  // namespace test_standing_check
 }  // namespace tessera

@@ -15,7 +15,7 @@
 #include "core/style/style_weight.h"
 
 namespace tessera {
-namespace {
+namespace test_style {
 
 constexpr int kSide_px = 270;
 constexpr float kRadius_px = 126;  // its area has kStyleUnit_px squared
@@ -237,5 +237,5 @@ TEST(StyleSpread, is_the_mean_over_pairs_by_their_areas) {
   EXPECT_FALSE(mean_style_distance({}));
 }
 
-}  // namespace
+}  // namespace test_style
 }  // namespace tessera

@@ -11,7 +11,7 @@
 #include "target_layers.h"
 
 namespace tessera {
-namespace {
+namespace test_target_curve {
 
 using test::Target;
 
@@ -127,5 +127,5 @@ TEST(TargetCurve, AFullCanvasHasNoSamples) {
   EXPECT_EQ(target.curve.sample_count(), 0u);
 }
 
-}  // namespace
+}  // namespace test_target_curve
 }  // namespace tessera

@@ -8,7 +8,7 @@
 #include "core/deform/warp.h"
 
 namespace tessera {
-namespace {
+namespace test_warp {
 
 constexpr int kColumns = 7, kRows = 5;
 
@@ -172,5 +172,5 @@ TEST(Warp, SpreadCoversABoxAndKeepsWhatIsActive) {
   for (const std::uint8_t active : wide.active.data()) EXPECT_EQ(active, 1);
 }
 
-}  // namespace
+}  // namespace test_warp
 }  // namespace tessera

@@ -9,7 +9,7 @@
 #include <set>
 
 namespace tessera {
-namespace {
+namespace test_window_cuts {
 
 struct Question {
   Box canvas;
@@ -117,5 +117,5 @@ TEST(WindowCuts, EachAxisGoesByItsOwnPart) {
   EXPECT_EQ(windows[1].low, (Vec2{375, 0})) << "row by row";
 }
 
-}  // namespace
+}  // namespace test_window_cuts
 }  // namespace tessera

@@ -15,7 +15,7 @@
 #include "replaced_pieces.h"
 
 namespace tessera {
-namespace {
+namespace test_window_trials {
 
 using namespace replaced_pieces;
 using relaxed_pieces::any_number;
@@ -504,5 +504,5 @@ TEST(SceneEnergy, CountsWhatIsCoveredTwice) {
   EXPECT_EQ(pair_px2(50, kSmall_px, {}, true, false), pair_px2(50, kSmall_px, {}, true, true));
 }
 
-}  // namespace
+}  // namespace test_window_trials
 }  // namespace tessera

@@ -4,7 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 namespace tessera {
-namespace {
+namespace test_worker_tree {
 
 /// The ranks below `rank`, itself included, in the order in which a team of workers joins their parts.
 std::vector<int> branch(int rank, int size, int fan_out) {
@@ -73,5 +73,5 @@ RC_GTEST_PROP(WorkerTree, IsNoDeeperThanItMustBe, ()) {
   RC_ASSERT(depth(*rc::gen::inRange(1, size), size, fan_out) <= levels);
 }
 
-}  // namespace
+}  // namespace test_worker_tree
 }  // namespace tessera

@@ -6,7 +6,7 @@
 #include "whole_collage.h"
 
 namespace tessera::master {
-namespace {
+namespace test_candidate_windows {
 
 using namespace whole_collage;
 
@@ -33,5 +33,5 @@ TEST(CandidateWindows, HoldTheNodesThatAreCountedExactly) {
   EXPECT_GT(windows, 100);
 }
 
-}  // namespace
+}  // namespace test_candidate_windows
 }  // namespace tessera::master

@@ -5,7 +5,7 @@
 #include "whole_collage.h"
 
 namespace tessera::master {
-namespace {
+namespace test_collage {
 
 using namespace whole_collage;
 
@@ -145,5 +145,5 @@ TEST(Collage, OfACanvasWithoutAreaIsEmpty) {
   EXPECT_TRUE(result.placements.empty());
 }
 
-}  // namespace
+}  // namespace test_collage
 }  // namespace tessera::master

@@ -12,7 +12,7 @@
 #include "whole_collage.h"
 
 namespace tessera::master {
-namespace {
+namespace test_collage_pool {
 
 using namespace whole_collage;
 
@@ -202,5 +202,5 @@ TEST_F(CollagePool, ASampleIsMatchedAgainWhenItHasLessThanTwoLeftAndThereWereMor
   for (const std::size_t left : {0, 1, 2}) EXPECT_GT(seen[left], 0) << left;
 }
 
-}  // namespace
+}  // namespace test_collage_pool
 }  // namespace tessera::master

@@ -7,7 +7,7 @@
 #include "whole_collage.h"
 
 namespace tessera {
-namespace {
+namespace test_colours {
 
 using namespace whole_collage;
 
@@ -138,5 +138,5 @@ TEST(Colours, LeaveNoPlaceEmpty) {
   EXPECT_GT(quality(canvas(), run_coloured(s)).coverage, 0.8);
 }
 
-}  // namespace
+}  // namespace test_colours
 }  // namespace tessera

@@ -9,7 +9,7 @@
 #include "whole_collage.h"
 
 namespace tessera::master {
-namespace {
+namespace test_distances {
 
 using namespace whole_collage;
 
@@ -170,5 +170,5 @@ TEST(Distances, LinesDoNotLieOnLines) {
   EXPECT_LT(q.overlap, 0.02);
 }
 
-}  // namespace
+}  // namespace test_distances
 }  // namespace tessera::master

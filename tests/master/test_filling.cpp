@@ -4,7 +4,7 @@
 #include "offered_filling.h"
 
 namespace tessera::master {
-namespace {
+namespace test_filling {
 
 using test::piece;
 
@@ -42,5 +42,5 @@ TEST_F(WithoutTangentDockings, AsksOnce) {
   EXPECT_EQ(matcher_.questions, 1);
 }
 
-}  // namespace
+}  // namespace test_filling
 }  // namespace tessera::master

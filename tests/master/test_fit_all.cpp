@@ -12,7 +12,7 @@
 #include "stopped_collage.h"
 
 namespace tessera::master {
-namespace {
+namespace test_fit_all {
 
 using stopped_collage::Cuts;
 using stopped_collage::KeepLatest;
@@ -299,5 +299,5 @@ TEST_F(ForeignSearch, ABestAttemptOutOfAllProportion) {
   expect_complaint("more pieces of an attempt than have room");
 }
 
-}  // namespace
+}  // namespace test_fit_all
 }  // namespace tessera::master

@@ -7,7 +7,7 @@
 #include "stopped_collage.h"
 
 namespace tessera::master {
-namespace {
+namespace test_foreign_state {
 
 using namespace stopped_collage;
 
@@ -98,5 +98,5 @@ TEST_F(ForeignState, TargetSamplesThatDoNotExist) {
   expect_complaint("there is no target sample 0");
 }
 
-}  // namespace
+}  // namespace test_foreign_state
 }  // namespace tessera::master

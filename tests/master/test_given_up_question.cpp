@@ -7,7 +7,7 @@
 #include "stopped_collage.h"
 
 namespace tessera::master {
-namespace {
+namespace test_given_up_question {
 
 using namespace stopped_collage;
 
@@ -164,5 +164,5 @@ TEST(GivenUpQuestion, MayBeOneOfAWideGap) {
   }
 }
 
-}  // namespace
+}  // namespace test_given_up_question
 }  // namespace tessera::master

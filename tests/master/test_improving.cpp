@@ -6,7 +6,7 @@
 #include "whole_collage.h"
 
 namespace tessera::master {
-namespace {
+namespace test_improving {
 
 using namespace whole_collage;
 
@@ -99,5 +99,5 @@ TEST(Improving, KeepsToTheLimitsOfStop) {
   EXPECT_LT(covered.statistics.trials, 60u);
 }
 
-}  // namespace
+}  // namespace test_improving
 }  // namespace tessera::master

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace tessera::master {
-namespace {
+namespace test_improving_budget {
 
 using Replaced = ImprovingBudget::Replaced;
 
@@ -123,5 +123,5 @@ TEST(ImprovingBudget, TheRunsEndCountsToo) {
   EXPECT_EQ(ImprovingBudget(canvas, over).replacements(0, 7, {100, 2, 5}), 0u);
 }
 
-}  // namespace
+}  // namespace test_improving_budget
 }  // namespace tessera::master

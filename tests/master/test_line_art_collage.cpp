@@ -10,7 +10,7 @@
 #include "whole_collage.h"
 
 namespace tessera::master {
-namespace {
+namespace test_line_art_collage {
 
 const std::vector<Shape>& line_art() {
   static const std::vector<Shape> shapes = {test::make_library_shape("spectacles", test::spectacles_outline(0.2f)),
@@ -189,5 +189,5 @@ TEST(LineArtCollage, IsTheSameOnAnyDivisionAndAfterInterruptions) {
   EXPECT_EQ(result.placements, whole.placements);
 }
 
-}  // namespace
+}  // namespace test_line_art_collage
 }  // namespace tessera::master

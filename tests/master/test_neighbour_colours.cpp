@@ -9,7 +9,7 @@
 #include "core/settings/tuning.h"
 
 namespace tessera::master {
-namespace {
+namespace test_neighbour_colours {
 
 constexpr ShapeId kRed{0}, kDarkRed{1}, kBlue{2};
 const float kWorst = 1.f / 16;  // 2^-kNeighbourFading
@@ -124,5 +124,5 @@ RC_GTEST_PROP(NeighbourColours, TheLeastWelcomeOfAllNeighboursCounts, ()) {
   RC_ASSERT(worth(all) == least);
 }
 
-}  // namespace
+}  // namespace test_neighbour_colours
 }  // namespace tessera::master

@@ -11,7 +11,7 @@
 #include "whole_collage.h"
 
 namespace tessera::master {
-namespace {
+namespace test_off_colour {
 
 const Lab kDark{15, 0, 0};
 const Lab kLight{90, 0, 0};
@@ -66,5 +66,5 @@ TEST(OffColour, CostsNothingWithoutAWish) {
   EXPECT_EQ(OffColour(dark_wish(0), source).loss_256ths_px2({kLightPiece}), 0);
 }
 
-}  // namespace
+}  // namespace test_off_colour
 }  // namespace tessera::master

@@ -5,7 +5,7 @@
 #include "whole_collage.h"
 
 namespace tessera::master {
-namespace {
+namespace test_replace_placements {
 
 using namespace whole_collage;
 
@@ -51,5 +51,5 @@ TEST_F(ReplacePlacements, GoesOnAsAnyWithTheSamePlacementsBeforeAndAfter) {
   EXPECT_TRUE(rounds_.state().matched == fresh.state().matched);
 }
 
-}  // namespace
+}  // namespace test_replace_placements
 }  // namespace tessera::master

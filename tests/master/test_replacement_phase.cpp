@@ -10,7 +10,7 @@
 #include "replacement_phase.h"
 
 namespace tessera::master {
-namespace {
+namespace test_replacement_phase {
 
 using namespace replacement_phase;
 
@@ -225,5 +225,5 @@ TEST(ReplacementPhase, EachRegionHasItsOwn) {
   EXPECT_EQ(run(canvas, s, nullptr, silent, {&keeper.latest, nullptr}).placements, result.placements);
 }
 
-}  // namespace
+}  // namespace test_replacement_phase
 }  // namespace tessera::master

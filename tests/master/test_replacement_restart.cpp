@@ -8,7 +8,7 @@
 #include "replacement_phase.h"
 
 namespace tessera::master {
-namespace {
+namespace test_replacement_restart {
 
 using namespace replacement_phase;
 
@@ -252,5 +252,5 @@ TEST_F(ForeignPhase, AnyNumberOfTrialsIsFine) {
   EXPECT_EQ(complaint(), "none");
 }
 
-}  // namespace
+}  // namespace test_replacement_restart
 }  // namespace tessera::master

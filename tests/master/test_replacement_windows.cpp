@@ -10,7 +10,7 @@
 #include "replacing_batches.h"
 
 namespace tessera::master {
-namespace {
+namespace test_replacement_windows {
 
 using namespace replacing_batches;
 
@@ -251,5 +251,5 @@ TEST(ReplacementWindows, FarFromTheEdgeThereIsNone) {
   EXPECT_LT(least_far_px, 200) << "such windows were looked at";
 }
 
-}  // namespace
+}  // namespace test_replacement_windows
 }  // namespace tessera::master

@@ -11,7 +11,7 @@
 #include "replacing_batches.h"
 
 namespace tessera::master {
-namespace {
+namespace test_replacing {
 
 using namespace replacing_batches;
 
@@ -320,5 +320,5 @@ TEST(Replacing, TrialsOnASeamlessCanvasCoverMore) {
   EXPECT_LT(after.overlap, 0.04);
 }
 
-}  // namespace
+}  // namespace test_replacing
 }  // namespace tessera::master

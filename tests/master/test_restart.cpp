@@ -5,7 +5,7 @@
 #include "stopped_collage.h"
 
 namespace tessera::master {
-namespace {
+namespace test_restart {
 
 using namespace stopped_collage;
 
@@ -189,5 +189,5 @@ TEST(Restart, TimeBeforeTheInterruptionCounts) {
   EXPECT_FALSE(result.unfinished);
 }
 
-}  // namespace
+}  // namespace test_restart
 }  // namespace tessera::master

@@ -10,7 +10,7 @@
 #include "whole_collage.h"
 
 namespace tessera::master {
-namespace {
+namespace test_rounds {
 
 using namespace whole_collage;
 
@@ -145,5 +145,5 @@ TEST(Rounds, PiecesTakenOutAndPutBackLeaveNoTrace) {
   }
 }
 
-}  // namespace
+}  // namespace test_rounds
 }  // namespace tessera::master

@@ -6,7 +6,7 @@
 #include "core/settings/tuning.h"
 
 namespace tessera::master {
-namespace {
+namespace test_scoring {
 
 constexpr ShapeId kShape{2};
 
@@ -174,5 +174,5 @@ TEST(Scoring, ExactAreasMayNotShowMuchOverlapWithoutPadding) {
   EXPECT_TRUE(scoring_of(padded).overlaps_little(c, {400, 0}));
 }
 
-}  // namespace
+}  // namespace test_scoring
 }  // namespace tessera::master

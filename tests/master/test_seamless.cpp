@@ -14,7 +14,7 @@
 #include "whole_collage.h"
 
 namespace tessera::master {
-namespace {
+namespace test_seamless {
 
 using namespace whole_collage;
 
@@ -289,5 +289,5 @@ TEST(Seamless, GoesOnFromItsCheckpoints) {
   EXPECT_EQ(result.statistics.trials_kept, whole.statistics.trials_kept);
 }
 
-}  // namespace
+}  // namespace test_seamless
 }  // namespace tessera::master

@@ -14,7 +14,7 @@
 #include "whole_collage.h"
 
 namespace tessera::master {
-namespace {
+namespace test_start {
 
 using namespace whole_collage;
 
@@ -400,5 +400,5 @@ TEST(OutwardGrowth, ASecondRegionHasASeedOfItsOwnWhereNothingReachesIt) {
   EXPECT_GT(right, 4);
 }
 
-}  // namespace
+}  // namespace test_start
 }  // namespace tessera::master

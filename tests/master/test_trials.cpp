@@ -7,7 +7,7 @@
 #include "offered_filling.h"
 
 namespace tessera::master {
-namespace {
+namespace test_trials {
 
 using test::piece;
 
@@ -308,5 +308,5 @@ TEST_F(WithTwoPiecesAtMost, NoMoreArePlaced) {
   EXPECT_EQ(collage_.placements().front().canvas_from_shape, large.canvas_from_shape);
 }
 
-}  // namespace
+}  // namespace test_trials
 }  // namespace tessera::master

@@ -14,7 +14,7 @@
 #include "whole_collage.h"
 
 namespace tessera::master {
-namespace {
+namespace test_wishes {
 
 using namespace whole_collage;
 
@@ -468,5 +468,5 @@ TEST(Wishes, ALibraryThatIsUsedUpIsSaidAsSuch) {
   EXPECT_EQ(run(make_rectangle_canvas(300, 220), s).statistics.stopped_by, "used_up");
 }
 
-}  // namespace
+}  // namespace test_wishes
 }  // namespace tessera::master

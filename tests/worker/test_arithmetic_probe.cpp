@@ -11,7 +11,7 @@
 #include "worker/devices/opencl_devices.h"
 
 namespace tessera::worker {
-namespace {
+namespace test_arithmetic_probe {
 
 float number(std::uint32_t bits) { return std::bit_cast<float>(bits); }
 
@@ -134,5 +134,5 @@ TEST(CheckArithmetic, WhatComputesOtherwiseIsRefusedWithItsName) {
   }
 }
 
-}  // namespace
+}  // namespace test_arithmetic_probe
 }  // namespace tessera::worker

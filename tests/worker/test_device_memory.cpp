@@ -14,7 +14,7 @@
 #include "worker/devices/opencl_devices.h"
 
 namespace tessera::worker {
-namespace {
+namespace test_device_memory {
 
 constexpr std::size_t kLarge = std::size_t(64) << 20;
 
@@ -76,5 +76,5 @@ TEST(DeviceMemory, IsFreeWhenNothingUsesItAnyMore) {
   EXPECT_LT(resident_kb(), 20 * kLarge / 1024) << "half of all";
 }
 
-}  // namespace
+}  // namespace test_device_memory
 }  // namespace tessera::worker

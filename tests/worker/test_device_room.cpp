@@ -8,7 +8,7 @@
 #include "worker/shard.h"
 
 namespace tessera::worker {
-namespace {
+namespace test_device_room {
 
 constexpr std::uint64_t kPlenty = std::uint64_t(1) << 40;
 constexpr std::uint32_t kShapes = 20'000;
@@ -88,5 +88,5 @@ TEST(RoomsOf, DevicesThatAreTheHostShareItsMemory) {
   EXPECT_EQ(two[1].buffer_bytes, cpu.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>());
 }
 
-}  // namespace
+}  // namespace test_device_room
 }  // namespace tessera::worker

@@ -10,7 +10,7 @@
 #include "worker/devices/opencl_devices.h"
 
 namespace tessera::worker {
-namespace {
+namespace test_device_speed {
 
 std::vector<std::uint32_t> sizes_of(const std::vector<DevicePart>& parts) {
   std::vector<std::uint32_t> sizes;
@@ -71,5 +71,5 @@ TEST_F(DifferentDevices, AreNotMeasuredWhereEachGetsOneShape) {
   EXPECT_EQ(launches, 0);
 }
 
-}  // namespace
+}  // namespace test_device_speed
 }  // namespace tessera::worker

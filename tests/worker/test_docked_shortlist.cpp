@@ -10,7 +10,7 @@
 #include "worker/docked_shortlist.h"
 
 namespace tessera::worker {
-namespace {
+namespace test_docked_shortlist {
 
 /// Hardly any different keys, and few shapes: ties everywhere, at the end of the list above all.
 std::vector<Docking> tied_dockings(std::mt19937& random, std::size_t count) {
@@ -46,5 +46,5 @@ RC_GTEST_PROP(DockedShortlist, is_the_references, ()) {
   RC_ASSERT(dockings == expected);
 }
 
-}  // namespace
+}  // namespace test_docked_shortlist
 }  // namespace tessera::worker

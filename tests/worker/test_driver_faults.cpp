@@ -9,7 +9,7 @@
 #include <fstream>
 
 namespace tessera::worker {
-namespace {
+namespace test_driver_faults {
 
 /// A folder of .icd files, which OCL_ICD_VENDORS names while it lives.
 class DriverList : public testing::Test {
@@ -78,5 +78,5 @@ TEST(CompilerFault, IsTheLogOrWhatMayHelpWithoutOne) {
   EXPECT_TRUE(has(compiler_fault("", -11), "libnvidia-nvvm"));
 }
 
-}  // namespace
+}  // namespace test_driver_faults
 }  // namespace tessera::worker

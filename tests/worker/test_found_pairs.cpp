@@ -10,7 +10,7 @@
 #include "worker/found_pairs.h"
 
 namespace tessera::worker {
-namespace {
+namespace test_found_pairs {
 
 constexpr u32 kShapes = 40;
 
@@ -69,5 +69,5 @@ RC_GTEST_PROP(FoundPairs, are_those_that_the_reference_selects, ()) {
   RC_ASSERT(same(docked_pairs(9, found, match), plainly_selected(distance, reach, match)));
 }
 
-}  // namespace
+}  // namespace test_found_pairs
 }  // namespace tessera::worker

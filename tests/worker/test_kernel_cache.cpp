@@ -9,7 +9,7 @@
 #include <filesystem>
 
 namespace tessera::worker {
-namespace {
+namespace test_kernel_cache {
 
 std::string variable(const char* name) {
   const char* const value = std::getenv(name);
@@ -70,5 +70,5 @@ TEST_F(KernelCacheTest, IsNoFolderOfSomebodyElse) {
   EXPECT_FALSE(choose_kernel_cache().kept);
 }
 
-}  // namespace
+}  // namespace test_kernel_cache
 }  // namespace tessera::worker

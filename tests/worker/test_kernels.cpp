@@ -18,7 +18,7 @@
 #include "worker/opencl_matcher.h"
 
 namespace tessera::worker {
-namespace {
+namespace test_kernels {
 
 const char* const kProbes = R"(
 kernel void probe_exp2(global const float* x, global float* result) {
@@ -400,5 +400,5 @@ INSTANTIATE_TEST_SUITE_P(Seeds, RandomScenes, testing::Combine(testing::Range(1u
                            return "seed" + std::to_string(std::get<0>(info.param)) + name_of(std::get<1>(info.param));
                          });
 
-}  // namespace
+}  // namespace test_kernels
 }  // namespace tessera::worker

@@ -8,7 +8,7 @@
 #include "worker/devices/opencl_runtime.h"
 
 namespace tessera::worker {
-namespace {
+namespace test_opencl_devices {
 
 /// The message of the error that choosing `use` throws.
 template <class Error>
@@ -137,5 +137,5 @@ TEST(NoPlatform, IsOneClearLine) {
   EXPECT_TRUE(has(message, "pocl-opencl-icd")) << message;
 }
 
-}  // namespace
+}  // namespace test_opencl_devices
 }  // namespace tessera::worker

@@ -16,7 +16,7 @@
 #include "worker/opencl_matcher.h"
 
 namespace tessera::test {
-namespace {
+namespace test_opencl_matcher {
 
 std::unique_ptr<Matcher> make_on_all_devices(const MatchingContext& context, std::uint32_t first,
                                              std::vector<ShapeModel> models) {
@@ -351,5 +351,5 @@ TEST(OpenCLMatcher, RefusesModelsOfOtherLevels) {
       std::logic_error);
 }
 
-}  // namespace
+}  // namespace test_opencl_matcher
 }  // namespace tessera::test

@@ -9,7 +9,7 @@
 #include "worker/devices/opencl_devices.h"
 
 namespace tessera::worker {
-namespace {
+namespace test_opencl_runtime {
 
 constexpr const char* kCountVisits =
     "kernel void count_visits(uint width, global uint* visits) {\n"
@@ -105,5 +105,5 @@ TEST(Launch, OfManyRowsKeepsWithinAGrid) {
   EXPECT_EQ(launches_for({1, kMostRows + 1, 1}), 2);
 }
 
-}  // namespace
+}  // namespace test_opencl_runtime
 }  // namespace tessera::worker

@@ -11,7 +11,7 @@
 #include "worker/sample_records.h"
 
 namespace tessera::worker {
-namespace {
+namespace test_pair_search {
 
 using Found = std::vector<std::tuple<u32, u32, u32>>;
 
@@ -105,5 +105,5 @@ TEST_F(PairSearchTest, GivesUpWhereThereAreTooMany) {
   EXPECT_EQ(sorted(*of_one), sorted(roomy.take().value()));
 }
 
-}  // namespace
+}  // namespace test_pair_search
 }  // namespace tessera::worker

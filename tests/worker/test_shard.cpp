@@ -10,7 +10,7 @@
 #include "worker/shard.h"
 
 namespace tessera::worker {
-namespace {
+namespace test_shard {
 
 std::size_t bytes_of(const IndexRows& rows) {
   return rows.roots.size() * sizeof(RootRecord) + rows.node_boxes.size() + rows.block_boxes.size() + rows.rows.size() +
@@ -177,5 +177,5 @@ TEST(IndexRows, take_an_order_that_is_given) {
   EXPECT_EQ(rows.places[5 * (order.size() - 1) + 3], 0u);
 }
 
-}  // namespace
+}  // namespace test_shard
 }  // namespace tessera::worker

@@ -3,14 +3,14 @@
 
 #include "core/matching/reference_matcher.h"
 #include "library/storage/shape_models.h"
-#include "io/scratch_folder.h"
+#include "support/scratch_folder.h"
 #include "support/many_shapes.h"
 #include "support/matcher_round.h"
 #include "worker/devices/opencl_devices.h"
 #include "worker/opencl_matcher.h"
 
 namespace tessera::test {
-namespace {
+namespace test_stored_matching {
 
 constexpr std::uint32_t kShapes = kSegmentShapes + 150;
 
@@ -40,5 +40,5 @@ TEST(StoredMatching, IsTheSameAsForTheReference) {
   }
 }
 
-}  // namespace
+}  // namespace test_stored_matching
 }  // namespace tessera::test

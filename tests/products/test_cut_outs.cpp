@@ -1,0 +1,76 @@
+// A library made of the elements of photographs.
+#include <gtest/gtest.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include "support/artwork_samples.h"
+#include "products/elements/cut_outs.h"
+#include "library/storage/library_file.h"
+#include "support/scratch_folder.h"
+
+namespace tessera {
+namespace test_cut_outs {
+
+const BuildProgress kSilent = [](std::size_t, std::size_t) {};
+const LibraryParts kEverything{.outline = true, .field = true, .levels = ~0u, .artwork = true, .original = true};
+
+/// Twelve discs, larger to the right and below, on grey.
+struct Pebbles {
+  Pebbles() : photo(300, 400, CV_8UC4, cv::Scalar(128, 128, 128, 255)), labels(cv::Mat::zeros(300, 400, CV_32S)) {
+    for (int i = 0; i < 12; ++i) {
+      const cv::Point centre(50 + i % 4 * 100, 50 + i / 4 * 100);
+      cv::circle(labels, centre, 20 + 2 * i, cv::Scalar(i + 1), cv::FILLED);
+      cv::circle(photo, centre, 20 + 2 * i, cv::Scalar(20 * i, 60, 250 - 20 * i, 255), cv::FILLED);
+    }
+  }
+
+  std::vector<CutOut> cut(const std::string& path) const {
+    return cut_outs(path, photo, LabelRuns(labels), find_elements(LabelRuns(labels), {}).elements);
+  }
+
+  cv::Mat photo, labels;
+};
+
+class CutOuts : public testing::Test {
+ protected:
+  std::vector<Shape> library_of(const std::vector<CutOut>& cut_outs) {
+    ArtworkFiles files;
+    for (const CutOut& cut_out : cut_outs) files.paths.push_back(cut_out.path);
+    Drawers drawers({});
+    const std::string path = folder_.path("pebbles.h5");
+    build_library(files, path, {}, cut_out_loader(drawers, cut_outs, {}), kSilent);
+    const LibraryFile library(path);
+    return library.read(0, library.size(), kEverything);
+  }
+
+  test::ScratchFolder folder_;
+};
+
+TEST_F(CutOuts, BecomeShapesWithTheirOwnPixels) {
+  const std::vector<CutOut> cut_outs = Pebbles().cut("/photos/beach.jpg");
+  ASSERT_EQ(cut_outs.size(), 12u);
+  const std::vector<Shape> shapes = library_of(cut_outs);
+  ASSERT_EQ(shapes.size(), 12u);
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    EXPECT_EQ(shapes[i].artwork.original, cut_outs[i].png);
+    EXPECT_EQ(shapes[i].artwork.path, "/photos/beach.jpg");
+  }
+  EXPECT_EQ(shapes[0].name, "beach_01");
+  EXPECT_EQ(shapes[11].name, "beach_12");
+  EXPECT_NEAR(shapes[0].drawn_scale_px, 26 * std::sqrt(3.1416), 1) << "the highest of the first row";
+  EXPECT_GT(shapes[0].mean_lab[1], shapes[11].mean_lab[1]) << "the first is red, the last is not";
+}
+
+TEST_F(CutOuts, OfPhotosOfOneNameHaveNamesOfTheirOwn) {
+  std::vector<CutOut> both = Pebbles().cut("/summer/beach.jpg");
+  Pebbles other;
+  other.photo.setTo(cv::Scalar(200, 200, 40, 255), other.labels > 0);
+  for (CutOut& cut_out : other.cut("/winter/beach.jpg")) both.push_back(std::move(cut_out));
+  const std::vector<Shape> shapes = library_of(both);
+  ASSERT_EQ(shapes.size(), 24u);
+  EXPECT_EQ(shapes[23].artwork.path, "/winter/beach.jpg");
+  EXPECT_NE(shapes[23].name, shapes[11].name);
+}
+
+}  // namespace test_cut_outs
+}  // namespace tessera

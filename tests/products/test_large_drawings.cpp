@@ -1,0 +1,205 @@
+// Drawings and instances that would eat the machine: each is refused within seconds and 512 MiB, by its name and what
+// it has too much of.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "products/nesting/nest_input.h"
+#include "support/large_file.h"
+#include "support/scratch_folder.h"
+
+namespace tessera {
+namespace test_large_drawings {
+
+const std::string kSvg = "<svg xmlns='http://www.w3.org/2000/svg'>";
+
+class LargeDrawings : public testing::Test {
+ protected:
+  void expect_refused(const std::string& name, const test::LargeText& text, const std::string& said) {
+    const std::string path = folder_.path(name);
+    if (name.ends_with(".svgz"))
+      text.write_packed(path);
+    else
+      text.write(path);
+    test::expect_refused(path, said, [&] { read_nest_input(path); });
+    std::filesystem::remove(path);
+  }
+
+  test::ScratchFolder folder_;
+};
+
+TEST_F(LargeDrawings, AreRefusedOfManyElements) {
+  expect_refused("empty.svgz", {kSvg, "<g/>", 16'000'000, "</svg>"}, "found 100001 elements, allowed: 100000");
+  expect_refused("texts.svgz", {kSvg, "<g/>x", 12'000'000, "</svg>"}, "found 100001 elements, allowed: 100000");
+  expect_refused("dots.svg", {kSvg, "<path d='M0 0z'/>", 3'900'000, "</svg>"}, "found 100001 elements");
+  expect_refused("endless.svgz", {kSvg, " ", 100'000'000, "</svg>"}, "found more than 64 MiB when decompressed");
+  expect_refused("deep.svgz", {kSvg, "<g>", 10'000'000, "</svg>"},
+                 "found 251 levels of elements in each other, allowed: 250");
+  // What is no element takes no memory, and is no shape.
+  expect_refused("comments.svgz", {kSvg, "<!---->", 9'000'000, "</svg>"}, "found no closed shape");
+  expect_refused("instructions.svgz", {kSvg, "<?a?>", 12'000'000, "</svg>"}, "found no closed shape");
+  expect_refused("blanks.svgz", {kSvg, "<g/>                    ", 90'000, "</svg>"}, "found no closed shape");
+}
+
+TEST_F(LargeDrawings, AreRefusedOfManyAttributes) {
+  std::string names, name_spaces;
+  for (int i = 0; i < 2'900; ++i) names += " a" + std::to_string(i) + "=''";
+  for (int i = 0; i < 900; ++i) name_spaces += " xmlns:a" + std::to_string(i) + "='u" + std::to_string(i) + "'";
+  expect_refused("attributes.svg", {kSvg + "<g", " a=''", 1'000'000, "/></svg>"},
+                 "found more than 3000 attributes of one element; allowed: 3000 or fewer");
+  expect_refused("wide.svgz", {kSvg, "<g" + names + "/>", 1'500, "</svg>"}, " attributes, allowed: 400000");
+  expect_refused("spaces.svgz", {kSvg, "<g" + name_spaces + ">", 250, "</svg>"},
+                 " name spaces at one place, allowed: 1000");
+  expect_refused("long.svg", {kSvg + "<path d='", "9", 50'000'000, "'/></svg>"},
+                 "found more than 9000000 bytes in one tag or text; allowed: 9000000 or fewer");
+  expect_refused("text.svg", {kSvg, "x", 50'000'000, "</svg>"}, "found more than 9000000 bytes in one tag or text");
+  expect_refused("name.svg",
+                 {kSvg + "<path id='" + std::string(2'000'000, 'n') + "' d='", "M0 0h9v9z", 3'000, "'/></svg>"},
+                 "id: found a name of 2000000 bytes, \"nnnnnnnnnnnnnnnnnnnn...\", allowed: 1000");
+}
+
+/// libxml2 refuses more than 10 MB of a document that ends right after a long tag.
+TEST_F(LargeDrawings, AreReadToTheirLastByte) {
+  const std::string arcs = "a1 1 0 1 1 2 0 ";
+  std::string path = "<path id='a' d='M0 0 ";
+  for (int i = 0; i < 100'000; ++i) path += arcs;
+  path += "z'/>";
+  for (const char* name : {"arcs.svg", "arcs.svgz"})
+    expect_refused(name, {kSvg, path, 12, "</svg>"}, ": a: found more than 200000 points");
+}
+
+TEST_F(LargeDrawings, AreRefusedOfManyNumbers) {
+  expect_refused("line.svg", {kSvg + "<path d='M0 0", " 1 1", 1'000'000, "'/></svg>"}, "found more than 200000 points");
+  expect_refused("starts.svg", {kSvg + "<path d='", "M0 0", 2'000'000, "'/></svg>"}, "found more than 200000 points");
+  expect_refused("arcs.svg", {kSvg + "<path d='M0 0", "a9e8 9e8 0 1 1 1e8 0", 400'000, "'/></svg>"},
+                 "found more than 200000 points");
+  expect_refused("points.svg", {kSvg + "<polygon points='", "1 2 ", 1'000'000, "'/></svg>"},
+                 "found more than 10000 numbers");
+  expect_refused("turns.svg", {kSvg + "<g transform='rotate(", "1 ", 1'000'000, ")'/></svg>"},
+                 "found more than 10000 numbers");
+  expect_refused("exponent.svg", {kSvg + "<path d='M1e", "9", 1'000'000, " 0h9'/></svg>"},
+                 "which cannot be read there");
+  expect_refused("nested.svg", {kSvg + "<g>", "<path d='M0 0h9v9h-9z'/>", 5'000, "</g></svg>"},
+                 "found more than 4000 contours");
+}
+
+TEST_F(LargeDrawings, AreRefusedOfDeclarationsAndEncodings) {
+  std::string defaults;
+  for (int i = 0; i < 900; ++i) defaults += "<!ATTLIST g a" + std::to_string(i) + " CDATA 'x'>";
+  expect_refused("defaults.svgz", {"<!DOCTYPE svg [" + defaults + "]>" + kSvg, "<g/>", 90'000, "</svg>"},
+                 " attributes, allowed: 400000");
+  expect_refused("declared.svgz", {"<!DOCTYPE svg [", "<!ATTLIST g a CDATA 'x'>", 2'000'000, "]>" + kSvg + "</svg>"},
+                 "found 1001 declarations, allowed: 1000");
+  expect_refused("entities.svgz", {"<!DOCTYPE svg [", "<!ENTITY a 'x'>", 4'000'000, "]>" + kSvg + "</svg>"},
+                 "found 1001 declarations, allowed: 1000");
+  expect_refused("elements.svgz", {"<!DOCTYPE svg [", "<!ELEMENT a ANY>", 4'000'000, "]>" + kSvg + "</svg>"},
+                 "found no closed shape");  // nothing is kept of them
+  std::string laughs = "<!DOCTYPE svg [<!ENTITY a '<g/><g/><g/><g/>'>";
+  for (char c = 'b'; c < 'z'; ++c) {
+    laughs += std::string("<!ENTITY ") + c + " '";
+    for (int i = 0; i < 30; ++i) laughs += std::string("&") + char(c - 1) + ";";
+    laughs += "'>";
+  }
+  expect_refused("laughs.svg", {laughs + "]>" + kSvg, "&y;", 1, "</svg>"}, "laughs.svg: ");
+  expect_refused("utf7.svg", {"<?xml version='1.0' encoding='UTF-7'?>", "+ADw-svg+AD4-", 1, ""},
+                 "found the encoding UTF-7, allowed: UTF-8");
+  expect_refused("ebcdic.svg", {"<?xml version='1.0' encoding='IBM037'?>" + kSvg, "", 0, "</svg>"},
+                 "not a readable SVG file");
+  expect_refused("utf16.svg", {std::string("\xff\xfe<\0s\0v\0g\0/\0>\0", 14), "", 0, ""},
+                 "found a byte of 0, as UTF-16 has them; allowed: UTF-8");
+  expect_refused("html.svg", {"<html xmlns='http://www.w3.org/1999/xhtml'>", "<p/>", 9, "</html>"},
+                 "not an SVG file: its root element is html");
+}
+
+TEST_F(LargeDrawings, AreReadWithinTheBounds) {
+  const std::string path = folder_.path("full.svgz");
+  const test::LargeText full{"<?xml version='1.0' encoding='ISO-8859-1'?><!DOCTYPE svg [<!ENTITY n 'a'>]>" + kSvg +
+                                 "<path id='\xfc' d='M0 0h9v9z'/>",
+                             "<g a='' b='' c='' style='fill:none'/>  text  <!-- -->", 99'000, "</svg>"};
+  full.write_packed(path);
+  test::expect_refused(path, "", [&] {
+    if (read_nest_input(path).sources.at(0).drawing.name != "\u00fc") throw InputError("another name");
+  });
+}
+
+/// One lies in the box of each other, and in none; or in all.
+TEST_F(LargeDrawings, OfManyContoursInEachOtherAreSortedInSeconds) {
+  std::string frames = kSvg, nested = kSvg;
+  for (int i = 0; i < 2'000; ++i) {
+    const std::string x = std::to_string(i * 0.01), far = std::to_string(5000 - i * 0.01);
+    frames += "<path d='M" + x + " " + x + "V" + far + "H" + far;
+    for (int step = 0; step < 40; ++step) frames += "l-1 -.0" + std::to_string(step + 10);
+    frames += "z'/><path d='M4000 " + std::to_string(1 + i * 0.5) + "h.2v.2z'/>";
+    nested += "<path d='M" + x + " " + x + "V" + far + "H" + far + "V" + x + "z'/>";
+  }
+  for (const std::string& text : {frames, nested}) {
+    const std::string path = folder_.write("contours.svg", text + "</svg>");
+    test::expect_refused(path, "contours.svg",
+                         [&] { throw InputError(path + ": " + std::to_string(read_nest_input(path).sources.size())); });
+  }
+}
+
+TEST_F(LargeDrawings, InDxfAreRefused) {
+  const std::string begin = "0\nSECTION\n2\nENTITIES\n";
+  const std::string points = "found more than 200000 points in a file; allowed: 200000 or fewer";
+  expect_refused("bulges.dxf", {begin + "0\nLWPOLYLINE\n", "10\n0\n20\n0\n42\n1\n10\n1e5\n20\n0\n42\n1\n", 90'000, ""},
+                 points);
+  expect_refused("vertices.dxf", {begin + "0\nLWPOLYLINE\n", "10\n0\n", 9'000'000, ""}, points);
+  expect_refused("polyline.dxf", {begin + "0\nPOLYLINE\n", "0\nVERTEX\n", 4'000'000, ""}, points);
+  expect_refused("lines.dxf", {begin, "0\nLINE\n11\n9\n", 4'000'000, ""}, points);
+  expect_refused("circles.dxf", {begin, "0\nCIRCLE\n40\n9e9\n", 3'000'000, ""}, points);
+  expect_refused("number.dxf", {begin + "0\nCIRCLE\n40\n", "9", 60'000'000, "\n"}, "allowed: a number");
+  expect_refused("exponent.dxf", {begin + "0\nCIRCLE\n40\n1e", "9", 1'000, "\n"}, "allowed: a number");
+  expect_refused("code.dxf", {begin, "9", 60'000'000, "\n"}, "allowed: the number of a group code");
+  expect_refused("empty.dxf", {begin, "\n", 60'000'000, ""}, "allowed: the number of a group code");
+  expect_refused("texts.dxf", {begin, "0\nTEXT\n", 8'000'000, ""}, "found no closed shape");
+}
+
+TEST_F(LargeDrawings, InInstancesAreRefused) {
+  const std::string begin = R"({"strip_height": 9, "items": [)";
+  const std::string ring = begin + R"({"shape": {"type": "simple_polygon", "data": [)";
+  const std::string values = "found more than 1000000 values; allowed: 1000000 or fewer";
+  expect_refused("lists.json", {begin, "[],", 20'000'000, "[]]}"}, values);
+  expect_refused("objects.json", {begin, "{},", 20'000'000, "{}]}"}, values);
+  expect_refused("members.json", {R"({"a": {)", "\"a\":{},", 9'000'000, "\"b\":1}}"}, values);
+  expect_refused("points.json", {ring, "[1,2],", 10'000'000, "[1,2]]}}]}"}, values);
+  expect_refused("ring.json", {ring, "[1,2],", 300'000, "[1,2]]}}]}"},
+                 "found 300001 points, allowed: a list of points");
+  expect_refused("deep.json", {"", "[", 60'000'000, ""},
+                 "found more than 32 levels of lists and objects in each other");
+  expect_refused("deeper.json", {"", "{\"a\":", 12'000'000, ""}, "found more than 32 levels");
+  expect_refused("text.json", {"{\"name\": \"", "x", 60'000'000, "\"}"},
+                 "found more than 1048576 bytes in a text or number");
+  expect_refused("escapes.json", {"{\"name\": \"", "\\\"", 30'000'000, "\"}"},
+                 "found more than 1048576 bytes in a text or number");
+  expect_refused("number.json", {"{\"name\": ", "9", 60'000'000, "}"},
+                 "found more than 1048576 bytes in a text or number");
+  expect_refused("exponent.json", {"{\"strip_height\": 1e", "9", 1'000, "}"}, "not a readable JSON file");
+  expect_refused(
+      "name.json",
+      {begin + "{\"id\": \"", "x", 2'000, R"(", "shape": {"type": "rectangle", "data": {"width": 1, "height": 1}}}]})"},
+      "id: found a name of 2000 bytes");
+  expect_refused("blanks.json", {"{", " ", 60'000'000, "}"}, "has no \"items\"");
+  expect_refused("large.json", {"{", " ", 70'000'000, "}"}, "67 MiB, more than the 64 MiB allowed");
+}
+
+TEST_F(LargeDrawings, InFoldersAreCounted) {
+  const std::string path = folder_.path("parts");
+  std::filesystem::create_directory(path);
+  for (int file = 0; file < 30; ++file) {
+    test::LargeText{kSvg + "<path d='M0 0", " h1v1", 4, "H0z"}.write(path + "/" + std::to_string(file) + ".svg");
+    std::ofstream out(path + "/" + std::to_string(file) + ".svg");
+    out << kSvg;
+    for (int ring = 0; ring < 40; ++ring) {
+      out << "<path d='M0 " << ring * 3;
+      for (int i = 0; i < 2'000; ++i) out << "h.01v.0001";
+      out << "V" << ring * 3 + 2 << "H0z'/>";
+    }
+    out << "</svg>";
+  }
+  test::expect_refused(path, "found more than 2000000 points in its files; allowed: 2000000 or fewer",
+                       [&] { read_nest_input(path); });
+}
+
+}  // namespace test_large_drawings
+}  // namespace tessera
