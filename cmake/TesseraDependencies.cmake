@@ -16,14 +16,16 @@ pkg_check_modules(FONTCONFIG REQUIRED IMPORTED_TARGET fontconfig)
 find_package(LibXml2 REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(PNG REQUIRED)
+find_package(JPEG REQUIRED)
+pkg_check_modules(WEBP REQUIRED IMPORTED_TARGET libwebp)
 find_package(TIFF REQUIRED)
 
-# Debian keeps OpenCV's CMake files in libopencv-dev, which pulls in every module and half a desktop; the three modules
+# Debian keeps OpenCV's CMake files in libopencv-dev, which pulls in every module and half a desktop; the two modules
 # that are used come in packages of their own, without them.
-find_path(OPENCV_INCLUDE_DIR opencv2/imgcodecs.hpp PATH_SUFFIXES opencv4 REQUIRED)
+find_path(OPENCV_INCLUDE_DIR opencv2/imgproc.hpp PATH_SUFFIXES opencv4 REQUIRED)
 add_library(tessera_opencv INTERFACE)
 target_include_directories(tessera_opencv SYSTEM INTERFACE ${OPENCV_INCLUDE_DIR})
-foreach(module imgcodecs imgproc core)
+foreach(module imgproc core)
   find_library(OPENCV_${module}_LIBRARY opencv_${module} REQUIRED)
   target_link_libraries(tessera_opencv INTERFACE ${OPENCV_${module}_LIBRARY})
 endforeach()

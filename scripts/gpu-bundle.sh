@@ -77,15 +77,6 @@ strip_all() {
   find "$@" -type f \( -perm -100 -o -name '*.so*' \) -exec sh -c 'strip --strip-unneeded "$1" 2>/dev/null' _ {} \;
 }
 
-# stand_in_for_gdal INTO: OpenCV's imgcodecs names functions of GDAL, which reads maps and brings 100 MB of libraries.
-# The program's own formats never reach it. These functions find nothing.
-stand_in_for_gdal() {
-  comm -12 <(nm -D --undefined-only $system/libopencv_imgcodecs.so.406 | awk '{ print $2 }' | sort) \
-    <(nm -D --defined-only $system/libgdal.so.32 | awk '{ print $3 }' | sort) |
-    awk '{ printf "void *f%d(void) __asm__(\"%s\"); void *f%d(void) { return 0; }\n", NR, $1, NR }' >"$work/gdal.c"
-  gcc -shared -fPIC -Wl,-soname,libgdal.so.32 -o "$1/libgdal.so.32" "$work/gdal.c"
-}
-
 # stand_in_for_icu_data INTO: libxml2 asks ICU for encodings that glibc's iconv does not know, and ICU's tables of them
 # take 31 MB. Without tables, in the form that ICU itself has for it ("stubdata"), it says that it knows none.
 stand_in_for_icu_data() {
@@ -144,7 +135,6 @@ make_main() {
   cp -r tests/support "$to/tests/"
   cp $build/tests/golden/golden_inputs "$to/tests/"
   cp $build/bench/libopencl_profile.so "$to/lib/"
-  stand_in_for_gdal "$to/lib"
   stand_in_for_icu_data "$to/lib"
   copy_libraries "$to/lib" -- "$to"/bin/* "$to"/tests/test_* "$to/tests/golden_inputs" \
     "$to"/lib/x86_64-linux-gnu/openmpi/lib/openmpi3/*.so "$to"/lib/x86_64-linux-gnu/pmix2/lib/pmix/*.so

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "artwork/images/png_picture.h"
 #include "artwork/open_artwork_page.h"
 #include "core/style/style_measure.h"
 #include "artwork/images/alpha.h"
@@ -13,6 +11,7 @@
 #include "artwork/images/artwork_page.h"
 #include "artwork/images/colour_conversion.h"
 #include "artwork/images/page_pixels.h"
+#include "artwork/images/png_encoder.h"
 #include "artwork/solid_coverage.h"
 #include "artwork/style_picture.h"
 

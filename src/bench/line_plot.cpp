@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <opencv2/imgcodecs.hpp>
 
 #include "bench/report.h"
 #include "artwork/artwork_render.h"
+#include "artwork/images/png_encoder.h"
 #include "files/atomic_file.h"
 #include "text/number_text.h"
 #include "text/xml_writer.h"
@@ -142,9 +142,7 @@ void write_plot(const std::vector<Panel>& panels, const std::string& path) {
   const std::string svg = plot_svg(panels);
   write_file_atomically(path + ".svg", svg);
   const std::vector<std::uint8_t> bytes(svg.begin(), svg.end());
-  std::vector<std::uint8_t> png;
-  cv::imencode(".png", render_artwork(bytes, path + ".svg", kPngWidth_px), png);
-  write_file_atomically(path + ".png", png);
+  write_file_atomically(path + ".png", png_of(render_artwork(bytes, path + ".svg", kPngWidth_px)));
 }
 
 }  // namespace tessera::bench

@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 #include <string>
 
+#include "artwork/images/png_encoder.h"
 #include "files/atomic_file.h"
 #include "result/picture_file.h"
 
@@ -14,13 +15,11 @@ namespace tessera {
 class PngStream : public PictureFile {
  public:
   PngStream(const std::string& path, const PictureFormat& format);
-  ~PngStream() override;
 
   void write(const cv::Mat& rows) override;
   void finish() override;
 
  private:
-  struct Encoder;  // libpng's
   struct CloseStream {
     void operator()(std::FILE* stream) const { std::fclose(stream); }
   };
@@ -32,7 +31,7 @@ class PngStream : public PictureFile {
   std::string path_;
   TemporaryFile file_;
   Stream stream_;  // null: closed
-  std::unique_ptr<Encoder> encoder_;
+  PngEncoder encoder_;
 };
 
 }  // namespace tessera

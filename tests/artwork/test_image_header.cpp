@@ -1,33 +1,28 @@
 // Sizes from headers, and headers that lie or end early.
 #include "artwork/images/image_header.h"
+#include "support/images.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <opencv2/imgcodecs.hpp>
-
 namespace tessera {
 namespace test_image_header {
 
-using Bytes = std::vector<std::uint8_t>;
+using test::Bytes;
 
-Bytes encoded(const std::string& extension, int channels, const std::vector<int>& parameters = {}) {
-  Bytes bytes;
-  cv::imencode(extension, cv::Mat(123, 457, CV_8UC(channels), cv::Scalar::all(200)), bytes, parameters);
-  return bytes;
-}
+cv::Mat grey_page(int channels) { return cv::Mat(123, 457, CV_8UC(channels), cv::Scalar::all(200)); }
 
 const std::vector<Bytes>& samples() {
-  static const std::vector<Bytes> all = {encoded(".png", 4),
-                                         encoded(".png", 1),
-                                         encoded(".bmp", 3),
-                                         encoded(".jpg", 3),
-                                         encoded(".jpg", 3, {cv::IMWRITE_JPEG_PROGRESSIVE, 1}),
-                                         encoded(".webp", 4),
-                                         encoded(".webp", 3, {cv::IMWRITE_WEBP_QUALITY, 50}),
-                                         encoded(".webp", 3, {cv::IMWRITE_WEBP_QUALITY, 101}),
-                                         encoded(".tiff", 4),
-                                         encoded(".tiff", 1)};
+  static const std::vector<Bytes> all = {test::encoded(grey_page(4), ".png"),
+                                         test::encoded(grey_page(1), ".png"),
+                                         test::bmp_of(grey_page(3)),
+                                         test::jpeg_of(grey_page(3)),
+                                         test::jpeg_of(grey_page(3), {.progressive = true}),
+                                         test::webp_of(grey_page(4)),
+                                         test::webp_of(grey_page(3), 50),
+                                         test::webp_of(grey_page(3)),
+                                         test::tiff_of(grey_page(4)),
+                                         test::tiff_of(grey_page(1))};
   return all;
 }
 
@@ -41,7 +36,7 @@ TEST(ImageHeader, SizeOfEveryFormat) {
 }
 
 TEST(ImageHeader, BmpFromTheTopHasNegativeHeight) {
-  Bytes bytes = encoded(".bmp", 3);
+  Bytes bytes = test::bmp_of(grey_page(3));
   const std::int32_t height = -123;
   for (int i = 0; i < 4; ++i) bytes[22 + std::size_t(i)] = std::uint8_t(std::uint32_t(height) >> 8 * i);
   EXPECT_EQ(image_size_from_header(bytes)->height, 123);

@@ -96,9 +96,11 @@ TEST(Labels, ColoursAreNone) { EXPECT_THROW(label_picture(encoded(blue_and_green
 
 TEST(Photo, IsDecodedByADrawer) {
   Drawers drawers({});
-  const cv::Mat picture = drawers.photo(encoded(blue_and_green(), ".png"), "photo.png");
-  ASSERT_EQ(picture.size(), cv::Size(60, 40));
-  EXPECT_TRUE(is_near(picture.at<cv::Vec4b>(20, 50), kGreen));
+  for (const char* extension : {".png", ".jpg", ".tiff", ".webp", ".bmp"}) {
+    const cv::Mat picture = drawers.photo(encoded(blue_and_green(), extension), "photo");
+    ASSERT_EQ(picture.size(), cv::Size(60, 40)) << extension;
+    EXPECT_TRUE(is_near(picture.at<cv::Vec4b>(20, 50), kGreen)) << extension;
+  }
   EXPECT_THROW(drawers.photo(Bytes{1, 2, 3}, "photo.png"), InputError);
 }
 

@@ -1,7 +1,6 @@
 // Pictures without transparency: what is cut out as their background, and that nothing else becomes see-through.
 #include <gtest/gtest.h>
 
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "support/artwork_samples.h"

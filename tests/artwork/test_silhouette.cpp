@@ -12,6 +12,7 @@
 #include "artwork/images/artwork_page.h"
 #include "artwork/artwork_render.h"
 #include "artwork/artwork_shape.h"
+#include "support/images.h"
 
 namespace tessera {
 namespace test_silhouette {
@@ -68,7 +69,7 @@ TEST(Silhouette, SpreadTellsOneColourFromSeveral) {
 
 TEST(Silhouette, ThumbnailIsTheWholePageWithStraightAlpha) {
   const Silhouette s = make_silhouette(svg(R"(<rect width="50" height="50" fill="#00ff00" opacity="0.5"/>)"), "a.svg");
-  const cv::Mat image = cv::imdecode(s.thumbnail_png, cv::IMREAD_UNCHANGED);
+  const cv::Mat image = test::decoded(s.thumbnail_png);
   ASSERT_EQ(image.type(), CV_8UC4);
   EXPECT_EQ(image.size(), cv::Size(192, 96));
   const cv::Vec4b left = image.at<cv::Vec4b>(48, 48);

@@ -147,7 +147,8 @@ TEST(SvgImport, StyleSheetsBecomeStyleAttributesAndLoadNothing) {
 TEST(SvgImport, NothingIsDrawnBeyondThePage) {
   const std::string g = import_body("<style>svg{width:900px;height:900px;overflow:visible;fill:red}</style>",
                                     R"~( x="-9" overflow="visible" style="overflow:visible;y:-9px")~");
-  EXPECT_TRUE(contains(g, R"~(<svg width="10.000000" height="20.000000" viewBox="0 0 10 20" style="fill:red"/>)~")) << g;
+  EXPECT_TRUE(contains(g, R"~(<svg width="10.000000" height="20.000000" viewBox="0 0 10 20" style="fill:red"/>)~"))
+      << g;
 }
 
 TEST(SvgImport, ASheetFromADataAddressIsNotLost) {

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "support/artwork_samples.h"
@@ -13,6 +12,7 @@
 #include "artwork/svg/svg_import.h"
 #include "support/scratch_folder.h"
 #include "style_sheets.h"
+#include "support/images.h"
 
 namespace tessera {
 namespace test_svg_neighbours {
@@ -174,7 +174,7 @@ cv::Mat by_chromium(const test::ScratchFolder& folder, const std::string& docume
       "cd " + folder.path("") + " && HOME=" + folder.path("") + " timeout 60 " + chromium() +
       " --headless --no-sandbox --disable-gpu --hide-scrollbars --user-data-dir=" + folder.path("profile") +
       " --screenshot=" + picture + " --window-size=400,4000 file://" + page + " >" + folder.path("log") + " 2>&1";
-  return std::system(command.c_str()) == 0 ? cv::imread(picture) : cv::Mat();
+  return std::system(command.c_str()) == 0 ? test::bgr_of_image(test::read_image(picture)) : cv::Mat();
 }
 
 /// All hostile drawings in one document, drawn as siblings of their neighbours: Chromium looks at what <use> shows by

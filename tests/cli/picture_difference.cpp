@@ -4,11 +4,12 @@
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <string>
 #include <tuple>
 #include <vector>
+
+#include "support/images.h"
 
 namespace {
 
@@ -16,7 +17,7 @@ constexpr std::size_t kPiecesShown = 12;
 
 /// Transparent parts as on white.
 cv::Mat read_picture(const char* path) {
-  const cv::Mat image = cv::imread(path, cv::IMREAD_UNCHANGED);
+  const cv::Mat image = tessera::test::read_image(path);
   if (image.channels() != 4) return image;
   cv::Mat bgr(image.size(), CV_8UC3);
   for (int y = 0; y < image.rows; ++y) {

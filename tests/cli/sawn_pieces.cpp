@@ -3,8 +3,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+
+#include "support/images.h"
 
 namespace fs = std::filesystem;
 
@@ -17,13 +18,13 @@ int main(int argc, char** argv) {
   const double scale = std::atof(argv[4]);
   fs::create_directories(argv[2]);
   for (const fs::directory_entry& entry : fs::directory_iterator(argv[1])) {
-    cv::Mat piece = cv::imread(entry.path().string(), cv::IMREAD_UNCHANGED), alpha;
+    cv::Mat piece = tessera::test::read_image(entry.path().string()), alpha;
     if (piece.type() != CV_8UC4) return 1;
     cv::extractChannel(piece, alpha, 3);
     const cv::Mat disc = cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * lost_px + 1, 2 * lost_px + 1});
     cv::erode(alpha, alpha, disc, {-1, -1}, 1, cv::BORDER_CONSTANT, 0);
     cv::insertChannel(alpha, piece, 3);
     cv::resize(piece, piece, {}, scale, scale, cv::INTER_AREA);
-    if (!cv::imwrite((fs::path(argv[2]) / entry.path().filename()).string(), piece)) return 1;
+    if (!tessera::test::write_image((fs::path(argv[2]) / entry.path().filename()).string(), piece)) return 1;
   }
 }

@@ -2,12 +2,12 @@
 // with three holes at the resolution that the program draws masks at, so that nothing is scaled; picture.png and
 // sizes.png, to be laid over a canvas.
 #include <cstdio>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <string>
 
 #include "core/base/error.h"
 #include "library/storage/library_file.h"
+#include "support/images.h"
 #include "support/matching_scene.h"
 
 namespace {
@@ -36,7 +36,7 @@ void write_mask(const std::string& path) {
   cv::rectangle(mask, {40, 40}, {89, 109}, outside, cv::FILLED);
   cv::rectangle(mask, {200, 60}, {229, 79}, outside, cv::FILLED);
   cv::circle(mask, {230, 160}, 30, outside, cv::FILLED);
-  if (!cv::imwrite(path, mask)) throw tessera::EnvironmentError("cannot write " + path);
+  if (!tessera::test::write_image(path, mask)) throw tessera::EnvironmentError("cannot write " + path);
 }
 
 /// Patches of strong colours, one of them transparent.
@@ -49,14 +49,14 @@ void write_picture(const std::string& path) {
                                      std::uint8_t(255 - patch * 20), std::uint8_t(patch == 6 ? 0 : 255)};
     }
   }
-  if (!cv::imwrite(path, picture)) throw tessera::EnvironmentError("cannot write " + path);
+  if (!tessera::test::write_image(path, picture)) throw tessera::EnvironmentError("cannot write " + path);
 }
 
 /// From small on the left to large on the right.
 void write_sizes(const std::string& path) {
   cv::Mat sizes(120, 160, CV_8U);
   for (int x = 0; x < sizes.cols; ++x) sizes.col(x) = 60 + x;
-  if (!cv::imwrite(path, sizes)) throw tessera::EnvironmentError("cannot write " + path);
+  if (!tessera::test::write_image(path, sizes)) throw tessera::EnvironmentError("cannot write " + path);
 }
 
 }  // namespace

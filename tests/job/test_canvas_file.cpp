@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
@@ -12,6 +11,7 @@
 #include "job/canvas/canvas_file.h"
 #include "job/canvas/canvas_page.h"
 #include "support/scratch_folder.h"
+#include "support/images.h"
 
 namespace tessera {
 namespace test_canvas_file {
@@ -23,8 +23,7 @@ class CanvasFile : public testing::Test {
   }
 
   std::string png(const cv::Mat& image) {
-    std::vector<std::uint8_t> bytes;
-    cv::imencode(".png", image, bytes);
+    const std::vector<std::uint8_t> bytes = test::encoded(image, ".png");
     return folder_.write("mask.png", std::string(bytes.begin(), bytes.end()));
   }
 

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <set>
 
 #include "core/base/error.h"
@@ -14,6 +13,7 @@
 #include "support/random_shape.h"
 #include "support/scratch_folder.h"
 #include "support/colours.h"
+#include "support/images.h"
 
 namespace tessera {
 namespace test_overlays {
@@ -40,8 +40,7 @@ class Overlaid : public testing::Test {
   }
 
   std::string image(const std::string& name, const cv::Mat& bgr) const {
-    std::vector<std::uint8_t> bytes;
-    cv::imencode(std::filesystem::path(name).extension(), bgr, bytes);
+    const std::vector<std::uint8_t> bytes = test::encoded(bgr, std::filesystem::path(name).extension());
     return folder_.write(name, std::string(bytes.begin(), bytes.end()));
   }
 
@@ -98,7 +97,7 @@ TEST_F(Overlaid, CoversTheCanvas) {
 /// What a result keeps of the picture in this file.
 cv::Mat kept(const Canvas& canvas, Job job, const std::string& file) {
   job.colour.image = file;
-  return cv::imdecode(*read_overlays(canvas, job).shown_png, cv::IMREAD_UNCHANGED);
+  return test::decoded(*read_overlays(canvas, job).shown_png);
 }
 
 TEST_F(Overlaid, IsKeptInItsOwnPixels) {

@@ -1,7 +1,6 @@
 // The picture that lies under the pieces: how large its tiles are, how they meet, in pixels and as vectors.
 #include <gtest/gtest.h>
 
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "support/artwork_samples.h"
@@ -9,6 +8,7 @@
 #include "render/canvas_drawing.h"
 #include "render/ground_strips.h"
 #include "support/scratch_folder.h"
+#include "support/images.h"
 #include "support/input_error.h"
 #include "support/svg_samples.h"
 
@@ -33,7 +33,7 @@ struct WithGround : SampleCollage {
     job.output.width_px = 200;
   }
   void lay(const cv::Mat& picture, double width_px = 0, const char* name = "ground.png") {
-    lay_file(folder.path(name), width_px, [&] { ASSERT_TRUE(cv::imwrite(folder.path(name), picture)); });
+    lay_file(folder.path(name), width_px, [&] { ASSERT_TRUE(test::write_image(folder.path(name), picture)); });
   }
   template <class Write>
   void lay_file(const std::string& path, double width_px, const Write& write) {
@@ -233,7 +233,7 @@ TEST(Ground, ThatCannotBeReadIsAnErrorOfItsKey) {
             std::string::npos);
   EXPECT_NE(message(collage.folder.path("")).find("output.ground: "), std::string::npos) << "a folder";
   const std::string wide = collage.folder.path("wide.png");
-  ASSERT_TRUE(cv::imwrite(wide, cv::Mat(1, 8193, CV_8UC1, cv::Scalar(0))));
+  ASSERT_TRUE(test::write_image(wide, cv::Mat(1, 8193, CV_8UC1, cv::Scalar(0))));
   EXPECT_NE(message(wide).find("8193 x 1 pixels, allowed: 8192 px each way"), std::string::npos) << message(wide);
   EXPECT_EQ(message(""), "");
 }

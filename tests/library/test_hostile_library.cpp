@@ -7,7 +7,6 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
-#include <opencv2/imgcodecs.hpp>
 
 #include "core/base/error.h"
 #include "core/shape/shape_contradiction.h"
@@ -20,6 +19,7 @@
 #include "library_surgery.h"
 #include "support/scratch_folder.h"
 #include "support/hostile_file.h"
+#include "support/images.h"
 #include "support/synthetic_library.h"
 
 namespace tessera {
@@ -30,8 +30,8 @@ using test::ScratchFolder;
 const LibraryParts kEverything{.outline = true, .field = true, .levels = ~0u, .artwork = true, .original = true};
 
 std::vector<std::uint8_t> small_png(int side_px) {
-  std::vector<std::uint8_t> png;
-  cv::imencode(".png", cv::Mat(side_px, side_px, CV_8UC4, cv::Scalar(10, 200, 30, 255)), png);
+  const std::vector<std::uint8_t> png =
+      test::encoded(cv::Mat(side_px, side_px, CV_8UC4, cv::Scalar(10, 200, 30, 255)), ".png");
   return png;
 }
 
@@ -200,8 +200,7 @@ TEST_F(HostileLibrary, ThumbnailsThatAreLarge) {
   };
   EXPECT_FALSE(refused(small_png(192)));
   EXPECT_TRUE(refused(small_png(193)));
-  std::vector<std::uint8_t> grey;
-  cv::imencode(".png", cv::Mat(9, 9, CV_8UC1, cv::Scalar(7)), grey);
+  const std::vector<std::uint8_t> grey = test::encoded(cv::Mat(9, 9, CV_8UC1, cv::Scalar(7)), ".png");
   EXPECT_TRUE(refused(grey));
   std::vector<std::uint8_t> longer = small_png(10);
   longer.push_back(0);

@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <filesystem>
-#include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 #include <thread>
 
@@ -21,6 +20,7 @@
 #include "text/utf8_text.h"
 #include "support/random_shape.h"
 #include "support/scratch_folder.h"
+#include "support/images.h"
 
 namespace tessera {
 namespace test_library_builder {
@@ -306,7 +306,7 @@ TEST_F(LibraryBuilder, BuildsFromRealDrawings) {
   const LibraryFile library(folder_.path("out.h5"));
   EXPECT_EQ(library.variant_of(), (std::vector<std::uint32_t>{0, 1, 0}));
   EXPECT_EQ(write_contact_sheet(library, folder_.path("sheet.png")), 3u);
-  const cv::Mat sheet = cv::imread(folder_.path("sheet.png"));
+  const cv::Mat sheet = test::read_image(folder_.path("sheet.png"));
   ASSERT_FALSE(sheet.empty());
   const cv::Scalar mean = cv::mean(sheet);
   EXPECT_GT(mean[0], 150);  // mostly paper

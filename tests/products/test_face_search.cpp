@@ -1,7 +1,6 @@
 // Faces in photographs, with the cascade of Debian's package opencv-data (scripts/packages.txt), and what eyes look for.
 #include <gtest/gtest.h>
 
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <string>
 
@@ -9,6 +8,7 @@
 #include "products/mosaic/face_search.h"
 #include "products/mosaic/haar_cascade_file.h"
 #include "products/mosaic/saliency.h"
+#include "support/images.h"
 
 namespace tessera {
 namespace test_face_search {
@@ -19,7 +19,7 @@ const HaarCascade& cascade() {
 }
 
 cv::Mat photo(const std::string& name) {
-  return cv::imread(std::string(TESSERA_SOURCE_DIR) + "/jobs/photos/" + name, cv::IMREAD_COLOR);
+  return test::bgr_of_image(test::read_image(std::string(TESSERA_SOURCE_DIR) + "/jobs/photos/" + name));
 }
 
 /// In parts of the picture.

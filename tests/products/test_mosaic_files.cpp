@@ -3,7 +3,6 @@
 #include <toml++/toml.h>
 
 #include <filesystem>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <set>
 #include <sstream>
@@ -16,6 +15,7 @@
 #include "products/mosaic/mosaic_files.h"
 #include "products/mosaic/mosaic_job.h"
 #include "support/scratch_folder.h"
+#include "support/images.h"
 
 namespace tessera {
 namespace test_mosaic_files {
@@ -65,7 +65,7 @@ class MosaicFilesTest : public testing::Test {
   MosaicFilesTest() {
     cv::Mat image(40, 60, CV_8UC3, cv::Scalar(200, 40, 40));
     image.colRange(30, 60) = cv::Scalar(40, 200, 40);
-    cv::imwrite(folder_.path("photo.png"), image);
+    test::write_image(folder_.path("photo.png"), image);
     folder_.write("tiles.h5", "not read here");
     fs::create_directory(folder_.path("jobs"));
   }
@@ -112,7 +112,7 @@ TEST_F(MosaicFilesTest, LieBesideEachOther) {
   const toml::table job = toml::parse(bytes_of(folder_.path("m.toml")));
   EXPECT_EQ(job["pieces"]["size_map"].value<std::string>(), "m_sizes.png");
   EXPECT_EQ(job["colour"]["image"].value<std::string>(), folder_.path("photo.png"));  // given from the root
-  const cv::Mat map = cv::imread(folder_.path("m_sizes.png"), cv::IMREAD_UNCHANGED);
+  const cv::Mat map = test::read_image(folder_.path("m_sizes.png"));
   EXPECT_EQ(map.type(), CV_8UC1);
   EXPECT_EQ(map.size(), cv::Size(102, 68));  // of a canvas of 406 x 271 px
 }
@@ -129,7 +129,7 @@ TEST_F(MosaicFilesTest, NameTheRegionsByTheirColoursInThePicture) {
   const toml::table job = toml::parse(bytes_of(folder_.path("p.toml")));
   EXPECT_EQ(job["canvas"]["file"].value<std::string>(), "p_regions.png");
   EXPECT_EQ(job["colour"]["image"].value<std::string>(), folder_.path("photo.png"));
-  const cv::Mat picture = cv::imread(folder_.path("p_regions.png"), cv::IMREAD_UNCHANGED);
+  const cv::Mat picture = test::read_image(folder_.path("p_regions.png"));
   ASSERT_EQ(picture.type(), CV_8UC4);
   ASSERT_EQ(job["regions"].as_array()->size(), 2u);
   const auto colour_at = [&](int x) {
@@ -144,7 +144,7 @@ TEST_F(MosaicFilesTest, NameTheRegionsByTheirColoursInThePicture) {
 TEST_F(MosaicFilesTest, OfAFlatImageHaveNoRegions) {
   MosaicRequest flat = request();
   flat.image = folder_.path("flat.png");
-  cv::imwrite(flat.image, cv::Mat(40, 60, CV_8UC3, cv::Scalar(10, 20, 30)));
+  test::write_image(flat.image, cv::Mat(40, 60, CV_8UC3, cv::Scalar(10, 20, 30)));
   EXPECT_EQ(write(flat).regions, 0);
   EXPECT_FALSE(fs::exists(folder_.path("m_regions.png")));
 }
@@ -256,11 +256,11 @@ TEST_F(MosaicFilesTest, HaveSmallPiecesOnAFace) {
   portrait.image = std::string(TESSERA_SOURCE_DIR) + "/jobs/photos/astronaut.jpg";
   portrait.face_cascade = folder_.path("none.xml");
   EXPECT_FALSE(write(portrait).faces.has_value());
-  const cv::Mat before = cv::imread(folder_.path("m_sizes.png"), cv::IMREAD_UNCHANGED);
+  const cv::Mat before = test::read_image(folder_.path("m_sizes.png"));
   portrait.face_cascade = face_cascade_file();
   portrait.replace = true;
   EXPECT_EQ(write(portrait).faces, 1);
-  const cv::Mat map = cv::imread(folder_.path("m_sizes.png"), cv::IMREAD_UNCHANGED);
+  const cv::Mat map = test::read_image(folder_.path("m_sizes.png"));
   const cv::Point eye(map.cols * 147 / 340, map.rows * 102 / 400);
   EXPECT_LT(map.at<std::uint8_t>(eye), before.at<std::uint8_t>(eye) - 40);
 }
@@ -271,15 +271,15 @@ TEST_F(MosaicFilesTest, HaveSmallPiecesWhereAPictureSaysSo) {
   MosaicRequest painted = request();
   painted.face_cascade = face_cascade_file();
   painted.salient = folder_.path("salient.png");
-  cv::imwrite(painted.salient, cv::Mat::zeros(2, 3, CV_8U));
+  test::write_image(painted.salient, cv::Mat::zeros(2, 3, CV_8U));
   EXPECT_FALSE(write(painted).faces.has_value()) << "the picture says all";
   EXPECT_EQ(bytes_of(folder_.path("m_sizes.png")), by_contrast);
   cv::Mat spot = cv::Mat::zeros(40, 60, CV_8U);
   spot(cv::Rect(5, 5, 10, 10)) = 255;
-  cv::imwrite(painted.salient, spot);
+  test::write_image(painted.salient, spot);
   painted.replace = true;
   write(painted);
-  const cv::Mat map = cv::imread(folder_.path("m_sizes.png"), cv::IMREAD_UNCHANGED);
+  const cv::Mat map = test::read_image(folder_.path("m_sizes.png"));
   EXPECT_LT(map.at<std::uint8_t>(map.rows / 4, map.cols / 6),
             map.at<std::uint8_t>(map.rows * 3 / 4, map.cols / 6) - 60);
 }
@@ -295,7 +295,7 @@ TEST_F(MosaicFilesTest, TellWhatIsWrongWithThePictureOfWhatIsSalient) {
             std::string::npos);
   EXPECT_FALSE(fs::exists(wrong.job));
   wrong.salient = folder_.path("m_sizes.png");
-  cv::imwrite(wrong.salient, cv::Mat::zeros(4, 6, CV_8U));
+  test::write_image(wrong.salient, cv::Mat::zeros(4, 6, CV_8U));
   wrong.replace = true;
   EXPECT_NE(refusal(wrong).find("m_sizes.png, which is read"), std::string::npos);
 }
@@ -316,7 +316,7 @@ TEST_F(MosaicFilesTest, TellWhatIsWrongWithTheImage) {
   wrong.image = folder_.write("text.png", "text");
   EXPECT_NE(refusal(wrong).find("text.png: "), std::string::npos);
   wrong.image = folder_.path("long.png");
-  cv::imwrite(wrong.image, cv::Mat(10, 90, CV_8UC3, cv::Scalar(1, 2, 3)));
+  test::write_image(wrong.image, cv::Mat(10, 90, CV_8UC3, cv::Scalar(1, 2, 3)));
   EXPECT_NE(refusal(wrong).find("long.png: found an image of 90 x 10 px, allowed: one side at most 8 times"),
             std::string::npos);
   EXPECT_FALSE(fs::exists(wrong.job));

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "artwork/images/png_picture.h"
+#include "artwork/images/png_encoder.h"
 #include "support/sample_collage.h"
 #include "support/colours.h"
 

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
@@ -14,6 +13,7 @@
 #include "render/pieces/tones.h"
 #include "support/sample_collage.h"
 #include "support/scratch_folder.h"
+#include "support/images.h"
 #include "support/input_error.h"
 
 namespace tessera {
@@ -108,8 +108,7 @@ TEST(FromAfar, ACanvasOfHundredPiecesIsTenPiecesWide) {
 class Measured : public testing::Test {
  protected:
   Measured() {
-    std::vector<std::uint8_t> bytes;
-    cv::imencode(".png", picture_, bytes);
+    const std::vector<std::uint8_t> bytes = test::encoded(picture_, ".png");
     sample_.job.colour.image = folder_.write("picture.png", std::string(bytes.begin(), bytes.end()));
     sample_.job.settings.pieces.min_scale_px = 16;
   }

@@ -2,13 +2,12 @@
 #include <gtest/gtest.h>
 #include <sched.h>
 
-#include <opencv2/imgcodecs.hpp>
-
 #include "support/drawn_collage.h"
 #include "render/label_map.h"
 #include "render/png_stream.h"
 #include "support/sample_collage.h"
 #include "support/scratch_folder.h"
+#include "support/images.h"
 #include "support/input_error.h"
 
 namespace tessera {
@@ -93,7 +92,7 @@ TEST(Labels, AreThoseOfTheFile) {
     std::size_t rows = 0;
     write_labels(sample.report, drawn.artworks, png, drawn.stop, [&](std::size_t done) { rows = done; });
     EXPECT_EQ(rows, 1000u);
-    const cv::Mat read = cv::imread(folder.path("labels.png"), cv::IMREAD_UNCHANGED);
+    const cv::Mat read = test::read_image(folder.path("labels.png"));
     EXPECT_EQ(read.type(), pieces == 2 ? CV_8UC1 : CV_16UC1);
     EXPECT_EQ(cv::norm(read, labels_of(sample.report), cv::NORM_INF), 0) << pieces;
   }

@@ -8,7 +8,6 @@
 #include <fstream>
 #include <iterator>
 #include <numbers>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "support/artwork_samples.h"
@@ -21,6 +20,7 @@
 #include "support/planted_files.h"
 #include "support/sample_collage.h"
 #include "support/scratch_folder.h"
+#include "support/images.h"
 
 namespace tessera {
 namespace test_png_output {
@@ -289,7 +289,7 @@ TEST(Png, TheFileDecodesToThePicture) {
   PngStream png(folder.path("collage.png"), picture_format(sample.report));
   write_picture(sample.report, drawn.artworks, {&png}, drawn.stop, [&](std::size_t done) { rows = done; });
   EXPECT_EQ(rows, 200u);
-  EXPECT_EQ(cv::norm(cv::imread(folder.path("collage.png"), cv::IMREAD_UNCHANGED), drawn.picture(), cv::NORM_INF), 0);
+  EXPECT_EQ(cv::norm(test::read_image(folder.path("collage.png")), drawn.picture(), cv::NORM_INF), 0);
   EXPECT_FALSE(std::filesystem::exists(folder.path("collage.png.tmp")));
 }
 
@@ -321,7 +321,7 @@ TEST(Png, TheFileSaysHowLargeItIsOnPaperAndKeepsItsTransparency) {
   EXPECT_EQ(number_in_chunk(png, "IHDR", 1), 300u);
   EXPECT_EQ(number_in_chunk(png, "pHYs", 0), 11811u);  // a metre
   EXPECT_EQ(number_in_chunk(png, "pHYs", 1), 11811u);
-  const cv::Mat read = cv::imread(folder.path("collage.png"), cv::IMREAD_UNCHANGED);
+  const cv::Mat read = test::read_image(folder.path("collage.png"));
   EXPECT_EQ(cv::norm(read, drawn_picture(sample.report), cv::NORM_INF), 0);
   // 600 px on 50.8 mm and 300 px on 25.5 mm: as near as whole numbers are.
   sample.job.canvas.width_px = 200;
@@ -392,7 +392,7 @@ TEST(Png, FollowsNothingThatOthersPutThere) {
     PngStream png(folder.path("collage.png"), {.size = picture.size()});
     png.write(picture);
     png.finish();
-    EXPECT_EQ(cv::norm(cv::imread(folder.path("collage.png")), picture, cv::NORM_INF), 0);
+    EXPECT_EQ(cv::norm(test::read_image(folder.path("collage.png")), picture, cv::NORM_INF), 0);
     EXPECT_FALSE(std::filesystem::exists(std::filesystem::symlink_status(folder.path("collage.png.tmp"))));
     planted.expect_untouched();
   }

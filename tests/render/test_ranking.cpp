@@ -5,12 +5,12 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <opencv2/imgcodecs.hpp>
 
 #include "result/card_output.h"
 #include "render/ranking.h"
 #include "result/result_manifest.h"
 #include "support/scratch_folder.h"
+#include "support/images.h"
 #include "support/input_error.h"
 
 namespace tessera {
@@ -347,7 +347,7 @@ TEST_F(ResultFolders, what_cannot_be_ranked_is_left_out_and_said) {
 TEST_F(ResultFolders, the_files_of_a_ranking) {
   make_result("a", 0.8);
   make_result("b", 0.9);
-  cv::imwrite(scratch_.path("b/collage.png"), cv::Mat(100, 640, CV_8UC3, cv::Scalar(0, 0, 255)));  // a has none
+  test::write_image(scratch_.path("b/collage.png"), cv::Mat(100, 640, CV_8UC3, cv::Scalar(0, 0, 255)));  // a has none
   const RankingWeights weights = ranking_weights({});
   const auto results = ranked({read_card(scratch_.path("a")), read_card(scratch_.path("b"))}, weights);
   write_ranking(scratch_.path(""), ranking_files(results, weights));
@@ -356,7 +356,7 @@ TEST_F(ResultFolders, the_files_of_a_ranking) {
   EXPECT_EQ(json["weights"]["overlap"], -2);
   EXPECT_EQ(json["ranking"][0]["folder"], scratch_.path("b"));
   EXPECT_EQ(json["ranking"][1]["rank"], 2);
-  const cv::Mat sheet = cv::imread(scratch_.path("ranking.png"));
+  const cv::Mat sheet = test::bgr_of_image(test::read_image(scratch_.path("ranking.png")));
   ASSERT_FALSE(sheet.empty());
   const cv::Vec3b red(0, 0, 255);
   EXPECT_EQ(sheet.at<cv::Vec3b>(28 + 44 + 25, 28 + 160), red);  // the middle of the first cell, 320 x 50 px

@@ -3,12 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "support/artwork_samples.h"
 #include "job/canvas/overlays.h"
 #include "support/scratch_folder.h"
+#include "support/images.h"
 #include "support/input_error.h"
 #include "support/svg_samples.h"
 
@@ -110,8 +110,7 @@ TEST(ImageBackground, NeedsThePictureOfTheResult) {
   EXPECT_NE(message().find("shown.png is missing; needed: the result of a job with colour.image"), std::string::npos);
   collage.folder.write(kShownPictureName, "no picture");
   EXPECT_NE(message().find("shown.png: not a PNG file"), std::string::npos) << message();
-  std::vector<std::uint8_t> png;
-  cv::imencode(".png", cv::Mat(1, 1361, CV_8U, cv::Scalar(0)), png);
+  const std::vector<std::uint8_t> png = test::encoded(cv::Mat(1, 1361, CV_8U, cv::Scalar(0)), ".png");
   collage.folder.write(kShownPictureName, {png.begin(), png.end()});
   EXPECT_NE(message().find("shown.png: found 1361 x 1 px, allowed: at most 1360 px each way"), std::string::npos)
       << message();

@@ -1,11 +1,11 @@
 // Letters that pieces keep out of, as a layer of collage.svg and collage.png.
 #include <gtest/gtest.h>
 
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "job/canvas/canvas_file.h"
 #include "support/scratch_folder.h"
+#include "support/images.h"
 #include "support/svg_samples.h"
 
 namespace tessera {
@@ -66,7 +66,7 @@ TEST(SvgOutput, LettersMayBeAnImage) {
   cv::Mat image(50, 100, CV_8UC4, cv::Scalar::all(0));
   cv::rectangle(image, {20, 42, 60, 6}, cv::Scalar(0xc0, 0x40, 0x20, 255), cv::FILLED);
   collage.job.canvas.keep_out = folder.path("letters.png");
-  ASSERT_TRUE(cv::imwrite(collage.job.canvas.keep_out, image));
+  ASSERT_TRUE(test::write_image(collage.job.canvas.keep_out, image));
   Drawers drawers(canvas_drawer_settings(collage.job.canvas));
   collage.report.keep_out = draw_keep_out(collage.job, collage.canvas, drawers);
   const cv::Mat picture = drawn_picture(collage.report);

@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "support/scratch_folder.h"
+#include "support/images.h"
 #include "support/input_error.h"
 
 namespace tessera {
@@ -93,10 +93,10 @@ cv::Mat collage_picture() {
 
 class PaintedOverTest : public testing::Test {
  protected:
-  PaintedOverTest() { cv::imwrite(picture_, collage_picture()); }
+  PaintedOverTest() { test::write_image(picture_, collage_picture()); }
 
   ErasingMask mask_of(const std::string& name, const cv::Mat& painted) const {
-    cv::imwrite(folder_.path(name), painted);
+    test::write_image(folder_.path(name), painted);
     return erasing_mask(folder_.path(name), "--erase", canvas_, picture_);
   }
   static float marked_part(const ErasingMask& mask) {
@@ -137,7 +137,7 @@ TEST_F(PaintedOverTest, OfAnotherPictureNothingIsTakenForPaint) {
 TEST_F(PaintedOverTest, OfACopyOnAPlainGroundThePaintIsMeantToo) {
   cv::Mat picture(150, 300, CV_8UC3, cv::Scalar::all(255));
   collage_picture()(cv::Rect(0, 0, 200, 100)).copyTo(picture(cv::Rect(50, 25, 200, 100)));
-  cv::imwrite(picture_, picture);
+  test::write_image(picture_, picture);
   cv::line(picture, {100, 75}, {170, 75}, cv::Scalar(0, 255, 0), 6);
   EXPECT_NEAR(marked_part(mask_of("painted.png", picture)), 70.f * 6 / (300 * 150), 0.006f);
 }

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <string>
 #include <vector>
 
 #include "artwork/silhouette.h"
+#include "support/images.h"
 
 namespace tessera::test {
 
@@ -19,19 +19,11 @@ inline constexpr const char* kPanicReason = "crashed its process (Aborted)";
 inline constexpr const char* kPanicReason = "its process gave up";
 #endif
 
-using Bytes = std::vector<std::uint8_t>;
-
 inline Bytes svg(const std::string& body,
                  const std::string& attributes = R"(width="100" height="50" viewBox="0 0 100 50")") {
   const std::string text = R"(<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" )" +
                            attributes + ">" + body + "</svg>";
   return Bytes(text.begin(), text.end());
-}
-
-inline Bytes encoded(const cv::Mat& image, const std::string& extension) {
-  Bytes bytes;
-  cv::imencode(extension, image, bytes);
-  return bytes;
 }
 
 /// A red disc of radius 60 about (150, 100) on 300 x 200.

@@ -1,7 +1,6 @@
 #include "artwork/images/image_decoding.h"
 
-#include <opencv2/imgcodecs.hpp>
-#include <optional>
+#include <stdexcept>
 
 #include "artwork/images/looks_like_svg.h"
 #include "core/base/error.h"
@@ -11,34 +10,39 @@
 namespace tessera {
 namespace {
 
-void check_header(std::span<const std::uint8_t> bytes, const std::string& path) {
-  const std::optional<cv::Size2d> size = image_size_from_header(bytes);
-  const std::string unread = unread_format(bytes);
+/// For what has none of the formats' first bytes.
+[[noreturn]] void refuse_format(std::span<const std::uint8_t> bytes) {
   if (looks_like_svg(bytes)) {
-    throw InputError(path + ": found an SVG, needed: a picture of pixels; rsvg-convert -w 2000 FILE.svg -o FILE.png " +
-                     "draws one");
+    throw UnreadableImage(
+        "found an SVG, needed: a picture of pixels; rsvg-convert -w 2000 FILE.svg -o FILE.png draws one");
   }
-  if (!unread.empty()) throw InputError(path + ": " + unread_format_reason(unread));
-  if (!size) throw InputError(path + ": neither SVG nor a readable PNG, WebP, TIFF, BMP or JPEG image");
-  if (size->area() > kMaxImagePixels) {
-    throw InputError(cv::format("%s: %.0f x %.0f pixels, more than the %.0f million allowed", path.c_str(), size->width,
-                                size->height, kMaxImagePixels * 1e-6));
+  const std::string unread = unread_format(bytes);
+  if (!unread.empty()) throw UnreadableImage(unread_format_reason(unread));
+  throw UnreadableImage("neither SVG nor a readable PNG, WebP, TIFF, BMP or JPEG image");
+}
+
+DecodedImage decoded(std::span<const std::uint8_t> bytes, const ReadingRules& rules) {
+  // Before a decoder sees the file: a small one may claim a huge picture.
+  if (const auto size = image_size_from_header(bytes)) check_size(size->width, size->height, rules);
+  switch (image_format(bytes)) {
+    case ImageFormat::png: return read_png(bytes, rules);
+    case ImageFormat::jpeg: return read_jpeg(bytes, rules);
+    case ImageFormat::webp: return read_webp(bytes, rules);
+    case ImageFormat::tiff: return read_tiff(bytes, rules);
+    case ImageFormat::bmp: return read_bmp(bytes, rules);
+    case ImageFormat::none: refuse_format(bytes);
   }
+  throw std::logic_error("no such format");
 }
 
 }  // namespace
 
-cv::Mat decode_image(std::span<const std::uint8_t> bytes, const std::string& path, int flags) {
-  check_header(bytes, path);
-  // OpenCV takes a mutable pointer and only reads.
-  const cv::Mat packed(1, int(bytes.size()), CV_8U, const_cast<std::uint8_t*>(bytes.data()));
-  cv::Mat image;
+DecodedImage decode_image(std::span<const std::uint8_t> bytes, const std::string& path, PixelBits bits) {
   try {
-    image = cv::imdecode(packed, flags);
-  } catch (const cv::Exception&) {  // the same as an empty image
+    return decoded(bytes, {.bits = bits, .most_pixels = kMaxImagePixels});
+  } catch (const UnreadableImage& error) {
+    throw InputError(path + ": " + error.what());
   }
-  if (image.empty()) throw InputError(path + ": a damaged image");
-  return image;
 }
 
 }  // namespace tessera

@@ -1,36 +1,12 @@
 #include "artwork/images/image_header.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string_view>
 
+#include "artwork/images/byte_reader.h"
+
 namespace tessera {
 namespace {
-
-/// Integers at any place; beyond the end they are missing.
-class Reader {
- public:
-  Reader(std::span<const std::uint8_t> bytes, bool big_endian) : bytes_(bytes), big_endian_(big_endian) {}
-
-  std::size_t size() const { return bytes_.size(); }
-
-  bool has(std::size_t at, std::string_view text) const {
-    return at <= bytes_.size() && text.size() <= bytes_.size() - at &&
-           std::equal(text.begin(), text.end(), bytes_.begin() + std::ptrdiff_t(at),
-                      [](char c, std::uint8_t b) { return std::uint8_t(c) == b; });
-  }
-
-  std::optional<std::uint32_t> integer(std::size_t at, int width) const {
-    if (at > bytes_.size() || std::size_t(width) > bytes_.size() - at) return std::nullopt;
-    std::uint32_t value = 0;
-    for (int i = 0; i < width; ++i) value = value << 8 | bytes_[at + std::size_t(big_endian_ ? i : width - 1 - i)];
-    return value;
-  }
-
- private:
-  std::span<const std::uint8_t> bytes_;
-  bool big_endian_;
-};
 
 using Side = std::optional<std::uint32_t>;
 
@@ -39,7 +15,7 @@ std::optional<cv::Size2d> size_of(Side width, Side height) {
   return cv::Size2d(*width, *height);
 }
 
-std::optional<cv::Size2d> bmp_size(const Reader& r) {
+std::optional<cv::Size2d> bmp_size(const ByteReader& r) {
   if (r.integer(14, 4) == 12u) return size_of(r.integer(18, 2), r.integer(20, 2));  // OS/2
   const Side width = r.integer(18, 4), height = r.integer(22, 4);
   if (!width || !height) return std::nullopt;
@@ -47,7 +23,7 @@ std::optional<cv::Size2d> bmp_size(const Reader& r) {
 }
 
 /// Walks the segments to the start of a frame.
-std::optional<cv::Size2d> jpeg_size(const Reader& r) {
+std::optional<cv::Size2d> jpeg_size(const ByteReader& r) {
   std::size_t at = 2;
   while (true) {
     while (r.integer(at, 2) == 0xffffu) ++at;  // fill bytes
@@ -60,7 +36,7 @@ std::optional<cv::Size2d> jpeg_size(const Reader& r) {
   }
 }
 
-std::optional<cv::Size2d> webp_size(const Reader& r) {
+std::optional<cv::Size2d> webp_size(const ByteReader& r) {
   if (r.has(12, "VP8X")) {
     const Side width = r.integer(24, 3), height = r.integer(27, 3);
     if (width && height) return cv::Size2d(*width + 1., *height + 1.);
@@ -75,7 +51,7 @@ std::optional<cv::Size2d> webp_size(const Reader& r) {
   return std::nullopt;
 }
 
-std::optional<cv::Size2d> tiff_size(const Reader& r) {
+std::optional<cv::Size2d> tiff_size(const ByteReader& r) {
   constexpr std::uint32_t kWidthTag = 256, kHeightTag = 257, kShort = 3;
   const Side directory = r.integer(4, 4);
   if (!directory) return std::nullopt;
@@ -93,16 +69,28 @@ std::optional<cv::Size2d> tiff_size(const Reader& r) {
 
 }  // namespace
 
-std::optional<cv::Size2d> image_size_from_header(std::span<const std::uint8_t> bytes) {
+ImageFormat image_format(std::span<const std::uint8_t> bytes) {
   using namespace std::string_view_literals;
-  const Reader big(bytes, true);
-  const Reader little(bytes, false);
-  if (big.has(0, "\x89PNG\r\n\x1a\n"sv)) return size_of(big.integer(16, 4), big.integer(20, 4));
-  if (big.has(0, "BM"sv)) return bmp_size(little);
-  if (big.has(0, "\xff\xd8\xff"sv)) return jpeg_size(big);
-  if (big.has(0, "RIFF"sv) && big.has(8, "WEBP"sv)) return webp_size(little);
-  if (big.has(0, "II*\0"sv)) return tiff_size(little);
-  if (big.has(0, "MM\0*"sv)) return tiff_size(big);
+  const ByteReader reader(bytes, true);
+  if (reader.has(0, "\x89PNG\r\n\x1a\n"sv)) return ImageFormat::png;
+  if (reader.has(0, "BM"sv)) return ImageFormat::bmp;
+  if (reader.has(0, "\xff\xd8\xff"sv)) return ImageFormat::jpeg;
+  if (reader.has(0, "RIFF"sv) && reader.has(8, "WEBP"sv)) return ImageFormat::webp;
+  if (reader.has(0, "II*\0"sv) || reader.has(0, "MM\0*"sv)) return ImageFormat::tiff;
+  return ImageFormat::none;
+}
+
+std::optional<cv::Size2d> image_size_from_header(std::span<const std::uint8_t> bytes) {
+  const ByteReader big(bytes, true);
+  const ByteReader little(bytes, false);
+  switch (image_format(bytes)) {
+    case ImageFormat::png: return size_of(big.integer(16, 4), big.integer(20, 4));
+    case ImageFormat::jpeg: return jpeg_size(big);
+    case ImageFormat::webp: return webp_size(little);
+    case ImageFormat::tiff: return tiff_size(big.has(0, "MM") ? big : little);
+    case ImageFormat::bmp: return bmp_size(little);
+    case ImageFormat::none: return std::nullopt;
+  }
   return std::nullopt;
 }
 

@@ -1,4 +1,4 @@
-// Reads the size of an image from its header, so that a small file that claims a huge picture is refused before its
+// Reads the format and the size of an image from its header, so that a small file that claims a huge picture is refused before its
 // decoder asks for the memory.
 #pragma once
 
@@ -8,6 +8,11 @@
 #include <span>
 
 namespace tessera {
+
+enum class ImageFormat { none, png, jpeg, webp, tiff, bmp };
+
+/// By the first bytes.
+ImageFormat image_format(std::span<const std::uint8_t> bytes);
 
 /// The size of a PNG, BMP, JPEG, WebP or TIFF (its first picture). Nothing where it is none of these or too damaged to
 /// tell. Never reads beyond `bytes`. Sides are as claimed: they may be 0 or huge, never negative.

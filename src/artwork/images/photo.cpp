@@ -1,22 +1,34 @@
 #include "artwork/images/photo.h"
 
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
 #include "artwork/images/image_decoding.h"
+#include "artwork/images/orientation.h"
 #include "artwork/images/reduced_picture.h"
 
 namespace tessera {
 
+namespace {
+
+/// As it was seen; grey, or BGR without the file's alpha.
+cv::Mat opaque_pixels(const DecodedImage& image) {
+  cv::Mat opaque = image.pixels;
+  if (image.pixels.channels() == 4) cv::cvtColor(image.pixels, opaque, cv::COLOR_BGRA2BGR);
+  return turned_upright(opaque, image.orientation);
+}
+
+}  // namespace
+
 cv::Mat photo_picture(std::span<const std::uint8_t> bytes, const std::string& path, double most_pixels) {
+  const cv::Mat reduced = reduced_picture(opaque_pixels(decode_image(bytes, path, PixelBits::eight)), most_pixels);
   cv::Mat bgra;
-  cv::cvtColor(reduced_picture(decode_image(bytes, path, cv::IMREAD_COLOR), most_pixels), bgra, cv::COLOR_BGR2BGRA);
+  cv::cvtColor(reduced, bgra, reduced.channels() == 1 ? cv::COLOR_GRAY2BGRA : cv::COLOR_BGR2BGRA);
   return bgra;
 }
 
 cv::Mat label_picture(std::span<const std::uint8_t> bytes, const std::string& path) {
-  const cv::Mat image = decode_image(bytes, path, cv::IMREAD_UNCHANGED);
+  const cv::Mat image = decode_image(bytes, path, PixelBits::as_stored).pixels;
   if (image.channels() != 1 || (image.depth() != CV_8U && image.depth() != CV_16U))
     throw InputError(path + ": a map of labels has one channel (grey) of 8 or 16 bits");
   cv::Mat labels;

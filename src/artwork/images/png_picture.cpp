@@ -1,32 +1,28 @@
 #include "artwork/images/png_picture.h"
 
 #include <algorithm>
-#include <array>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
 #include "artwork/images/alpha.h"
+#include "artwork/images/image_header.h"
+#include "artwork/images/image_readers.h"
 
 namespace tessera {
 namespace {
 
-bool looks_like_png(std::span<const std::uint8_t> bytes) {
-  constexpr std::array<std::uint8_t, 8> kMark = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-  return bytes.size() > kMark.size() && std::equal(kMark.begin(), kMark.end(), bytes.begin());
-}
+/// A finished collage may have very many: what the process may take of memory bounds it.
+constexpr double kMostPixels = 1 << 30;
 
 cv::Mat decoded(std::span<const std::uint8_t> bytes, const std::string& path) {
-  if (!looks_like_png(bytes)) throw InputError(path + ": not a PNG file");
-  // OpenCV takes a mutable pointer and only reads.
-  const cv::Mat packed(1, int(bytes.size()), CV_8U, const_cast<std::uint8_t*>(bytes.data()));
-  cv::Mat image;
+  if (image_format(bytes) != ImageFormat::png) throw InputError(path + ": not a PNG file");
   try {
-    image = cv::imdecode(packed, cv::IMREAD_UNCHANGED);
-  } catch (const cv::Exception&) {  // sides beyond OpenCV's limits: the same as an empty image
+    const cv::Mat pixels = read_png(bytes, {.bits = PixelBits::as_stored, .most_pixels = kMostPixels}).pixels;
+    if (pixels.depth() == CV_8U) return pixels;
+  } catch (const UnreadableImage& error) {
+    throw InputError(path + ": " + error.what());
   }
-  if (image.empty() || image.depth() != CV_8U) throw InputError(path + ": a damaged image");
-  return image;
+  throw InputError(path + ": a PNG of 16 bits a channel, needed: 8");
 }
 
 }  // namespace
@@ -50,13 +46,6 @@ cv::Mat png_picture(std::span<const std::uint8_t> bytes, const std::string& path
   cv::Mat bgra;
   cv::cvtColor(image, bgra, image.channels() == 1 ? cv::COLOR_GRAY2BGRA : cv::COLOR_BGR2BGRA);
   return bgra;
-}
-
-std::vector<std::uint8_t> png_of(const cv::Mat& picture) {
-  std::vector<std::uint8_t> png;
-  if (!cv::imencode(".png", picture, png)) throw EnvironmentError("OpenCV cannot write a PNG");
-  png.shrink_to_fit();  // a photo has thousands of cut-outs
-  return png;
 }
 
 }  // namespace tessera

@@ -6,7 +6,6 @@
 #include <opencv2/core.hpp>
 #include <span>
 #include <string>
-#include <vector>
 
 namespace tessera {
 
@@ -17,8 +16,5 @@ cv::Mat shrunk(const cv::Mat& image, int longest_side_px);
 /// Straight BGRA, CV_8UC4; shrunk where it is larger than `longest_side_px`. Throws InputError where it is no PNG or is
 /// damaged.
 cv::Mat png_picture(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px);
-
-/// A PNG file, in memory.
-std::vector<std::uint8_t> png_of(const cv::Mat& picture);
 
 }  // namespace tessera

@@ -1,7 +1,6 @@
 #include "artwork/images/raster_page.h"
 
 #include <algorithm>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
@@ -71,18 +70,11 @@ class RasterPage : public ArtworkPage {
   cv::Size natural_size_;
 };
 
-void check_kind(const cv::Mat& decoded, const std::string& path) {
-  if (decoded.depth() != CV_8U && decoded.depth() != CV_16U)
-    throw InputError(path + ": an image must have 8 or 16 bits a channel");
-  if (decoded.channels() == 2) throw InputError(path + ": an image must have 1, 3 or 4 channels");
-}
-
 }  // namespace
 
 std::unique_ptr<ArtworkPage> open_raster_page(std::span<const std::uint8_t> bytes, const std::string& path,
                                               Background background) {
-  cv::Mat image = decode_image(bytes, path, cv::IMREAD_UNCHANGED);
-  check_kind(image, path);
+  cv::Mat image = decode_image(bytes, path, PixelBits::as_stored).pixels;
   const cv::Size natural_size = image.size();
   image = reduced_picture(image, kMostWorkedPixels);
   return std::make_unique<RasterPage>(premultiplied(with_silhouette(image, path, background)), natural_size);

@@ -1,5 +1,4 @@
-// PNG, WebP and TIFF with transparency; masks and pictures on a plain background without (also BMP and JPEG), through
-// OpenCV.
+// PNG, WebP and TIFF with transparency; masks and pictures on a plain background without (also BMP and JPEG).
 #pragma once
 
 #include <cstdint>

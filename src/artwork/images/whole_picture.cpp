@@ -1,7 +1,6 @@
 #include "artwork/images/whole_picture.h"
 
 #include <algorithm>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
@@ -12,7 +11,7 @@
 namespace tessera {
 
 cv::Mat whole_picture(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px) {
-  cv::Mat picture = decode_image(bytes, path, cv::IMREAD_UNCHANGED);
+  cv::Mat picture = decode_image(bytes, path, PixelBits::as_stored).pixels;
   if (std::max(picture.cols, picture.rows) > longest_side_px) {
     throw InputError(cv::format("%s: %d x %d pixels, allowed: %d px each way", path.c_str(), picture.cols, picture.rows,
                                 longest_side_px));
@@ -21,8 +20,6 @@ cv::Mat whole_picture(std::span<const std::uint8_t> bytes, const std::string& pa
     picture.release();
     return photo_picture(bytes, path, kMostWorkedPixels);
   }
-  if (picture.depth() != CV_8U && picture.depth() != CV_16U)
-    throw InputError(path + ": an image must have 8 or 16 bits a channel");
   return reduced_picture(picture, kMostWorkedPixels);
 }
 

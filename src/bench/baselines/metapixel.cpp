@@ -11,11 +11,10 @@
 #include "artwork/artwork_render.h"
 #include "artwork/images/colour_conversion.h"
 #include "artwork/images/image_decoding.h"
-#include "artwork/images/png_picture.h"
 #include "files/atomic_file.h"
 #include "files/available_cores.h"
 #include "artwork/drawers/drawers.h"
-#include "products/elements/cut_outs.h"
+#include "artwork/images/png_encoder.h"
 
 namespace tessera::bench {
 namespace {

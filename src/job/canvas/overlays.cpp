@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "artwork/images/colour_conversion.h"
 #include "artwork/images/png_picture.h"
+#include "artwork/images/png_encoder.h"
 #include "job/canvas/overlay.h"
 
 namespace tessera {

@@ -5,8 +5,7 @@
 #include <map>
 #include <variant>
 
-#include "artwork/images/png_picture.h"
-#include "core/base/error.h"
+#include "artwork/images/png_encoder.h"
 
 namespace tessera {
 namespace {

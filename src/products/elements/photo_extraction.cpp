@@ -5,10 +5,10 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
-#include "artwork/images/png_picture.h"
 #include "core/base/error.h"
 #include "core/shape/outline.h"
 #include "artwork/images/image_decoding.h"
+#include "artwork/images/png_encoder.h"
 #include "products/elements/segmentation/connected_labels.h"
 #include "products/elements/elements_overview.h"
 #include "products/elements/freed_memory.h"

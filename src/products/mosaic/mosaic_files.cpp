@@ -6,11 +6,11 @@
 #include <span>
 #include <string_view>
 
-#include "artwork/images/png_picture.h"
 #include "core/base/error.h"
 #include "artwork/artwork_render.h"
 #include "artwork/images/colour_conversion.h"
 #include "files/atomic_file.h"
+#include "artwork/images/png_encoder.h"
 #include "products/elements/photo_extraction.h"
 #include "products/mosaic/face_search.h"
 #include "products/mosaic/haar_cascade_file.h"

@@ -7,11 +7,11 @@
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 
-#include "artwork/images/png_picture.h"
 #include "core/base/error.h"
 #include "core/base/portable_math.h"
 #include "core/geometry/polygon.h"
 #include "artwork/artwork_render.h"
+#include "artwork/images/png_encoder.h"
 #include "products/elements/photo_extraction.h"
 #include "job/canvas/canvas_edge.h"
 #include "job/canvas/canvas_file.h"

@@ -1,0 +1,57 @@
+// One reader for each format of pictures. Their bytes may mean harm; image_decoding.h looks which reader to take.
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <span>
+#include <stdexcept>
+
+namespace tessera {
+
+/// Of each channel.
+enum class PixelBits {
+  as_stored,  // 8 or 16
+  eight
+};
+
+struct ReadingRules {
+  PixelBits bits = PixelBits::as_stored;
+  double most_pixels = 0;  // a picture of more is refused before memory is taken for it
+};
+
+struct DecodedImage {
+  cv::Mat pixels;       // 8 or 16 bits; grey, BGR or straight BGRA
+  int orientation = 1;  // orientation.h, as EXIF data say; `pixels` are not turned yet
+};
+
+/// What is wrong with a picture, without its path.
+class UnreadableImage : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// `bytes` begin as a file of the format does. All of them throw UnreadableImage where the file is damaged or ends before
+// its last pixel, where it is of a kind that is not read, or breaks the rules.
+
+DecodedImage read_png(std::span<const std::uint8_t> bytes, const ReadingRules& rules);
+/// CMYK is taken as Adobe's programs write it: inverted.
+DecodedImage read_jpeg(std::span<const std::uint8_t> bytes, const ReadingRules& rules);
+DecodedImage read_webp(std::span<const std::uint8_t> bytes, const ReadingRules& rules);
+/// The first picture of the file, turned as its orientation says. Tiles, strips and all compressions of libtiff; 10 to 14
+/// bits become 16.
+DecodedImage read_tiff(std::span<const std::uint8_t> bytes, const ReadingRules& rules);
+/// 1 to 32 bits a pixel, run-length encoded or not.
+DecodedImage read_bmp(std::span<const std::uint8_t> bytes, const ReadingRules& rules);
+
+// For the readers.
+
+[[noreturn]] void throw_damaged();
+[[noreturn]] void throw_ends_early();
+
+/// Throws UnreadableImage where a side is 0 or too long, or where pixels are too many.
+void check_size(double width_px, double height_px, const ReadingRules& rules);
+
+/// Room for the pixels, after check_size.
+cv::Mat room_for_pixels(double width_px, double height_px, int type, const ReadingRules& rules);
+
+}  // namespace tessera
