@@ -1,8 +1,6 @@
 # tessera_test(NAME SOURCES ... LINK ... [RANKS 1 2 4] [LABELS ...])
 # A GoogleTest binary of that name. With RANKS it is started by mpirun once for each number of ranks; without, it is
 # registered as one ctest entry. RapidCheck runs with a fixed seed, so that a red test is red again; a failure prints it.
-find_package(GTest REQUIRED)
-
 include_directories(${PROJECT_SOURCE_DIR}/tests)
 
 # Of a test without a longer one of its own. Instrumented programs take five times as long.
