@@ -1,7 +1,5 @@
 # Tests: one program a room, one ctest entry a file. RapidCheck runs with a fixed seed, so that a red test is red again; a
 # failure prints it.
-find_package(GTest REQUIRED)
-
 include_directories(${PROJECT_SOURCE_DIR}/tests)
 
 # Of a test without a longer one of its own. Instrumented programs take five times as long.
@@ -40,17 +38,22 @@ function(tessera_test_entry name)
     ENVIRONMENT_MODIFICATION "TESSERA_DRAWER=set:${PROJECT_BINARY_DIR}/src/cli/tessera-drawer")
 endfunction()
 
-# tessera_tests(NAME LINK <target>... [LABELS ...] [EXCEPT <file>...]): the program NAME of the calling folder's *.cpp, and
-# an entry for each test_*.cpp, named like it. A new file needs no line here.
+# tessera_tests(NAME LINK <target>... [LABELS ...] [EXCEPT <file>...] [SUITES <header>...]): the program NAME of the
+# calling folder's *.cpp, and an entry for each test_*.cpp, named like it. A new file needs no line here. SUITES: headers
+# that hold tests, without ".h"; each is an entry, too. The program refuses to run where another header holds tests.
 function(tessera_tests name)
-  cmake_parse_arguments(ARG "" "" "LINK;LABELS;EXCEPT" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "LINK;LABELS;EXCEPT;SUITES" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *.cpp)
   list(REMOVE_ITEM sources ${ARG_EXCEPT})
   tessera_test_program(${name} SOURCES ${sources} LINK ${ARG_LINK})
+  list(JOIN ARG_SUITES "," suites)
+  foreach(suite IN LISTS ARG_SUITES)
+    tessera_test_entry(${name}.${suite} LABELS ${ARG_LABELS} COMMAND ${name} --file=${suite} --suites=${suites})
+  endforeach()
   foreach(source IN LISTS sources)
     get_filename_component(file ${source} NAME_WE)
     if(file MATCHES "^test_")
-      tessera_test_entry(${file} LABELS ${ARG_LABELS} COMMAND ${name} --file=${file})
+      tessera_test_entry(${file} LABELS ${ARG_LABELS} COMMAND ${name} --file=${file} --suites=${suites})
     endif()
   endforeach()
 endfunction()

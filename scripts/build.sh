@@ -1,5 +1,8 @@
 #!/usr/bin/env bash
-# scripts/build.sh [--preset NAME] [TARGET...]: configures and builds a CMake preset (default: release, all targets).
+# scripts/build.sh [--preset NAME] [--without-tests] [TARGET...]: configures and builds a CMake preset (default:
+# release, all targets).
+#   --without-tests  Tests are not configured, and their packages need not be there. A build folder that has tests keeps
+#                    them: without them in its rules CMake removes what was built of them.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -9,10 +12,18 @@ if [[ ${1-} == --preset ]]; then
   shift 2
 fi
 
+tests=ON
+if [[ ${1-} == --without-tests ]]; then
+  shift
+  # A configuration that failed leaves a cache, but no rules.
+  folder=build/$preset
+  [[ -e $folder/build.ninja ]] && grep -qx TESSERA_BUILD_TESTS:BOOL=ON "$folder/CMakeCache.txt" || tests=OFF
+fi
+
 log=build/$preset/configure.log
 mkdir -p "$(dirname "$log")"
 started=$SECONDS
-if ! cmake --preset "$preset" >"$log" 2>&1; then
+if ! cmake --preset "$preset" -DTESSERA_BUILD_TESTS="$tests" >"$log" 2>&1; then
   cat "$log" >&2
   exit 1
 fi

@@ -17,8 +17,8 @@ if [[ $EUID -eq 0 ]]; then  # Open MPI refuses root unless told twice; in a cont
   export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 fi
 
-scripts/install-packages.sh
-scripts/build.sh tessera
+scripts/install-packages.sh program
+scripts/build.sh --without-tests tessera
 
 mkdir -p out
 if [[ ! $library -nt $tessera ]]; then

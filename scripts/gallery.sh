@@ -13,8 +13,8 @@ readonly library=out/animals.h5
 readonly gallery=docs/gallery
 readonly side_px=960  # pictures of usual aspects, two side by side, meet between two px
 
-scripts/install-packages.sh
-scripts/build.sh tessera
+scripts/install-packages.sh program tests  # rsvg-convert, pdftocairo and Python are the tests', too
+scripts/build.sh --without-tests tessera
 mkdir -p out/gallery
 if [[ ! $library -nt $tessera ]]; then
   "$tessera" library build "$(dpkg -L openclipart-svg | grep -x '.*/svg/animals')" -o "$library"

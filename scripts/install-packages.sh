@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs what scripts/packages.txt names and this machine lacks. Does nothing, in no time, where all is there.
+# scripts/install-packages.sh [SECTION...]: installs what these sections of scripts/packages.txt name and this machine
+# lacks: program (the default), tests, long-tests. Does nothing, in no time, where all is there.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -11,10 +12,15 @@ fail() {
   exit 1
 }
 
-# Prints the packages of the list that are not installed, one a line.
+# section_lines SECTION: prints the lines of its packages.
+section_lines() {
+  awk -v heading="[$1]" '/^\[/ { inside = $0 == heading; next } inside && NF && $1 !~ /^#/' "$list"
+}
+
+# missing_packages SECTION...: prints those of their packages that are not installed, one a line.
 missing_packages() {
   local wanted installed
-  wanted=$(awk 'NF && $1 !~ /^#/ { print $1 }' "$list")
+  wanted=$(for section; do section_lines "$section"; done | awk '{ print $1 }')
   # dpkg-query fails where it does not know one of them; it still answers for the others.
   # shellcheck disable=SC2086  # one argument a package
   installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' $wanted 2>/dev/null) || true
@@ -27,10 +33,20 @@ apt_as_root() {
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -yq -o DPkg::Lock::Timeout=120 "$@" >>"$log" 2>&1
 }
 
-command -v dpkg-query >/dev/null || fail "no dpkg-query: not a Debian machine. Install what $list names by other means,
-  then run scripts/build.sh."
+command -v dpkg-query >/dev/null || fail "no dpkg-query: not a Debian machine. Install by other means what $list names
+  in the section [program], then run scripts/build.sh --without-tests."
 
-mapfile -t missing < <(missing_packages)
+sections=("$@")
+[[ $# -gt 0 ]] || sections=(program)
+for section in "${sections[@]}"; do
+  if ! grep -qxF "[$section]" "$list"; then
+    echo "install-packages: $section: no such section, allowed:" \
+      "$(sed -n 's/^\[\(.*\)\]$/\1/p' "$list" | paste -sd ' ')" >&2
+    exit 2
+  fi
+done
+
+mapfile -t missing < <(missing_packages "${sections[@]}")
 [[ ${#missing[@]} -gt 0 ]] || exit 0
 
 echo "Installing ${#missing[@]} Debian packages that Tessera needs:"
@@ -46,7 +62,7 @@ if [[ $EUID -ne 0 ]]; then
 fi
 
 mkdir -p "$(dirname "$log")"
-echo "On a bare machine these are about 340 MB and take a minute or two; the details go to $log."
+echo "On a bare machine these are 340 MB (program) to 660 MB (all), and take minutes. The details go to $log."
 : >"$log"
 started=$SECONDS
 # A foreign source that cannot be reached must not stop us: whether Debian's lists suffice, the next line finds out.

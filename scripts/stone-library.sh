@@ -13,7 +13,7 @@ if [[ $# -gt 1 || $library != *.h5 ]]; then
   echo "usage: scripts/stone-library.sh [LIB.h5]" >&2
   exit 2
 fi
-[[ -x $tessera ]] || scripts/build.sh tessera
+[[ -x $tessera ]] || scripts/build.sh --without-tests tessera
 /usr/bin/python3 scripts/stone_tiles.py jobs/photos/flagstones.jpg "$parts"
 rsvg-convert "$parts/sheet.svg" -o "$parts/stone.png"
 "$tessera" library extract "$parts/stone.png" --labels "$parts/labels.png" -o "$library"

@@ -7,8 +7,9 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 preset=release
 long=no
+sections=(program tests)
 while [[ ${1-} == --long || ${1-} == --asan ]]; do
-  if [[ $1 == --long ]]; then long=yes; else preset=asan-ubsan; fi
+  if [[ $1 == --long ]]; then long=yes sections+=(long-tests); else preset=asan-ubsan; fi
   shift
 done
 
@@ -20,7 +21,7 @@ if [[ $EUID -eq 0 ]]; then  # Open MPI refuses root unless told twice; in a cont
   export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 fi
 
-scripts/install-packages.sh
+scripts/install-packages.sh "${sections[@]}"
 scripts/build.sh --preset "$preset"
 # Two at a time: the MPI tests and the OpenCL devices use all cores by themselves.
 ctest --preset "$preset" -j 2 --no-tests=error --no-label-summary -LE "^($left_out)\$" "$@"

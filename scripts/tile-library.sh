@@ -20,7 +20,7 @@ for package in openclipart-svg fonts-noto-color-emoji python3-fonttools; do
     exit 1
   fi
 done
-[[ -x $tessera ]] || scripts/build.sh tessera
+[[ -x $tessera ]] || scripts/build.sh --without-tests tessera
 
 mkdir -p "$parts"
 started=$SECONDS

@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # agreement_test.sh TESSERA PICTURE_DIFFERENCE NEW_FOLDER RENDERER...: collage.svg of Debian's clip art looks like
-# collage.png in each of the renderers: rsvg, inkscape, chromium; and so does collage.pdf: pdf. Exit code 77: one of
-# them, or the clip art, is not there.
+# collage.png in each of the renderers: rsvg, inkscape, chromium; and so does collage.pdf: pdf.
 #
 # The bounds are means over the picture, of 255; measured were 0.77 to 1.09, and for the PDF, whose hair lines poppler
 # makes a pixel wide, 0.94 to 1.49. A collage with many gradients differs by more in librsvg (2.54 of Debian 12): it
@@ -19,9 +18,10 @@ declare -A most=([rsvg]=1.5 [inkscape]=1.5 [chromium]=1.5 [pdf]=1.9)
 declare -A program=([rsvg]=rsvg-convert [inkscape]=inkscape [chromium]=chromium [pdf]=pdftocairo)
 
 clipart=$(dpkg -L openclipart-svg 2>/dev/null | grep -x '.*/svg/animals')
-[[ -n $clipart ]] || { echo "no openclipart-svg"; exit 77; }
+[[ -n $clipart ]] || fail "no openclipart-svg: scripts/install-packages.sh"
 for renderer in "$@"; do
-  command -v "${program[$renderer]}" >/dev/null || { echo "no ${program[$renderer]}: apt-get install it"; exit 77; }
+  command -v "${program[$renderer]}" >/dev/null ||
+    fail "no ${program[$renderer]}: scripts/install-packages.sh tests long-tests"
 done
 
 new_folder

@@ -59,7 +59,7 @@ run 0 refine told --relax --quiet
 echo "ok refine"
 
 # An interrupted run is not deformed, and goes on to the same bytes.
-long=(collage job.toml --set improve.trials=1500 --set checkpoint.every_s=0.01 --quiet)
+long=(collage job.toml --set improve.trials=120 --set checkpoint.every_s=0.01 --quiet)
 run 0 "${long[@]}" --out whole
 "$tessera" "${long[@]}" --out broken >output 2>errors &
 started=$!

@@ -97,7 +97,7 @@ run 0 plan erased/job.toml
 [[ $(planned) -lt $((whole / 2)) ]] || fail "a plan of two pieces' room: $(planned) of $whole"
 echo "ok numbers"
 
-long=(refine first --pieces '3,5' --set improve.trials=1500 --set checkpoint.every_s=0.01 --quiet)
+long=(refine first --pieces '3,5' --set improve.trials=400 --set checkpoint.every_s=0.01 --quiet)
 run 0 "${long[@]}" --out whole
 "$tessera" "${long[@]}" --out broken >output 2>errors &
 started=$!

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # overlap_test.sh TESSERA NEW_FOLDER: what docs/job-format.md says of `pieces.overlap_px`: how much of the canvas pieces
-# overlap in all, by the size of the smallest. Exit code 77: the clip art is not there.
+# overlap in all, by the size of the smallest.
 set -uo pipefail
 tessera=$1
 folder=$2
@@ -8,7 +8,7 @@ folder=$2
 source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
 
 clipart=$(dpkg -L openclipart-svg 2>/dev/null | grep -x '.*/animals/bugs')
-[[ -n $clipart ]] || { echo "no openclipart-svg"; exit 77; }
+[[ -n $clipart ]] || fail "no openclipart-svg: scripts/install-packages.sh"
 document=$(dirname "${BASH_SOURCE[0]}")/../../docs/job-format.md
 document=$(tr '\n' ' ' <"$document")
 new_folder

@@ -8,7 +8,7 @@ folder=$3
 # shellcheck source=tests/cli/restart_fixture.sh
 source "$(dirname "${BASH_SOURCE[0]}")/restart_fixture.sh"
 
-make_job 150
+make_job 50
 
 expect_error_line() { # TEXT WHAT
   grep -qE -- "$1" errors || fail "$2: another error than: $1"
@@ -59,9 +59,9 @@ expect_end 0 "after a stopped worker"
 expect_result silent
 echo "ok a stopped worker"
 
-stop_worker limited --time-limit 9
+stop_worker limited --time-limit 7
 expect_end 75 "a stopped worker and a time limit"
-((SECONDS <= 10)) || fail "a stopped worker and a time limit: $SECONDS s"
+((SECONDS <= 8)) || fail "a stopped worker and a time limit: $SECONDS s"
 grep -q 'stopped by *time_limit' limited/card.txt || fail "a stopped worker and a time limit: another end"
 start 1 limited --resume
 expect_end 0 "after the time limit"
@@ -72,6 +72,7 @@ echo "ok a stopped worker and a time limit"
 start 1 shared --set checkpoint.every_s=0.05
 first=$started
 wait_for_checkpoint shared
+kill -STOP "$first"
 for again in --resume --restart --quiet; do
   start 1 shared $again
   expect_end 2 "a second run ($again)"

@@ -10,10 +10,7 @@ source "$here/command_fixture.sh"
 
 new_folder
 clip_art=/usr/share/openclipart/svg
-if [[ ! -d $clip_art ]]; then
-  echo "skipped: Debian's package openclipart-svg is not installed"
-  exit 0
-fi
+[[ -d $clip_art ]] || fail "no openclipart-svg: scripts/install-packages.sh"
 mapfile -t files < <(sed -n 's/^[a-z_]*,\(.*\),[a-z]*$/\1/p' "$here/style_labels.csv")
 mkdir labelled
 for i in "${!files[@]}"; do cp "$clip_art/${files[i]}" "labelled/$(printf %03d "$i").svg"; done

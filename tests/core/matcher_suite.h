@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <limits>
 #include <memory>
 #include <set>
 #include <string>
@@ -27,6 +26,20 @@ struct MatcherKind {
 
 inline std::ostream& operator<<(std::ostream& out, const MatcherKind& kind) { return out << kind.name; }
 
+/// A scene, and the reference's round on it: made once, for all kinds.
+struct KnownRound {
+  explicit KnownRound(MatchingScene of, const StandingLimits& within = {}) : scene(std::move(of)), limits(within) {
+    ReferenceMatcher reference(scene.context, 0, scene.models);
+    set_field(reference, scene.field);
+    if (limits != StandingLimits{}) reference.limit(limits);
+    round = run_round(reference, scene);
+  }
+
+  MatchingScene scene;
+  StandingLimits limits;
+  Round round;
+};
+
 class MatcherSuite : public testing::TestWithParam<MatcherKind> {
  protected:
   static const MatchingScene& scene() {
@@ -47,18 +60,11 @@ class MatcherSuite : public testing::TestWithParam<MatcherKind> {
     return matcher;
   }
 
-  /// Returns it.
-  Round expect_the_references_round(const MatchingScene& scene, const StandingLimits& limits = {}) const {
-    const std::unique_ptr<Matcher> matcher = matcher_of(scene);
-    ReferenceMatcher reference = reference_of(scene);
-    if (limits != StandingLimits{}) {
-      matcher->limit(limits);
-      reference.limit(limits);
-    }
-    const Round expected = run_round(reference, scene);
-    EXPECT_FALSE(expected.refined.empty());
-    expect_same_round(run_round(*matcher, scene), expected);
-    return expected;
+  void expect_the_references_round(const KnownRound& known) const {
+    const std::unique_ptr<Matcher> matcher = matcher_of(known.scene);
+    if (known.limits != StandingLimits{}) matcher->limit(known.limits);
+    EXPECT_FALSE(known.round.refined.empty());
+    expect_same_round(run_round(*matcher, known.scene), known.round);
   }
 };
 
@@ -68,9 +74,12 @@ TEST_P(MatcherSuite, KnowsItsShapes) {
   EXPECT_EQ(matcher->shapes().end, 7u);
 }
 
-TEST_P(MatcherSuite, GivesTheReferencesRound) { expect_the_references_round(scene()); }
+TEST_P(MatcherSuite, GivesTheReferencesRound) {
+  static const KnownRound known(scene());
+  expect_the_references_round(known);
+}
 
-TEST_P(MatcherSuite, GivesTheReferencesRoundWithOtherSettings) {
+inline MatchingScene scene_with_other_settings() {
   CollageSettings settings = scene_settings();
   settings.seed = 77;
   settings.pieces.min_rotation_rad = -0.6f;
@@ -78,20 +87,32 @@ TEST_P(MatcherSuite, GivesTheReferencesRoundWithOtherSettings) {
   settings.pieces.min_scale_px = 25;
   settings.match.pad = {4, 0.3f};
   settings.match.beta = 0.3f;
-  expect_the_references_round(make_scene(settings, {6, 200, 2, 8}));
+  return make_scene(settings, {6, 200, 2, 8});
+}
+
+TEST_P(MatcherSuite, GivesTheReferencesRoundWithOtherSettings) {
+  static const KnownRound known(scene_with_other_settings());
+  expect_the_references_round(known);
 }
 
 /// One angle, or hardly more; the interval's end may be anywhere. One scale, or hardly more.
-TEST_P(MatcherSuite, GivesTheReferencesRoundWithinNarrowRanges) {
+inline std::vector<KnownRound> rounds_within_narrow_ranges() {
+  std::vector<KnownRound> rounds;
   for (const float half_width_rad : {0.f, 0.002f, 0.1f}) {
     for (const float middle_rad : {0.f, 1.5707964f, -2.5f}) {
       CollageSettings settings = scene_settings();
       settings.pieces.min_rotation_rad = middle_rad - half_width_rad;
       settings.pieces.max_rotation_rad = middle_rad + half_width_rad;
       if (half_width_rad == 0.1f) settings.pieces.max_scale_px = settings.pieces.min_scale_px * 1.03f;
-      expect_the_references_round(make_scene(settings, {6, 200, 2, 8}));
+      rounds.emplace_back(make_scene(settings, {6, 200, 2, 8}));
     }
   }
+  return rounds;
+}
+
+TEST_P(MatcherSuite, GivesTheReferencesRoundWithinNarrowRanges) {
+  static const std::vector<KnownRound> rounds = rounds_within_narrow_ranges();
+  for (const KnownRound& known : rounds) expect_the_references_round(known);
 }
 
 /// Three classes of shapes: quarter turns in two sizes, one that is weighted and nearly upright, one that may not stand
@@ -111,11 +132,11 @@ inline MatchingScene scene_with_wishes() {
 }
 
 TEST_P(MatcherSuite, GivesTheReferencesRoundWithWishes) {
-  const MatchingScene scene = scene_with_wishes();
-  const Round round = expect_the_references_round(scene);
-  const StanceTable& stances = scene.context.stances;
+  static const KnownRound known(scene_with_wishes());
+  expect_the_references_round(known);
+  const StanceTable& stances = known.scene.context.stances;
   std::set<std::uint32_t> stood;
-  for (const RefinedDocking& refined : round.refined) {
+  for (const RefinedDocking& refined : known.round.refined) {
     const StanceList& list = stances.list(refined.docking.shape);
     EXPECT_GE(refined.docking.stance, list.first);
     EXPECT_LT(refined.docking.stance, list.first + list.count);
@@ -142,38 +163,47 @@ inline MatchingScene scene_with_colours(float weight = 1) {
 }
 
 TEST_P(MatcherSuite, GivesTheReferencesRoundWithColours) {
-  const MatchingScene plain = make_scene(scene_settings(), {.shapes = 80, .samples = 20});
-  const Round without = expect_the_references_round(plain);
-  const Round round = expect_the_references_round(scene_with_colours());
-  EXPECT_NE(round.histograms, without.histograms) << "pairs are of shapes with about the colour of the place";
+  static const KnownRound without(make_scene(scene_settings(), {.shapes = 80, .samples = 20}));
+  static const KnownRound known(scene_with_colours());
+  expect_the_references_round(without);
+  expect_the_references_round(known);
+  EXPECT_NE(known.round.histograms, without.round.histograms) << "pairs are of shapes with about the place's colour";
   int coloured = 0;
-  for (const RefinedDocking& refined : round.refined) coloured += refined.terms.colour_difference > 0;
+  for (const RefinedDocking& refined : known.round.refined) coloured += refined.terms.colour_difference > 0;
   EXPECT_GT(coloured, 20);
   const auto mean_difference = [](const Round& of) {
-    const MatchingScene scene = scene_with_colours();
     double sum = 0;
     for (const Docking& d : of.docked.dockings) {
-      sum += mean_colour_difference(scene.models[index_of(d.shape)].colour, d.canvas_from_shape,
-                                    *scene.settings.colour.target);
+      sum += mean_colour_difference(known.scene.models[index_of(d.shape)].colour, d.canvas_from_shape,
+                                    *known.scene.settings.colour.target);
     }
     return sum / double(of.docked.dockings.size());
   };
-  EXPECT_LT(mean_difference(round), 0.8 * mean_difference(without)) << "slots are spent on what has the colour";
+  EXPECT_LT(mean_difference(known.round), 0.8 * mean_difference(without.round))
+      << "slots are spent on what has the colour";
+}
+
+inline StandingLimits every_third_of_80_used_up() {
+  StandingLimits limits;
+  for (std::uint32_t shape = 0; shape < 80; shape += 3) limits.used_up.push_back(ShapeId{shape});
+  return limits;
 }
 
 TEST_P(MatcherSuite, GivesTheReferencesRoundWithColoursWithinLimits) {
-  StandingLimits limits;
-  for (std::uint32_t shape = 0; shape < 80; shape += 3) limits.used_up.push_back(ShapeId{shape});
-  const Round round = expect_the_references_round(scene_with_colours(0.3f), limits);
-  for (const Docking& docking : round.docked.dockings) EXPECT_NE(index_of(docking.shape) % 3, 0u);
+  static const KnownRound known(scene_with_colours(0.3f), every_third_of_80_used_up());
+  expect_the_references_round(known);
+  for (const Docking& docking : known.round.docked.dockings) EXPECT_NE(index_of(docking.shape) % 3, 0u);
 }
 
 /// Most differences are worth more than kEvenFading halvings.
-TEST_P(MatcherSuite, GivesTheReferencesRoundWithHeavyColours) { expect_the_references_round(scene_with_colours(12)); }
+TEST_P(MatcherSuite, GivesTheReferencesRoundWithHeavyColours) {
+  static const KnownRound known(scene_with_colours(12));
+  expect_the_references_round(known);
+}
 
 /// The order of shapes by colour is kept, whatever the limits; which of them are listed is not.
 TEST_P(MatcherSuite, ColoursAfterOtherLimitsAreThoseOfTheLimits) {
-  const MatchingScene scene = scene_with_colours();
+  static const MatchingScene scene = scene_with_colours();
   StandingLimits limits;
   for (std::uint32_t shape = 0; shape < 40; ++shape) limits.used_up.push_back(ShapeId{shape});
   const auto matcher = matcher_of(scene), fresh = matcher_of(scene);
@@ -186,19 +216,25 @@ TEST_P(MatcherSuite, ColoursAfterOtherLimitsAreThoseOfTheLimits) {
 }
 
 /// From small ones alone on the left to all sizes on the right.
-TEST_P(MatcherSuite, GivesTheReferencesRoundWithSizesByPlace) {
+inline MatchingScene scene_with_sizes_by_place() {
   CollageSettings settings = scene_settings();
   SizeMap map{Grid<float>(13, 13), 0.05f};
   for (int i = 0; i < 13; ++i) {
     for (int j = 0; j < 13; ++j) map.part(i, j) = float(i) / 11;
   }
   settings.pieces.size_map = std::make_shared<const SizeMap>(map);
-  const MatchingScene scene = make_scene(settings);
-  const Round round = expect_the_references_round(scene);
+  return make_scene(settings);
+}
+
+TEST_P(MatcherSuite, GivesTheReferencesRoundWithSizesByPlace) {
+  static const KnownRound known(scene_with_sizes_by_place());
+  expect_the_references_round(known);
+  const SizeMap& map = *known.scene.settings.pieces.size_map;
   bool large = false;
-  for (const RefinedDocking& refined : round.refined) {
+  for (std::size_t i = 0; i < known.round.refined.size(); ++i) {
+    const RefinedDocking& refined = known.round.refined[i];
     if (!refined.feasible) continue;
-    const Similarity& before = round.docked.dockings[std::size_t(&refined - round.refined.data())].canvas_from_shape;
+    const Similarity& before = known.round.docked.dockings[i].canvas_from_shape;
     const float most_px = 16 * std::exp2(std::min(1.f, map.at(before.translation())) * std::log2(90.f / 16));
     EXPECT_LE(refined.docking.canvas_from_shape.scale(), most_px * 1.001f);
     large = large || refined.docking.canvas_from_shape.scale() > 60;
@@ -207,11 +243,10 @@ TEST_P(MatcherSuite, GivesTheReferencesRoundWithSizesByPlace) {
 }
 
 TEST_P(MatcherSuite, GivesTheReferencesRoundWithinLimits) {
-  const MatchingScene scene = scene_with_wishes();
-  const StandingLimits limits{1, 0.9f, 45, {ShapeId{0}, ShapeId{4}, ShapeId{6}}};
-  const Round round = expect_the_references_round(scene, limits);
-  const StanceTable stances = scene.context.stances.limited(limits);
-  for (const Docking& docking : round.docked.dockings) {
+  static const KnownRound known(scene_with_wishes(), {1, 0.9f, 45, {ShapeId{0}, ShapeId{4}, ShapeId{6}}});
+  expect_the_references_round(known);
+  const StanceTable stances = known.scene.context.stances.limited(known.limits);
+  for (const Docking& docking : known.round.docked.dockings) {
     EXPECT_GT(stances.list(docking.shape).count, 0u) << index_of(docking.shape);
     EXPECT_LE(docking.canvas_from_shape.scale(), 45.01f);
   }
@@ -230,20 +265,24 @@ inline MatchingScene scene_that_fits_all() {
   return scene;
 }
 
+inline StandingLimits size_factor(float factor) {
+  StandingLimits limits;
+  limits.size_factor = factor;
+  return limits;
+}
+
 TEST_P(MatcherSuite, GivesTheReferencesRoundAtASmallerFactor) {
-  const MatchingScene scene = scene_that_fits_all();
-  for (const float factor : {0.25f, 0.06f}) {
-    StandingLimits limits;
-    limits.size_factor = factor;
-    expect_the_references_round(scene, limits);
-  }
+  static const KnownRound quarter(scene_that_fits_all(), size_factor(0.25f));
+  static const KnownRound least(scene_that_fits_all(), size_factor(0.06f));
+  expect_the_references_round(quarter);
+  expect_the_references_round(least);
 }
 
 /// But for PADs' numbers: other levels lie before them.
 TEST_P(MatcherSuite, AFactorIsAsIfTheJobHadTheseSizes) {
-  const MatchingScene scene = scene_that_fits_all();
+  static const MatchingScene scene = scene_that_fits_all();
   const auto sized = matcher_of(scene);
-  sized->limit({0, 0.25f, std::numeric_limits<float>::infinity(), {}});
+  sized->limit(size_factor(0.25f));
   const auto plain = matcher_of(MatcherSuite::scene());
   Round found = run_round(*sized, MatcherSuite::scene());
   const Round expected = run_round(*plain, MatcherSuite::scene());

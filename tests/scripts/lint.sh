@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every script of the repository parses; shellcheck warns of nothing in it, where shellcheck is installed.
+# Every script of the repository parses, and shellcheck warns of nothing in it.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
@@ -7,9 +7,7 @@ scripts=(scripts/*.sh slurm/*.s* tests/*/*.sh .ci/run)
 for script in "${scripts[@]}"; do
   bash -n "$script"
 done
-if command -v shellcheck >/dev/null; then
-  shellcheck --external-sources --severity=warning "${scripts[@]}"
-fi
+shellcheck --external-sources --severity=warning "${scripts[@]}"
 # All of tessera prints through cli/terminal.h, which escapes names and finds what is lost; progress redraws itself.
 if grep -nE '\b(printf|fprintf|puts|fputs|fputc|putchar)\(|std::(cout|cerr|clog)\b' src/cli/*.cpp src/bench/*.cpp |
   grep -vE '^src/cli/(terminal|progress_bar)\.cpp|fputc\(.\\n., stderr\)'; then

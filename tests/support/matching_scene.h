@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <map>
 #include <vector>
 
 #include "core/field/free_field.h"
@@ -86,7 +87,9 @@ inline std::vector<TargetSample> trace_samples(const FreeField& free, const Coll
 
 inline MatchingScene make_scene(const CollageSettings& settings = scene_settings(), const SceneSize& size = {}) {
   const PadParameters library_pad;
-  const std::vector<Shape> shapes = formula_shapes(size.shapes, library_pad);
+  static std::map<int, const std::vector<Shape>> made;  // most of a scene's time
+  if (!made.contains(size.shapes)) made.emplace(size.shapes, formula_shapes(size.shapes, library_pad));
+  const std::vector<Shape>& shapes = made.at(size.shapes);
   MatchingScene scene;
   scene.settings = settings;
   scene.context = make_matching_context(settings, std::uint32_t(shapes.size()));

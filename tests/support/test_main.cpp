@@ -1,46 +1,80 @@
 // main() of the test programs. A program holds many files of tests; --file=test_pad runs those of test_pad.cpp alone.
+// --suites=a,b: the headers a.h and b.h hold tests, too. A test in any other header would belong to no entry of ctest
+// and run nowhere, so that the program refuses to run any file.
 #include <gtest/gtest.h>
 
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace {
 
-/// GoogleTest's filter for the tests of this file; empty where it has none.
-std::string filter_of(std::string_view file) {
-  std::string filter;
+/// Calls visit(suite, test) for all tests of the program.
+template <class Visit>
+void each_test(Visit visit) {
   const testing::UnitTest& all = *testing::UnitTest::GetInstance();
   for (int s = 0; s < all.total_test_suite_count(); ++s) {
     const testing::TestSuite& suite = *all.GetTestSuite(s);
-    for (int t = 0; t < suite.total_test_count(); ++t) {
-      const testing::TestInfo& test = *suite.GetTestInfo(t);
-      if (std::filesystem::path(test.file()).stem() == file) {
-        filter += (filter.empty() ? "" : ":") + std::string(suite.name()) + "." + test.name();
-      }
-    }
+    for (int t = 0; t < suite.total_test_count(); ++t) visit(suite, *suite.GetTestInfo(t));
   }
+}
+
+std::string file_of(const testing::TestInfo& test) { return std::filesystem::path(test.file()).stem().string(); }
+
+/// GoogleTest's filter for the tests of this file; empty where it has none.
+std::string filter_of(std::string_view file) {
+  std::string filter;
+  each_test([&](const testing::TestSuite& suite, const testing::TestInfo& test) {
+    if (file_of(test) == file) filter += (filter.empty() ? "" : ":") + std::string(suite.name()) + "." + test.name();
+  });
   return filter;
+}
+
+/// A header with tests that `suites` does not name.
+std::optional<std::string> unnamed_suite(const std::string& suites) {
+  std::optional<std::string> unnamed;
+  each_test([&](const testing::TestSuite&, const testing::TestInfo& test) {
+    const std::string file = file_of(test);
+    const bool named = ("," + suites + ",").find("," + file + ",") != std::string::npos;
+    if (file.rfind("test_", 0) != 0 && !named) unnamed = file;
+  });
+  return unnamed;
+}
+
+/// What follows "--NAME=", where the argument begins so.
+std::optional<std::string> value_of(std::string_view argument, std::string_view option) {
+  if (argument.substr(0, option.size()) != option) return std::nullopt;
+  return std::string(argument.substr(option.size()));
+}
+
+int refuse(const std::string& what) {
+  std::fprintf(stderr, "%s\n", what.c_str());
+  return 2;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  constexpr std::string_view kOption = "--file=";
+  bool whole = true;
+  std::string suites;
   for (int i = 1; i < argc; ++i) {
-    const std::string_view argument = argv[i];
-    if (argument.substr(0, kOption.size()) != kOption) {
-      std::fprintf(stderr, "unknown argument %s\n", argv[i]);
-      return 2;
+    if (const auto file = value_of(argv[i], "--file=")) {
+      const std::string filter = filter_of(*file);
+      if (filter.empty()) return refuse("this program has no tests in " + *file);
+      testing::GTEST_FLAG(filter) = filter;
+      whole = false;
+    } else if (const auto named = value_of(argv[i], "--suites=")) {
+      suites = *named;
+    } else {
+      return refuse(std::string("unknown argument ") + argv[i]);
     }
-    const std::string filter = filter_of(argument.substr(kOption.size()));
-    if (filter.empty()) {
-      std::fprintf(stderr, "%s: this program has no tests of that file\n", argv[i]);
-      return 2;
-    }
-    testing::GTEST_FLAG(filter) = filter;
+  }
+  const std::optional<std::string> unnamed = unnamed_suite(suites);
+  if (unnamed && !whole) {
+    return refuse(*unnamed + ".h holds tests, but its CMakeLists.txt does not name it: tessera_tests(... SUITES)");
   }
   return RUN_ALL_TESTS();
 }

@@ -11,7 +11,7 @@ golden=$(cd "$(dirname "${BASH_SOURCE[0]}")/../golden" && pwd)
 
 export OCL_ICD_VENDORS=/etc/OpenCL/vendors/rusticl.icd  # and no other implementation
 export RUSTICL_ENABLE=llvmpipe
-[[ -e $OCL_ICD_VENDORS ]] || { echo "no $OCL_ICD_VENDORS: apt-get install mesa-opencl-icd"; exit 77; }
+[[ -e $OCL_ICD_VENDORS ]] || { echo "FAILED no $OCL_ICD_VENDORS: scripts/install-packages.sh tests"; exit 1; }
 mkdir -p "$folder"
 export MESA_SHADER_CACHE_DIR=$folder  # compiling takes most of the first run
 
