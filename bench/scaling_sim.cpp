@@ -12,10 +12,10 @@
 #include "bench/round_model.h"
 #include "core/base/error.h"
 #include "files/atomic_file.h"
-#include "text/number_text.h"
-#include "result/collage_files.h"
-#include "text/text_table.h"
 #include "protocol_sim.h"
+#include "result/collage_files.h"
+#include "text/number_text.h"
+#include "text/text_table.h"
 
 namespace tessera::bench {
 namespace {
@@ -119,15 +119,13 @@ std::string validation(const RoundModel& model, const std::vector<SimulatedRound
 }
 
 std::string prediction_table(const std::vector<Prediction>& predictions) {
-  TextTable table(
-      {"shapes", "hosts", "ms a round", "speed-up", "efficiency", "master busy %", "asking all itself"});
+  TextTable table({"shapes", "hosts", "ms a round", "speed-up", "efficiency", "master busy %", "asking all itself"});
   const Prediction* one = nullptr;
   for (const Prediction& p : predictions) {
     if (p.job.workers == 1) one = &p;
     const double e = efficiency(one->tree, p.tree, p.job.workers);
     table.add({std::to_string(p.job.shapes), std::to_string(p.job.workers), fixed(1000 * p.tree.round_s, 2),
-               fixed(e * p.job.workers, 1), fixed(e, 3),
-               fixed(100 * p.tree.master_busy_s / p.tree.round_s, 1),
+               fixed(e * p.job.workers, 1), fixed(e, 3), fixed(100 * p.tree.master_busy_s / p.tree.round_s, 1),
                fixed(efficiency(one->tree, p.star, p.job.workers), 3)});
   }
   return table.text();

@@ -1,8 +1,8 @@
 #include "artwork/artwork_render.h"
 
+#include "artwork/images/alpha.h"
 #include "artwork/open_artwork_page.h"
 #include "core/base/error.h"
-#include "artwork/images/alpha.h"
 #include "files/regular_file.h"
 
 namespace tessera {

@@ -2,11 +2,11 @@
 
 #include <filesystem>
 
+#include "artwork/images/sha256.h"
+#include "artwork/silhouette.h"
 #include "core/base/error.h"
 #include "core/geometry/extent.h"
 #include "core/shape/shape_builder.h"
-#include "artwork/images/sha256.h"
-#include "artwork/silhouette.h"
 
 namespace tessera {
 namespace {

@@ -4,16 +4,16 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "artwork/open_artwork_page.h"
-#include "core/style/style_measure.h"
-#include "artwork/images/alpha.h"
 #include "artwork/alpha_regions.h"
+#include "artwork/images/alpha.h"
 #include "artwork/images/artwork_page.h"
 #include "artwork/images/colour_conversion.h"
 #include "artwork/images/page_pixels.h"
 #include "artwork/images/png_encoder.h"
+#include "artwork/open_artwork_page.h"
 #include "artwork/solid_coverage.h"
 #include "artwork/style_picture.h"
+#include "core/style/style_measure.h"
 
 namespace tessera {
 namespace {

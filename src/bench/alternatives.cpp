@@ -1,11 +1,11 @@
 #include <algorithm>
 
-#include "bench/benchmarks.h"
-#include "bench/devices.h"
 #include "bench/baselines/full_rematch.h"
-#include "bench/library_matcher.h"
 #include "bench/baselines/paper_matcher.h"
 #include "bench/baselines/random_filling.h"
+#include "bench/benchmarks.h"
+#include "bench/devices.h"
+#include "bench/library_matcher.h"
 #include "core/collage/quality.h"
 #include "core/field/free_field.h"
 #include "core/settings/tuning.h"
@@ -105,8 +105,8 @@ Canvas seeded_canvas(int size_px, const PieceSettings& pieces, ShapeSource& shap
 }
 
 void add_engine(TextTable& table, Json& engines, const FilledJob& outcome, const Quality& q) {
-  table.add({outcome.engine, fixed(100 * q.coverage, 2), fixed(100 * q.overlap, 3),
-             fixed(100 * q.shared_boundary, 1), std::to_string(q.pieces), fixed(outcome.total_s, 1)});
+  table.add({outcome.engine, fixed(100 * q.coverage, 2), fixed(100 * q.overlap, 3), fixed(100 * q.shared_boundary, 1),
+             std::to_string(q.pieces), fixed(outcome.total_s, 1)});
   engines.push_back({{"engine", outcome.engine},
                      {"coverage_percent", rounded(100 * q.coverage)},
                      {"overlap_percent", rounded(100 * q.overlap)},
@@ -145,7 +145,7 @@ Report bench_alternatives(const Setting& setting, const SquareJob& job) {
 
   Comparison comparison(library, shapes, canvas, settings, setting.devices);
   std::vector<FilledJob> outcomes = {comparison.tessera(), comparison.pad_only(), comparison.tangent_only(),
-                                   comparison.paper_rule(), comparison.full_recomputation()};
+                                     comparison.paper_rule(), comparison.full_recomputation()};
   outcomes.push_back(comparison.random_filling(outcomes.front().total_s));
 
   TextTable table({"", "coverage %", "overlap %", "shared boundary %", "pieces", "time s"});

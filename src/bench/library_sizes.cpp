@@ -4,14 +4,14 @@
 
 #include "bench/benchmarks.h"
 #include "bench/devices.h"
-#include "bench/library_matcher.h"
 #include "bench/inputs/model_file.h"
-#include "bench/process_memory.h"
 #include "bench/inputs/varied_shapes.h"
+#include "bench/library_matcher.h"
+#include "bench/process_memory.h"
 #include "core/base/stopwatch.h"
+#include "master/collage_loop.h"
 #include "text/number_text.h"
 #include "text/text_table.h"
-#include "master/collage_loop.h"
 #include "worker/device_group.h"
 #include "worker/shard.h"
 
@@ -59,8 +59,8 @@ class FirstPiece : public master::Observer {
   std::optional<double> seconds_;
 };
 
-Grown run_size(const LibraryFile& library, std::uint32_t count, const Canvas& canvas,
-               const CollageSettings& settings, const std::string& devices_use, const std::string& folder) {
+Grown run_size(const LibraryFile& library, std::uint32_t count, const Canvas& canvas, const CollageSettings& settings,
+               const std::string& devices_use, const std::string& folder) {
   VariedShapes shapes(library);
   const MatchingContext context = make_matching_context(settings, count);
   const std::shared_ptr<const ModelSource> models = varied_models(shapes, count, context, folder);
@@ -95,9 +95,8 @@ void add_size(TextTable& table, Json& sizes, std::uint32_t size, const Grown& gr
   const double master_s = s.objective_s + s.merge_s;
   const auto ms = [&](double seconds) { return fixed(1000 * seconds / pieces, 1); };
   const auto megabytes = [](std::uint64_t bytes) { return fixed(double(bytes) / 1e6, 0); };
-  table.add({std::to_string(size), ms(s.total_s), ms(s.prune_s), ms(s.dock_s), ms(master_s),
-             fixed(grown.start_s, 1), fixed(grown.first_piece_s, 1), megabytes(grown.peak_bytes),
-             megabytes(grown.device_bytes)});
+  table.add({std::to_string(size), ms(s.total_s), ms(s.prune_s), ms(s.dock_s), ms(master_s), fixed(grown.start_s, 1),
+             fixed(grown.first_piece_s, 1), megabytes(grown.peak_bytes), megabytes(grown.device_bytes)});
   sizes.push_back({{"shapes", size},
                    {"pieces", s.rounds},
                    {"target_samples", s.target_samples},
@@ -132,7 +131,7 @@ Report bench_library(const Setting& setting, const LibraryOptions& options) {
   settings.stop.pieces = setting.quick ? 3 : 20;
 
   TextTable table({"shapes", "ms a piece", "prune", "dock", "objective, merge", "start s", "first piece s",
-                       "peak memory MB", "device MB"});
+                   "peak memory MB", "device MB"});
   Report report;
   report.json = report_head("library", setting);
   report.json.update({{"library", options.library},

@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "bench/report.h"
 #include "artwork/artwork_render.h"
 #include "artwork/images/png_encoder.h"
+#include "bench/report.h"
 #include "files/atomic_file.h"
 #include "text/number_text.h"
 #include "text/xml_writer.h"

@@ -5,20 +5,20 @@
 #include <filesystem>
 #include <opencv2/imgproc.hpp>
 
-#include "bench/benchmarks.h"
-#include "bench/devices.h"
 #include "bench/baselines/metapixel.h"
 #include "bench/baselines/program_run.h"
+#include "bench/benchmarks.h"
+#include "bench/devices.h"
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
 #include "files/atomic_file.h"
-#include "text/csv_text.h"
 #include "job/canvas/overlay.h"
 #include "products/mosaic/mosaic_plan.h"
-#include "text/number_text.h"
 #include "result/card_input.h"
 #include "result/collage_files.h"
 #include "result/mosaic_file.h"
+#include "text/csv_text.h"
+#include "text/number_text.h"
 #include "text/text_table.h"
 
 namespace tessera::bench {
@@ -70,8 +70,8 @@ void check(const MosaicOptions& options) {
   if (std::getenv("OMPI_COMM_WORLD_SIZE"))
     throw InputError("bench mosaic starts tessera mosaic itself: give it without mpirun");
   if (options.pieces < kFewestMosaicPieces || options.pieces > kMostMosaicPieces) {
-    throw InputError("--pieces: found " + std::to_string(options.pieces) + "; allowed: " +
-                     std::to_string(kFewestMosaicPieces) + " to " + std::to_string(kMostMosaicPieces));
+    throw InputError("--pieces: found " + std::to_string(options.pieces) +
+                     "; allowed: " + std::to_string(kFewestMosaicPieces) + " to " + std::to_string(kMostMosaicPieces));
   }
   for (const std::string& ground : options.grounds) {
     if (ground.size() != 7 || ground[0] != '#' ||
@@ -95,7 +95,7 @@ std::string name_of(std::size_t number, const std::string& image) {
 }
 
 SeenMosaic our_mosaic(const Setting& setting, const MosaicOptions& options, const std::string& image,
-                   const std::string& stem) {
+                      const std::string& stem) {
   std::vector<std::string> command = {options.program,
                                       "mosaic",
                                       image,
@@ -121,7 +121,7 @@ SeenMosaic our_mosaic(const Setting& setting, const MosaicOptions& options, cons
 }
 
 SeenMosaic peers_mosaic(const LibraryFile& library, const std::string& image, const std::string& ground,
-                     std::size_t pieces, const std::string& stem) {
+                        std::size_t pieces, const std::string& stem) {
   const ScratchFolder scratch;
   const cv::Mat picture = image_of(image);
   const TileGrid grid = tile_grid(picture.size(), pieces);

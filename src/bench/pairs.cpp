@@ -5,8 +5,8 @@
 #include "bench/device_peak.h"
 #include "bench/devices.h"
 #include "bench/inputs/formula_shapes.h"
-#include "bench/timing.h"
 #include "bench/inputs/varied_shapes.h"
+#include "bench/timing.h"
 #include "core/field/free_field.h"
 #include "core/field/target_curve.h"
 #include "core/matching/match_round.h"
@@ -201,13 +201,13 @@ std::string explanation(const PairScene& scene, const PairRates& rates) {
   const std::string elements = std::to_string(rates.elements);
   const DeviceTimes& times = rates.times;
   return "The best " + std::to_string(scene.wanted()) + " pairs of each of " + std::to_string(scene.samples.size()) +
-         " target samples, " + std::to_string(scene.shapes) + " " + scene.kind + ": " +
-         fixed(1000 * times.index_s, 1) + " ms by the index, " + fixed(1000 * times.scan_s, 1) +
+         " target samples, " + std::to_string(scene.shapes) + " " + scene.kind + ": " + fixed(1000 * times.index_s, 1) +
+         " ms by the index, " + fixed(1000 * times.scan_s, 1) +
          " ms by a scan,\nwhich is told how far to look. Blocks of " + std::to_string(kIndexFanOut) +
          " PADs looked at, to find the same pairs: " +
-         fixed(100 * double(times.index_blocks) / double(std::max<std::uint64_t>(1, times.scan_blocks)), 2) +
-         " %.\n" + short_number(scene.pairs()) + " pairs (" + short_number(100 * rates.below_beta) +
-         " % nearer than beta), " + std::to_string(rates.cores) + " cores. Selection (scale, sign, local minima, " +
+         fixed(100 * double(times.index_blocks) / double(std::max<std::uint64_t>(1, times.scan_blocks)), 2) + " %.\n" +
+         short_number(scene.pairs()) + " pairs (" + short_number(100 * rates.below_beta) + " % nearer than beta), " +
+         std::to_string(rates.cores) + " cores. Selection (scale, sign, local minima, " +
          "histogram) is in the device's\ntimes and in no limit; pairs that are skipped count as tested. Counted: " +
          elements + " elements a pair, each a\nsubtraction, a magnitude and a maximum (" +
          std::to_string(3 * rates.elements) + " operations); the limits are such steps a second, measured\n" +

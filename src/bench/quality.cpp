@@ -10,11 +10,11 @@
 #include "core/base/error.h"
 #include "core/replacing/own_replacer.h"
 #include "files/available_cores.h"
-#include "library/storage/library_file.h"
 #include "library/library_shapes.h"
+#include "library/storage/library_file.h"
+#include "master/collage_loop.h"
 #include "text/number_text.h"
 #include "text/text_table.h"
-#include "master/collage_loop.h"
 
 namespace tessera::bench {
 namespace {
@@ -45,8 +45,8 @@ constexpr Way kWays[] = {{"pieces that move and are exchanged", true}, {"ruin an
 
 void add_row(const Way& way, const RunStatistics& s, const Quality& q, TextTable& table, Json& rows) {
   table.add({way.name, fixed(s.total_s, 1), std::to_string(s.trials), fixed(100 * q.coverage, 2),
-             fixed(100 * q.overlap, 3), q.balance ? fixed(q.balance->evenness, 2) : "-",
-             std::to_string(q.pieces), std::to_string(q.distinct_shapes)});
+             fixed(100 * q.overlap, 3), q.balance ? fixed(q.balance->evenness, 2) : "-", std::to_string(q.pieces),
+             std::to_string(q.distinct_shapes)});
   rows.push_back({{"relax", way.relax},
                   {"seconds", rounded(s.total_s)},
                   {"trials", s.trials},

@@ -12,11 +12,11 @@
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
 #include "core/replacing/own_replacer.h"
-#include "library/storage/library_file.h"
 #include "library/library_shapes.h"
+#include "library/storage/library_file.h"
+#include "master/collage_loop.h"
 #include "text/number_text.h"
 #include "text/text_table.h"
-#include "master/collage_loop.h"
 
 namespace tessera::bench {
 namespace {
@@ -168,8 +168,8 @@ std::string text_of(const ReplacingCase& c) {
   table.add({"a trial, one core", fixed(1000 * c.work_s() / double(c.trials()), 2) + " ms"});
   table.add({"all trials, one core", fixed(c.work_s(), 2) + " s"});
   table.add({"master's own work", fixed(1000 * c.master_s, 1) + " ms"});
-  table.add({"a question, packed", fixed(1000 * c.request_s, 3) + " ms, " +
-                                       fixed(request_bytes / windows / 1000, 1) + " kB a window"});
+  table.add({"a question, packed",
+             fixed(1000 * c.request_s, 3) + " ms, " + fixed(request_bytes / windows / 1000, 1) + " kB a window"});
   table.add({"a question, unpacked", fixed(1000 * c.unpack_s, 3) + " ms a window"});
   table.add({"an answer, packed",
              fixed(1000 * c.reply_s, 3) + " ms, " + fixed(reply_bytes / windows / 1000, 1) + " kB a window"});

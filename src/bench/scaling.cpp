@@ -5,18 +5,18 @@
 #include <set>
 
 #include "bench/amdahl.h"
+#include "bench/baselines/program_run.h"
 #include "bench/benchmarks.h"
 #include "bench/devices.h"
 #include "bench/inputs/enlarged_library.h"
 #include "bench/line_plot.h"
-#include "bench/baselines/program_run.h"
 #include "bench/scaling_case.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "files/atomic_file.h"
-#include "text/number_text.h"
 #include "result/collage_files.h"
 #include "result/result_file.h"
+#include "text/number_text.h"
 #include "text/text_table.h"
 
 namespace tessera::bench {
@@ -106,8 +106,8 @@ std::string write_job(const Plan& plan, const std::string& library) {
   const std::string path = plan.folder + "/job.toml";
   const std::string side = std::to_string(plan.options.size_px);
   write_file_atomically(path, "[library]\nfile = \"" + library + "\"\n[canvas]\nsize_px = [" + side + ", " + side +
-                                      "]\n[stop]\npieces = " + std::to_string(plan.options.pieces) +
-                                      "\n[devices]\nuse = \"" + plan.devices + "\"\n[output]\nwidth_px = 64\n");
+                                  "]\n[stop]\npieces = " + std::to_string(plan.options.pieces) +
+                                  "\n[devices]\nuse = \"" + plan.devices + "\"\n[output]\nwidth_px = 64\n");
   return path;
 }
 
@@ -221,8 +221,8 @@ AmdahlFit fit(const std::vector<Compared>& strong, double (*seconds)(const Repea
 }
 
 std::string case_rows(const std::vector<Compared>& series, bool weak) {
-  TextTable table({weak ? "weak" : "strong", "shapes", "loop s", "speed-up", "efficiency", "undisturbed s",
-                       "speed-up", "master %", "undisturbed"});
+  TextTable table({weak ? "weak" : "strong", "shapes", "loop s", "speed-up", "efficiency", "undisturbed s", "speed-up",
+                   "master %", "undisturbed"});
   for (const Compared& c : series) {
     const double growth = weak ? c.more_workers() : 1;  // of the work
     const double speed_up = growth * loop_s(*c.base) / loop_s(*c.run);
@@ -312,8 +312,8 @@ void plot(const std::vector<Compared>& strong, const std::vector<Compared>& weak
 /// Where loops are long enough, on two numbers of workers at least: of others a line fits anything.
 std::string amdahl_text(const Plan& plan, bool quick, const AmdahlFit& wall, const AmdahlFit& quiet) {
   if (quick || plan.workers.size() < 2) return "";
-  return " Amdahl, strong: serial " + fixed(100 * wall.serial_share(), 1) +
-         " % of one worker's loop, undisturbed " + fixed(100 * quiet.serial_share(), 1) + " %.";
+  return " Amdahl, strong: serial " + fixed(100 * wall.serial_share(), 1) + " % of one worker's loop, undisturbed " +
+         fixed(100 * quiet.serial_share(), 1) + " %.";
 }
 
 std::string explanation(const Plan& plan, const std::string& amdahl) {

@@ -9,9 +9,9 @@
 #include "core/field/canvas.h"
 #include "core/matching/matcher.h"
 #include "library/library_shapes.h"
+#include "master/collage_loop.h"
 #include "text/number_text.h"
 #include "text/text_table.h"
-#include "master/collage_loop.h"
 
 namespace tessera::bench {
 namespace {
@@ -153,8 +153,8 @@ Report bench_table2(const Setting& setting, const Table2Options& options) {
   const int size_px = setting.quick ? 300 : 1000;
   const Canvas canvas = make_rectangle_canvas(size_px, size_px);
 
-  TextTable table({"", "candidates", "PADs a shape", "iterations", "docking choices", "pruned %", "total s",
-                       "prune %", "dock %", "objective %", "merge %"});
+  TextTable table({"", "candidates", "PADs a shape", "iterations", "docking choices", "pruned %", "total s", "prune %",
+                   "dock %", "objective %", "merge %"});
   Report report;
   report.json = report_head("table2", setting);
   report.json.update({{"library", options.library}, {"canvas_px", size_px}, {"rows", Json::array()}});

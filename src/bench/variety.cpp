@@ -6,9 +6,9 @@
 #include "bench/inputs/varied_shapes.h"
 #include "core/base/error.h"
 #include "core/collage/quality.h"
+#include "master/collage_loop.h"
 #include "text/number_text.h"
 #include "text/text_table.h"
-#include "master/collage_loop.h"
 #include "worker/device_group.h"
 
 namespace tessera::bench {
@@ -94,8 +94,8 @@ Report bench_variety(const Setting& setting, const SquareJob& job, const Variety
   settings.pieces.max_scale_px = job.scale_px[1];
   settings.improve.trials = 0;
 
-  TextTable table({"shapes", "pairs", "coverage %", "overlap %", "shared boundary %", "balance", "pieces",
-                       "different", "ms a piece"});
+  TextTable table({"shapes", "pairs", "coverage %", "overlap %", "shared boundary %", "balance", "pieces", "different",
+                   "ms a piece"});
   Report report;
   report.json = report_head("variety", setting);
   report.json.update({{"library", job.library},

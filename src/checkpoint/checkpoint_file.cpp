@@ -3,12 +3,12 @@
 #include <array>
 #include <filesystem>
 
-#include "core/base/error.h"
 #include "checkpoint/checkpoint_arrays.h"
 #include "checkpoint/checkpoint_columns.h"
 #include "checkpoint/checkpoint_seal.h"
-#include "library/hdf5/hdf5_trial.h"
+#include "core/base/error.h"
 #include "files/regular_file.h"
+#include "library/hdf5/hdf5_trial.h"
 
 namespace tessera {
 namespace {

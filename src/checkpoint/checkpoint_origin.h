@@ -5,8 +5,8 @@
 #include <functional>
 #include <string>
 
-#include "core/field/canvas.h"
 #include "checkpoint/checkpoint_file.h"
+#include "core/field/canvas.h"
 #include "job/job_file.h"
 #include "job/job_keys.h"
 #include "library/storage/shape_library.h"

@@ -6,13 +6,13 @@
 #include "bench/benchmarks.h"
 #include "cli/commands.h"
 #include "cli/list_option.h"
-#include "terminal/terminal.h"
 #include "core/base/error.h"
 #include "files/atomic_file.h"
-#include "text/number_text.h"
 #include "files/own_program.h"
 #include "files/regular_file.h"
 #include "result/collage_files.h"
+#include "terminal/terminal.h"
+#include "text/number_text.h"
 #include "worker/devices/opencl_devices.h"
 
 namespace tessera::cli {

@@ -1,7 +1,7 @@
 #include <memory>
 
-#include "run/campaign_run.h"
 #include "cli/commands.h"
+#include "run/campaign_run.h"
 
 namespace tessera::cli {
 namespace {

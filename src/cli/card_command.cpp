@@ -1,8 +1,8 @@
 #include <memory>
 
-#include "run/card_run.h"
 #include "cli/commands.h"
 #include "cli/list_option.h"
+#include "run/card_run.h"
 
 namespace tessera::cli {
 namespace {

@@ -5,21 +5,21 @@
 #include <string_view>
 #include <vector>
 
-#include "run/collage_run.h"
-#include "run/messages/collage_warnings.h"
+#include "checkpoint/checkpoint_folder.h"
 #include "cli/commands.h"
-#include "run/result_drawing_run.h"
-#include "terminal/terminal.h"
 #include "comm/stop_signals.h"
 #include "core/base/error.h"
 #include "core/base/split_text.h"
-#include "checkpoint/checkpoint_folder.h"
+#include "files/output_lock.h"
 #include "job/job_keys.h"
 #include "job/palette.h"
-#include "files/output_lock.h"
 #include "result/collage_files.h"
 #include "result/finished_result.h"
 #include "result/result_file.h"
+#include "run/collage_run.h"
+#include "run/messages/collage_warnings.h"
+#include "run/result_drawing_run.h"
+#include "terminal/terminal.h"
 
 namespace tessera::cli {
 namespace {

@@ -4,10 +4,10 @@
 
 #include "core/base/error.h"
 #include "job/canvas/canvas_file.h"
-#include "text/number_text.h"
 #include "result/erased_pieces.h"
 #include "result/polygon_pieces.h"
 #include "result/result_file.h"
+#include "text/number_text.h"
 
 namespace tessera::cli {
 namespace {

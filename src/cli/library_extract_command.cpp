@@ -9,20 +9,20 @@
 #include <string>
 #include <vector>
 
+#include "artwork/drawers/drawers.h"
 #include "cli/build_summary.h"
 #include "cli/library_output.h"
-#include "terminal/progress_bar.h"
-#include "terminal/terminal.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "files/atomic_file.h"
 #include "files/available_cores.h"
-#include "artwork/drawers/drawers.h"
-#include "products/elements/cut_outs.h"
-#include "products/elements/photo_extraction.h"
-#include "library/library_builder.h"
 #include "files/output_folder.h"
 #include "files/output_lock.h"
+#include "library/library_builder.h"
+#include "products/elements/cut_outs.h"
+#include "products/elements/photo_extraction.h"
+#include "terminal/progress_bar.h"
+#include "terminal/terminal.h"
 
 namespace tessera::cli {
 namespace {
@@ -105,8 +105,7 @@ std::vector<CutOut> all_cut_outs(const ExtractArguments& arguments, Drawers& dra
   return all;
 }
 
-LibraryBuildReport build(const ExtractArguments& arguments, const std::vector<CutOut>& cut_outs,
-                             Drawers& drawers) {
+LibraryBuildReport build(const ExtractArguments& arguments, const std::vector<CutOut>& cut_outs, Drawers& drawers) {
   ProgressBar bar("library", cut_outs.size());
   const BuildProgress progress = [&](std::size_t done, std::size_t shapes) {
     bar.update(done, count_text(shapes, "shape"));
@@ -117,7 +116,7 @@ LibraryBuildReport build(const ExtractArguments& arguments, const std::vector<Cu
   ArtworkFiles files;
   for (const CutOut& cut_out : cut_outs) files.paths.push_back(cut_out.path);
   return build_library(files, arguments.output, settings, cut_out_loader(drawers, cut_outs, settings.tracing),
-                           progress);
+                       progress);
 }
 
 /// Whether both names lead to one file, which need not be there yet.

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "terminal/terminal.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "files/atomic_file.h"
 #include "library/contact_sheet.h"
 #include "library/storage/library_file.h"
+#include "terminal/terminal.h"
 
 namespace tessera::cli {
 namespace {

@@ -3,15 +3,15 @@
 #include <filesystem>
 
 #include "cli/build_summary.h"
-#include "terminal/progress_bar.h"
-#include "terminal/terminal.h"
 #include "comm/stop_signals.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "files/atomic_file.h"
+#include "files/output_lock.h"
 #include "library/left_out_list.h"
 #include "library/library_copy.h"
-#include "files/output_lock.h"
+#include "terminal/progress_bar.h"
+#include "terminal/terminal.h"
 
 namespace tessera::cli {
 namespace {

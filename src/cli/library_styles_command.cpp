@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "cli/library_info_command.h"
-#include "terminal/terminal.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "core/style/style_groups.h"
 #include "library/storage/library_file.h"
 #include "library/style_reference.h"
 #include "library/style_sheet.h"
+#include "terminal/terminal.h"
 #include "text/number_text.h"
 #include "text/utf8_text.h"
 

@@ -16,10 +16,6 @@
 #include <vector>
 
 #include "cli/commands.h"
-#include "terminal/exit_codes.h"
-#include "run/foreign_end.h"
-#include "terminal/terminal.h"
-#include "run/time_limit.h"
 #include "comm/in_process_communicator.h"
 #include "comm/launcher_check.h"
 #include "comm/mpi_guard.h"
@@ -30,6 +26,10 @@
 #include "core/base/version.h"
 #include "files/lack_of_memory.h"
 #include "files/leftover_file.h"
+#include "run/foreign_end.h"
+#include "run/time_limit.h"
+#include "terminal/exit_codes.h"
+#include "terminal/terminal.h"
 
 namespace tessera::cli {
 namespace {

@@ -8,18 +8,18 @@
 
 #include "cli/collage_options.h"
 #include "cli/commands.h"
-#include "terminal/exit_codes.h"
-#include "run/job_output.h"
-#include "terminal/shell_word.h"
-#include "terminal/terminal.h"
 #include "comm/stop_signals.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
-#include "products/elements/photo_extraction.h"
 #include "job/job_file.h"
 #include "library/library_view.h"
+#include "products/elements/photo_extraction.h"
 #include "products/mosaic/face_search.h"
 #include "products/mosaic/mosaic_files.h"
+#include "run/job_output.h"
+#include "terminal/exit_codes.h"
+#include "terminal/shell_word.h"
+#include "terminal/terminal.h"
 
 namespace tessera::cli {
 namespace {

@@ -2,18 +2,18 @@
 #include <string>
 #include <vector>
 
-#include "run/checked_job.h"
-#include "run/messages/collage_warnings.h"
 #include "cli/commands.h"
-#include "plan/plan_estimate.h"
-#include "plan/plan_text.h"
-#include "terminal/terminal.h"
 #include "core/base/error.h"
 #include "core/field/free_field.h"
 #include "core/matching/sized_settings.h"
 #include "job/job_file.h"
 #include "job/palette.h"
 #include "job/picture_size.h"
+#include "plan/plan_estimate.h"
+#include "plan/plan_text.h"
+#include "run/checked_job.h"
+#include "run/messages/collage_warnings.h"
+#include "terminal/terminal.h"
 
 namespace tessera::cli {
 namespace {

@@ -11,24 +11,24 @@
 #include <vector>
 
 #include "cli/collage_options.h"
-#include "run/messages/collage_warnings.h"
 #include "cli/commands.h"
-#include "terminal/exit_codes.h"
-#include "run/job_output.h"
 #include "cli/list_option.h"
-#include "terminal/progress_bar.h"
-#include "terminal/shell_word.h"
-#include "terminal/terminal.h"
-#include "run/time_limit.h"
 #include "comm/stop_signals.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "core/base/interrupted.h"
-#include "products/puzzle/puzzle_solver.h"
 #include "files/new_folder.h"
-#include "text/number_text.h"
 #include "products/puzzle/puzzle_making.h"
+#include "products/puzzle/puzzle_solver.h"
 #include "products/puzzle/puzzle_solving.h"
+#include "run/job_output.h"
+#include "run/messages/collage_warnings.h"
+#include "run/time_limit.h"
+#include "terminal/exit_codes.h"
+#include "terminal/progress_bar.h"
+#include "terminal/shell_word.h"
+#include "terminal/terminal.h"
+#include "text/number_text.h"
 #include "text/utf8_text.h"
 
 namespace tessera::cli {
@@ -182,9 +182,9 @@ void report(const SolveArguments& arguments, const SolvedPuzzle& solved) {
   print_warning(doubt(arguments, solved));
   if (!arguments.collage.quiet) {
     print_line("%s: %zu of %s on %d x %d px, %.2f %% of it covered, scale %.4g%s",
-               printable_utf8(arguments.request.job).c_str(), solved.placed,
-               count_text(solved.pieces, "piece").c_str(), solved.width_px, solved.height_px, 100 * solved.covered,
-               solved.scale, erosion_text(solved.erosion_px).c_str());
+               printable_utf8(arguments.request.job).c_str(), solved.placed, count_text(solved.pieces, "piece").c_str(),
+               solved.width_px, solved.height_px, 100 * solved.covered, solved.scale,
+               erosion_text(solved.erosion_px).c_str());
   }
   if (solved.agreement) {  // who asks for it wants to know
     print_line("by %s: %d of %zu right (within 2 px, 1 degree, 1 %%), %s",

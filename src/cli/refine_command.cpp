@@ -9,15 +9,15 @@
 #include "cli/commands.h"
 #include "cli/erased_choice.h"
 #include "cli/list_option.h"
+#include "core/base/error.h"
+#include "files/output_folder.h"
+#include "files/output_lock.h"
+#include "job/job_keys.h"
+#include "render/collage_sheet.h"
+#include "result/placed_pieces.h"
 #include "run/ranking_run.h"
 #include "run/refined_result.h"
 #include "terminal/terminal.h"
-#include "core/base/error.h"
-#include "job/job_keys.h"
-#include "files/output_folder.h"
-#include "files/output_lock.h"
-#include "render/collage_sheet.h"
-#include "result/placed_pieces.h"
 
 namespace tessera::cli {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
-#include "core/geometry/degrees.h"
 #include "core/collage/objective.h"
+#include "core/geometry/degrees.h"
 #include "job/key_fields.h"
 #include "job/palette.h"
 

@@ -12,6 +12,7 @@
 
 #include "core/base/error.h"
 #include "core/base/split_text.h"
+#include "files/regular_file.h"
 #include "job/job_entry.h"
 #include "job/job_keys.h"
 #include "job/job_tables.h"
@@ -20,7 +21,6 @@
 #include "job/quality_word.h"
 #include "job/wishes_file.h"
 #include "text/number_text.h"
-#include "files/regular_file.h"
 
 namespace tessera {
 namespace {

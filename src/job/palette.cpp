@@ -11,9 +11,9 @@
 
 #include "core/base/error.h"
 #include "core/base/split_text.h"
+#include "files/regular_file.h"
 #include "job/job_entry.h"
 #include "text/nearest_name.h"
-#include "files/regular_file.h"
 
 namespace tessera {
 namespace {

@@ -8,10 +8,10 @@
 #include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "core/base/split_text.h"
-#include "text/csv_text.h"
-#include "job/job_entry.h"
-#include "text/nearest_name.h"
 #include "files/regular_file.h"
+#include "job/job_entry.h"
+#include "text/csv_text.h"
+#include "text/nearest_name.h"
 #include "text/utf8_text.h"
 
 namespace tessera {

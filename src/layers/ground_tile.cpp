@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include "artwork/artwork_render.h"
+#include "artwork/images/alpha.h"
+#include "artwork/images/image_header.h"
 #include "artwork/images/looks_like_svg.h"
 #include "core/base/error.h"
-#include "artwork/images/alpha.h"
-#include "artwork/artwork_render.h"
-#include "artwork/images/image_header.h"
 #include "job/canvas/canvas_file.h"
 #include "job/canvas/canvas_page.h"
 #include "job/picture_size.h"

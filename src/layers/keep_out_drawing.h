@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/field/canvas.h"
 #include "artwork/drawers/drawers.h"
+#include "core/field/canvas.h"
 #include "job/job_file.h"
 
 namespace tessera {

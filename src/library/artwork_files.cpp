@@ -7,8 +7,8 @@
 #include <map>
 #include <string_view>
 
-#include "core/base/error.h"
 #include "artwork/images/unread_format.h"
+#include "core/base/error.h"
 #include "library/name_index.h"
 
 namespace tessera {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "files/atomic_file.h"
 #include "artwork/drawers/drawers.h"
-#include "library/sheet_cell.h"
+#include "files/atomic_file.h"
 #include "library/sheet.h"
+#include "library/sheet_cell.h"
 #include "text/utf8_text.h"
 
 namespace tessera {

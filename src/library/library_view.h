@@ -9,9 +9,9 @@
 
 #include "core/base/error.h"
 #include "core/colour/lab.h"
-#include "library/storage/library_file.h"
 #include "library/mirroring.h"
 #include "library/name_globs.h"
+#include "library/storage/library_file.h"
 #include "library/storage/shape_library.h"
 
 namespace tessera {

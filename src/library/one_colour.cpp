@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kNearlyAll = 0.95;
 constexpr std::size_t kColouredAtATime = 1024;
-constexpr LibraryParts kOneColourParts{.outline = false, .field = false, .levels = 0, .artwork = false, .original = false};
+constexpr LibraryParts kOneColourParts{
+    .outline = false, .field = false, .levels = 0, .artwork = false, .original = false};
 
 using LabColour = std::array<float, 3>;
 
@@ -30,7 +31,8 @@ LabColour median(std::vector<LabColour> colours) {
   LabColour result{};
   for (std::size_t c = 0; c < result.size(); ++c) {
     const auto middle = colours.begin() + std::ptrdiff_t(colours.size() / 2);
-    std::nth_element(colours.begin(), middle, colours.end(), [c](const LabColour& a, const LabColour& b) { return a[c] < b[c]; });
+    std::nth_element(colours.begin(), middle, colours.end(),
+                     [c](const LabColour& a, const LabColour& b) { return a[c] < b[c]; });
     result[c] = (*middle)[c];
   }
   return result;

@@ -5,9 +5,9 @@
 #include <opencv2/core.hpp>
 #include <span>
 
+#include "artwork/images/alpha.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
-#include "artwork/images/alpha.h"
 #include "text/utf8_text.h"
 
 namespace tessera {

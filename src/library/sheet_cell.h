@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "artwork/images/cairo_objects.h"
 #include "artwork/drawers/drawers.h"
+#include "artwork/images/cairo_objects.h"
 #include "library/storage/library_file.h"
 
 namespace tessera {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "files/atomic_file.h"
 #include "artwork/drawers/drawers.h"
-#include "library/sheet_cell.h"
+#include "files/atomic_file.h"
 #include "library/sheet.h"
+#include "library/sheet_cell.h"
 #include "text/utf8_text.h"
 
 namespace tessera {
@@ -42,7 +42,8 @@ std::size_t write_style_sheet(const LibraryFile& library, const std::vector<Styl
                               const std::string& path) {
   const std::vector<Cell> cells = cells_of(groups);
   const std::size_t rows = cells.back().place / kColumns + 1;
-  const SheetLayout layout = make_sheet_layout(rows * kColumns, kStyleCell_px, kStyleCell_px, kCaption_px, int(kColumns));
+  const SheetLayout layout =
+      make_sheet_layout(rows * kColumns, kStyleCell_px, kStyleCell_px, kCaption_px, int(kColumns));
   const Sheet sheet(layout, sheet_title(library, cells.size()) + "  ·  by style");
   Drawers drawers({});
   for (const Cell& cell : cells) {

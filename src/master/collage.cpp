@@ -9,8 +9,8 @@
 #include "core/field/piece_distance.h"
 #include "core/geometry/extent.h"
 #include "core/matching/size_schedule.h"
-#include "core/shape/shape_field.h"
 #include "core/settings/tuning.h"
+#include "core/shape/shape_field.h"
 
 namespace tessera::master {
 namespace {

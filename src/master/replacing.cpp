@@ -204,7 +204,7 @@ void Replacing::complete(ReplacementWindow& window) const {
 
 /// The pieces but for some that may be felt as copies in the box, and their images on a seamless canvas.
 std::vector<PlacedDrawing> Replacing::copies_around(const Box& box, const std::vector<Lying>& all,
-                                                 const std::vector<std::size_t>& but) const {
+                                                    const std::vector<std::size_t>& but) const {
   const float reach_px = repetition_.reach_sizes * settings_.pieces.max_scale_px;
   const std::vector<Vec2> offsets = free_.grid().period().offsets();
   std::vector<PlacedDrawing> around;

@@ -75,7 +75,7 @@ class Replacing {
                            const std::function<void()>& look) const;
   Cut cut(const Box& box, const std::vector<Lying>& all, std::size_t given) const;
   std::vector<PlacedDrawing> copies_around(const Box& box, const std::vector<Lying>& all,
-                                        const std::vector<std::size_t>& but) const;
+                                           const std::vector<std::size_t>& but) const;
   void complete(ReplacementWindow& window) const;
   std::vector<ReplacementOutcome> asked(std::vector<Cut>& cuts, const std::vector<Lying>& all,
                                         const std::vector<IncomingShape>& incoming, const std::function<void()>& look);

@@ -2,8 +2,8 @@
 
 #include "core/field/line_art.h"
 #include "core/matching/refinement.h"
-#include "core/shape/shape_field.h"
 #include "core/settings/tuning.h"
+#include "core/shape/shape_field.h"
 
 namespace tessera::master {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "core/collage/placement.h"
 #include "core/field/canvas.h"
-#include "core/shape/shape_source.h"
 #include "core/settings/wishes.h"
+#include "core/shape/shape_source.h"
 
 namespace tessera::master {
 

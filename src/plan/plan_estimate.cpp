@@ -4,12 +4,12 @@
 #include <cmath>
 #include <numeric>
 
-#include "run/time_estimate.h"
 #include "core/base/kept_memory.h"
 #include "core/collage/missing_pieces.h"
 #include "core/matching/matching_context.h"
 #include "core/settings/tuning.h"
 #include "master/replacing.h"
+#include "run/time_estimate.h"
 #include "worker/device_room.h"
 #include "worker/shard.h"
 

@@ -3,9 +3,9 @@
 #include <functional>
 #include <string>
 
-#include "core/base/error.h"
 #include "artwork/artwork_render.h"
 #include "artwork/drawers/drawer_program.h"
+#include "core/base/error.h"
 #include "job/canvas/canvas_file.h"
 
 namespace tessera {

@@ -1,8 +1,8 @@
 // What pictures show of a canvas besides the pieces: its edge, the drawing in canvas.keep_out, the ground.
 #pragma once
 
-#include "core/field/canvas.h"
 #include "artwork/drawers/drawers.h"
+#include "core/field/canvas.h"
 #include "job/canvas/canvas_edge.h"
 #include "job/job_file.h"
 #include "layers/ground_tile.h"

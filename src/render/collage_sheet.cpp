@@ -4,13 +4,13 @@
 #include <filesystem>
 #include <opencv2/core.hpp>
 
+#include "artwork/drawers/drawers.h"
+#include "artwork/images/alpha.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
-#include "artwork/images/alpha.h"
-#include "artwork/drawers/drawers.h"
-#include "text/number_text.h"
 #include "files/regular_file.h"
 #include "library/sheet.h"
+#include "text/number_text.h"
 #include "text/utf8_text.h"
 
 namespace tessera {

@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/geometry/degrees.h"
 #include "artwork/images/colour_conversion.h"
+#include "core/geometry/degrees.h"
 #include "render/pieces/tones.h"
 
 namespace tessera {

@@ -8,8 +8,8 @@
 
 #include "core/base/error.h"
 #include "core/geometry/rasterise.h"
-#include "job/picture_size.h"
 #include "files/parallel_for.h"
+#include "job/picture_size.h"
 #include "render/pieces/drawn_pieces.h"
 #include "render/pieces/piece_drawing.h"
 

@@ -5,10 +5,10 @@
 #include <functional>
 #include <opencv2/core.hpp>
 
-#include "result/collage_files.h"
-#include "result/picture_file.h"
 #include "render/pieces/shape_artworks.h"
 #include "render/pieces/stop_watcher.h"
+#include "result/collage_files.h"
+#include "result/picture_file.h"
 
 namespace tessera {
 

@@ -5,20 +5,20 @@
 #include <future>
 #include <utility>
 
-#include "core/base/launch_policy.h"
 #include "artwork/images/alpha.h"
 #include "artwork/images/colour_conversion.h"
-#include "job/picture_size.h"
+#include "core/base/launch_policy.h"
 #include "files/parallel_for.h"
-#include "render/pieces/cairo_paint.h"
-#include "render/pieces/drawn_pieces.h"
+#include "job/picture_size.h"
 #include "render/ground_strips.h"
 #include "render/hue_turns.h"
 #include "render/keep_out_strips.h"
+#include "render/pieces/cairo_paint.h"
+#include "render/pieces/drawn_pieces.h"
 #include "render/pieces/piece_drawing.h"
 #include "render/pieces/shadow.h"
-#include "render/shown_picture.h"
 #include "render/pieces/sprite_cache.h"
+#include "render/shown_picture.h"
 
 namespace tessera {
 namespace {

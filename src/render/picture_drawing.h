@@ -7,10 +7,10 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "result/collage_files.h"
-#include "result/picture_file.h"
 #include "render/pieces/shape_artworks.h"
 #include "render/pieces/stop_watcher.h"
+#include "result/collage_files.h"
+#include "result/picture_file.h"
 
 namespace tessera {
 

@@ -8,10 +8,10 @@
 #include <span>
 #include <string_view>
 
+#include "artwork/images/colour_conversion.h"
 #include "core/base/digest.h"
 #include "core/colour/ciede2000.h"
 #include "core/field/piece_distance.h"
-#include "artwork/images/colour_conversion.h"
 #include "library/one_colour.h"
 
 namespace tessera {

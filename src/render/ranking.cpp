@@ -8,12 +8,12 @@
 
 #include "core/base/error.h"
 #include "files/atomic_file.h"
-#include "text/csv_text.h"
-#include "text/json_text.h"
-#include "text/number_text.h"
 #include "render/collage_sheet.h"
 #include "result/finished_result.h"
 #include "result/result_file.h"
+#include "text/csv_text.h"
+#include "text/json_text.h"
+#include "text/number_text.h"
 
 namespace tessera {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "result/drawing_notes.h"
 #include "render/pieces/stop_watcher.h"
+#include "result/drawing_notes.h"
 
 namespace tessera {
 

@@ -5,15 +5,15 @@
 #include <optional>
 #include <span>
 
-#include "core/base/error.h"
 #include "artwork/images/alpha.h"
 #include "artwork/images/image_header.h"
 #include "artwork/images/png_picture.h"
+#include "core/base/error.h"
 #include "job/canvas/overlays.h"
-#include "text/number_text.h"
+#include "layers/svg_image.h"
 #include "render/pieces/piece_drawing.h"
 #include "result/result_file.h"
-#include "layers/svg_image.h"
+#include "text/number_text.h"
 
 namespace tessera {
 namespace {
@@ -23,8 +23,8 @@ constexpr int kLongestBackgroundSide_px = 1024;
 constexpr int kCanvasPxPerBackgroundPixel = 2;
 /// Of a PNG of kLongestShownSide_px each way, and more.
 constexpr std::size_t kMostBytes = std::size_t(16) << 20;
-constexpr const char* kBackgroundId = "shown-picture";  // that of the pattern is "ground"
-constexpr const char* kOverlayPictureId = "overlay-picture";   // that of the pattern is "overlay"
+constexpr const char* kBackgroundId = "shown-picture";        // that of the pattern is "ground"
+constexpr const char* kOverlayPictureId = "overlay-picture";  // that of the pattern is "overlay"
 
 /// Times `light`; but what is dark becomes lighter: dark pieces would not stand out from what is darker still.
 void darken(cv::Mat& opaque_bgra, double light) {

@@ -5,17 +5,17 @@
 #include <set>
 #include <utility>
 
-#include "core/geometry/rasterise.h"
 #include "artwork/images/png_uri.h"
-#include "job/picture_size.h"
-#include "text/number_text.h"
+#include "core/geometry/rasterise.h"
 #include "files/parallel_for.h"
+#include "job/picture_size.h"
 #include "layers/affine.h"
 #include "render/pieces/artwork_original.h"
 #include "render/pieces/drawn_pieces.h"
+#include "render/pieces/svg_path.h"
 #include "render/shown_picture.h"
 #include "render/svg_layers.h"
-#include "render/pieces/svg_path.h"
+#include "text/number_text.h"
 #include "text/utf8_text.h"
 #include "text/xml_writer.h"
 

@@ -10,8 +10,8 @@
 #include <system_error>
 #include <utility>
 
-#include "core/base/error.h"
 #include "artwork/images/alpha.h"
+#include "core/base/error.h"
 #include "job/picture_size.h"
 
 namespace tessera {

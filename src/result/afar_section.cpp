@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "text/number_text.h"
 #include "result/card_lines.h"
+#include "text/number_text.h"
 
 namespace tessera {
 namespace {

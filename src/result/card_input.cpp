@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
-#include "text/number_text.h"
 #include "result/card_bounds.h"
 #include "result/result_file.h"
+#include "text/number_text.h"
 #include "text/utf8_text.h"
 
 namespace tessera {

@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/count_text.h"
-#include "text/number_text.h"
 #include "result/card_lines.h"
 #include "result/deformation_table.h"
 #include "result/rank_table.h"
+#include "text/number_text.h"
 #include "text/utf8_text.h"
 
 namespace tessera {

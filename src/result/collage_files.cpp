@@ -7,14 +7,14 @@
 #include "core/base/error.h"
 #include "core/collage/quality.h"
 #include "files/atomic_file.h"
+#include "files/output_folder.h"
 #include "job/pieces/job_library.h"
 #include "job/pieces/start_pieces.h"
 #include "job/pieces/wished_sizes.h"
-#include "files/output_folder.h"
 #include "result/card_output.h"
 #include "result/geojson_output.h"
-#include "result/result_manifest.h"
 #include "result/result_file.h"
+#include "result/result_manifest.h"
 
 namespace tessera {
 namespace {

@@ -5,21 +5,21 @@
 #include <string>
 #include <vector>
 
+#include "checkpoint/checkpoint_origin.h"
 #include "core/base/run_statistics.h"
 #include "core/collage/placement.h"
 #include "core/colour/harmony.h"
 #include "core/field/canvas.h"
 #include "core/ranks/rank_statistics.h"
-#include "checkpoint/checkpoint_origin.h"
 #include "job/canvas/canvas_edge.h"
 #include "job/job_file.h"
-#include "result/deformed_collage.h"
 #include "layers/ground_tile.h"
 #include "layers/keep_out_drawing.h"
+#include "layers/tone_patch.h"
+#include "result/deformed_collage.h"
 #include "result/missing_shape.h"
 #include "result/placed_shapes.h"
 #include "result/run_record.h"
-#include "layers/tone_patch.h"
 
 namespace tessera {
 

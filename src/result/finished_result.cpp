@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "job/job_difference.h"
 #include "files/output_lock.h"
+#include "job/job_difference.h"
 #include "result/result_file.h"
 
 namespace tessera {

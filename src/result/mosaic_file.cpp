@@ -4,14 +4,14 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/count_text.h"
-#include "core/base/error.h"
 #include "artwork/artwork_render.h"
+#include "artwork/drawers/drawers.h"
 #include "artwork/images/image_decoding.h"
 #include "artwork/images/image_header.h"
-#include "artwork/drawers/drawers.h"
-#include "job/canvas/overlay.h"
+#include "core/base/count_text.h"
+#include "core/base/error.h"
 #include "files/regular_file.h"
+#include "job/canvas/overlay.h"
 #include "result/picture_cells.h"
 
 namespace tessera {

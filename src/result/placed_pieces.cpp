@@ -5,10 +5,10 @@
 
 #include "core/base/error.h"
 #include "job/pieces/feature_properties.h"
-#include "text/number_text.h"
-#include "text/pose.h"
 #include "result/geojson_output.h"
 #include "result/result_file.h"
+#include "text/number_text.h"
+#include "text/pose.h"
 
 namespace tessera {
 namespace {

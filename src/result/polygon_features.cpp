@@ -5,9 +5,9 @@
 
 #include "core/base/count_text.h"
 #include "core/base/error.h"
+#include "core/base/too_many.h"
 #include "job/job_entry.h"
 #include "text/number_text.h"
-#include "core/base/too_many.h"
 
 namespace tessera {
 namespace {

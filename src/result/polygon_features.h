@@ -24,7 +24,7 @@ inline constexpr std::size_t kMostFeatures = 100'000;
 inline constexpr std::size_t kMostFeaturePoints = 20'000;  // of one feature
 inline constexpr std::size_t kMostPoints = 25'000'000;     // of all features
 inline constexpr std::size_t kMostShapeNameBytes = 1'000;
-inline constexpr double kLeastCoordinate = -20'000;        // as pieces of a job may be given
+inline constexpr double kLeastCoordinate = -20'000;  // as pieces of a job may be given
 inline constexpr double kMostCoordinate = 40'000;
 
 /// Hands out the features of a FeatureCollection of Polygons and MultiPolygons in their order. A third number of a

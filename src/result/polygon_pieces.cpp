@@ -5,10 +5,10 @@
 
 #include "core/base/count_text.h"
 #include "core/base/error.h"
-#include "core/geometry/winding.h"
-#include "text/number_text.h"
-#include "result/polygon_features.h"
 #include "core/base/too_many.h"
+#include "core/geometry/winding.h"
+#include "result/polygon_features.h"
+#include "text/number_text.h"
 
 namespace tessera {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "core/base/error.h"
 #include "files/own_file.h"
+#include "files/write_all.h"
 #include "text/utc_time.h"
 #include "text/utf8_text.h"
-#include "files/write_all.h"
 
 namespace tessera {
 

@@ -4,18 +4,18 @@
 #include <filesystem>
 #include <optional>
 
-#include "run/collage_run.h"
-#include "run/ranking_run.h"
-#include "terminal/terminal.h"
 #include "comm/stop_signals.h"
 #include "core/base/error.h"
+#include "files/output_lock.h"
 #include "job/job_file.h"
 #include "job/pieces/variations.h"
-#include "text/number_text.h"
-#include "files/output_lock.h"
 #include "result/card_input.h"
 #include "result/collage_files.h"
 #include "result/finished_result.h"
+#include "run/collage_run.h"
+#include "run/ranking_run.h"
+#include "terminal/terminal.h"
+#include "text/number_text.h"
 
 namespace tessera {
 namespace {

@@ -5,17 +5,17 @@
 #include <filesystem>
 #include <optional>
 
-#include "terminal/terminal.h"
 #include "core/base/error.h"
 #include "core/collage/quality.h"
 #include "job/canvas/canvas_file.h"
 #include "job/canvas/canvas_page.h"
 #include "job/job_keys.h"
 #include "job/pieces/wished_sizes.h"
-#include "text/number_text.h"
 #include "result/card_output.h"
 #include "result/mosaic_file.h"
 #include "result/polygon_pieces.h"
+#include "terminal/terminal.h"
+#include "text/number_text.h"
 
 namespace tessera {
 namespace {
@@ -115,8 +115,7 @@ std::optional<AfarNote> seen_in_folder(const CardArguments& folder, const Canvas
     return AfarNote{mosaic_from_afar(in_folder(folder, "collage.png"), {folder.image}, canvas, pieces), {}};
   if (of_job.empty()) return {};
   try {
-    return AfarNote{
-        mosaic_from_afar(in_folder(folder, "collage.png"), {of_job, "colour.image"}, canvas, pieces), {}};
+    return AfarNote{mosaic_from_afar(in_folder(folder, "collage.png"), {of_job, "colour.image"}, canvas, pieces), {}};
   } catch (const InputError& error) {  // pieces are measured all the same
     return AfarNote{{}, error.what()};
   }

@@ -10,9 +10,9 @@
 #include "core/field/room.h"
 #include "core/matching/sized_settings.h"
 #include "job/canvas/canvas_file.h"
-#include "job/pieces/job_library.h"
 #include "job/canvas/overlays.h"
 #include "job/picture_size.h"
+#include "job/pieces/job_library.h"
 #include "render/canvas_drawing.h"
 
 namespace tessera {

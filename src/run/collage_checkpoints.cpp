@@ -4,8 +4,8 @@
 
 #include <cstdio>
 
-#include "terminal/terminal.h"
 #include "core/base/error.h"
+#include "terminal/terminal.h"
 
 namespace tessera {
 namespace {

@@ -5,11 +5,11 @@
 #include <optional>
 #include <string>
 
-#include "core/base/stopwatch.h"
 #include "checkpoint/checkpoint_folder.h"
 #include "checkpoint/checkpoint_origin.h"
-#include "result/finished_result.h"
+#include "core/base/stopwatch.h"
 #include "master/checkpoint_keeper.h"
+#include "result/finished_result.h"
 
 namespace tessera {
 

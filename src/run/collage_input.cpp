@@ -3,11 +3,11 @@
 #include <filesystem>
 #include <utility>
 
-#include "run/checked_job.h"
-#include "run/refined_result.h"
 #include "job/palette.h"
 #include "job/pieces/start_pieces.h"
 #include "result/collage_files.h"
+#include "run/checked_job.h"
+#include "run/refined_result.h"
 
 namespace tessera {
 namespace {
@@ -29,8 +29,8 @@ CheckpointFolder checkpoints_in(const EarlierResult& earlier, Start start) {
   return std::filesystem::exists(earlier.folder) ? CheckpointFolder(earlier.folder) : checked_start(earlier, start);
 }
 
-CheckpointOrigin checked_origin(const CollageArguments& arguments, const Job& job,
-                                    const ShapeLibrary& library, const Canvas& canvas) {
+CheckpointOrigin checked_origin(const CollageArguments& arguments, const Job& job, const ShapeLibrary& library,
+                                const Canvas& canvas) {
   const CheckpointOrigin origin = make_origin(job, library, canvas);
   if (arguments.refined) check_is_the_same_collage(*arguments.refined, origin);
   return origin;

@@ -5,15 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "run/collage_checkpoints.h"
-#include "run/collage_run.h"
-#include "core/field/canvas.h"
 #include "checkpoint/checkpoint_folder.h"
 #include "checkpoint/checkpoint_origin.h"
+#include "core/field/canvas.h"
+#include "files/output_lock.h"
 #include "job/job_file.h"
 #include "library/library_view.h"
-#include "files/output_lock.h"
 #include "result/finished_result.h"
+#include "run/collage_checkpoints.h"
+#include "run/collage_run.h"
 
 namespace tessera {
 
@@ -34,7 +34,7 @@ struct CollageInput {
   double room_part =
       1;  // of the canvas, that is filled: where pieces lay that are removed (start.remove), or all of it
   CheckpointOrigin origin;
-  OutputLock lock;                  // of the folder; what is in it counts as it is from then on
+  OutputLock lock;                      // of the folder; what is in it counts as it is from then on
   bool finished = false;                // --resume found the finished collage: nothing is left to compute
   std::optional<CheckpointState> from;  // nothing: an empty canvas
 };

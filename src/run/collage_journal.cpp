@@ -1,14 +1,12 @@
 #include "run/collage_journal.h"
 
-#include "run/messages/collage_warnings.h"
 #include "core/base/count_text.h"
+#include "run/messages/collage_warnings.h"
 #include "text/utc_time.h"
 
 namespace tessera {
 
-CollageJournal::CollageJournal(const std::string& folder, RunRecord record)
-    : log_(folder),
-      record_(std::move(record)) {
+CollageJournal::CollageJournal(const std::string& folder, RunRecord record) : log_(folder), record_(std::move(record)) {
   log_.info("start: tessera " + record_.version + ", commit " + record_.commit + "; job " + record_.job_file +
             "; library " + record_.library_file + ", digest " + digest_text(record_.library_digest));
   log_.info("command: " + record_.command_line);

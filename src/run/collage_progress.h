@@ -3,12 +3,12 @@
 
 #include <optional>
 
-#include "run/coverage_history.h"
-#include "terminal/progress_bar.h"
-#include "run/time_estimate.h"
-#include "run/time_limit.h"
 #include "core/settings/settings.h"
 #include "master/progress.h"
+#include "run/coverage_history.h"
+#include "run/time_estimate.h"
+#include "run/time_limit.h"
+#include "terminal/progress_bar.h"
 
 namespace tessera {
 

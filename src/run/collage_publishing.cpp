@@ -1,11 +1,11 @@
 #include "run/collage_publishing.h"
 
 #include "job/pieces/job_library.h"
-#include "result/collage_files.h"
 #include "render/piece_colours.h"
 #include "render/piece_deformation.h"
-#include "result/placed_pieces.h"
 #include "render/pieces/tones.h"
+#include "result/collage_files.h"
+#include "result/placed_pieces.h"
 
 namespace tessera {
 
@@ -14,8 +14,8 @@ bool leaves_older_result(const CollageInput& input, const master::CollageResult&
 }
 
 std::string publish(const CollageInput& input, const master::CollageResult& result,
-                    const std::vector<MissingShape>& missing, const RankStatistics& ranks,
-                    const RunRecord& record, const CollageCheckpoints& checkpoints) {
+                    const std::vector<MissingShape>& missing, const RankStatistics& ranks, const RunRecord& record,
+                    const CollageCheckpoints& checkpoints) {
   CollageReport report;
   report.job = &input.job;
   report.canvas = &input.canvas;

@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "run/collage_checkpoints.h"
-#include "run/collage_input.h"
 #include "core/ranks/rank_statistics.h"
+#include "master/collage_loop.h"
 #include "result/missing_shape.h"
 #include "result/run_record.h"
-#include "master/collage_loop.h"
+#include "run/collage_checkpoints.h"
+#include "run/collage_input.h"
 
 namespace tessera {
 
@@ -21,7 +21,7 @@ bool leaves_older_result(const CollageInput& input, const master::CollageResult&
 /// the run came to. Returns the text of the card. Throws EnvironmentError, also where an unfinished run has no
 /// checkpoint.
 std::string publish(const CollageInput& input, const master::CollageResult& result,
-                    const std::vector<MissingShape>& missing, const RankStatistics& ranks,
-                    const RunRecord& record, const CollageCheckpoints& checkpoints);
+                    const std::vector<MissingShape>& missing, const RankStatistics& ranks, const RunRecord& record,
+                    const CollageCheckpoints& checkpoints);
 
 }  // namespace tessera

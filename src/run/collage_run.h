@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "terminal/exit_codes.h"
-#include "run/refined_result.h"
 #include "comm/communicator.h"
 #include "result/result_manifest.h"
+#include "run/refined_result.h"
+#include "terminal/exit_codes.h"
 
 namespace tessera {
 

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <string>
 
-#include "run/foreign_end.h"
-#include "run/rank_agreement.h"
 #include "comm/heartbeat.h"
 #include "comm/matcher_server.h"
 #include "comm/node_turn.h"
@@ -21,6 +19,8 @@
 #include "job/pieces/job_library.h"
 #include "library/library_shapes.h"
 #include "library/storage/shape_models.h"
+#include "run/foreign_end.h"
+#include "run/rank_agreement.h"
 #include "worker/device_group.h"
 
 namespace tessera {

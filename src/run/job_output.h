@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "run/collage_run.h"
 #include "files/output_folder.h"
 #include "files/output_lock.h"
+#include "run/collage_run.h"
 
 namespace tessera {
 

@@ -80,8 +80,7 @@ std::string program_identity() {
 }
 
 // Each as a text of its own, the program first: programs that differ need to agree about nothing else.
-void announce_run(comm::Communicator& ranks, const std::string& program, const Job& job,
-                  std::uint64_t library_digest) {
+void announce_run(comm::Communicator& ranks, const std::string& program, const Job& job, std::uint64_t library_digest) {
   ranks.broadcast(to_bytes(program));
   ranks.broadcast(to_bytes(to_toml(job)));
   ranks.broadcast(to_bytes(exact_text(job.size_factor)));

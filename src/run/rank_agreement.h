@@ -14,8 +14,7 @@ namespace tessera {
 std::string program_identity();
 
 /// Rank 0: tells all workers the master's program, job and library.
-void announce_run(comm::Communicator& ranks, const std::string& program, const Job& job,
-                  std::uint64_t library_digest);
+void announce_run(comm::Communicator& ranks, const std::string& program, const Job& job, std::uint64_t library_digest);
 
 /// A worker: receives the master's job. Throws EnvironmentError where this rank's program is another one or understands
 /// the job otherwise.

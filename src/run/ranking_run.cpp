@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
-#include "run/messages/collage_warnings.h"
-#include "terminal/terminal.h"
 #include "comm/stop_signals.h"
 #include "core/base/error.h"
 #include "files/atomic_file.h"
-#include "text/number_text.h"
 #include "files/output_folder.h"
 #include "files/output_lock.h"
 #include "render/ranking.h"
+#include "run/messages/collage_warnings.h"
+#include "terminal/terminal.h"
+#include "text/number_text.h"
 #include "text/text_table.h"
 
 namespace tessera {
@@ -84,7 +84,7 @@ int run_ranking(const RankingArguments& arguments) {
   const std::string out = output_folder(arguments);
   const OutputFolder folder(out);
   const OutputLock lock(out + "/ranking.lock",
-                            out);  // a campaign, or a run that goes on, may have the folder's own
+                        out);  // a campaign, or a run that goes on, may have the folder's own
   check_ranking_can_be_written(out);
   const RankingFiles files = ranking_files(results, weights);
   {

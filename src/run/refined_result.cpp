@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/base/error.h"
 #include "checkpoint/checkpoint_folder.h"
+#include "core/base/error.h"
+#include "files/output_lock.h"
 #include "job/job_tables.h"
 #include "job/toml_text.h"
-#include "files/output_lock.h"
 
 namespace tessera {
 namespace {

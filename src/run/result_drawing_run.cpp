@@ -3,11 +3,11 @@
 #include <optional>
 #include <utility>
 
+#include "artwork/drawers/drawers.h"
+#include "result/run_log.h"
 #include "run/messages/collage_warnings.h"
 #include "terminal/progress_bar.h"
 #include "terminal/terminal.h"
-#include "artwork/drawers/drawers.h"
-#include "result/run_log.h"
 
 namespace tessera {
 namespace {

@@ -4,14 +4,14 @@
 #include <map>
 #include <utility>
 
-#include "run/messages/collage_warnings.h"
-#include "run/messages/key_text.h"
-#include "run/messages/place_advice.h"
 #include "core/base/count_text.h"
 #include "core/collage/missing_pieces.h"
 #include "core/matching/sized_settings.h"
 #include "core/matching/stances.h"
 #include "core/matching/use_limits.h"
+#include "run/messages/collage_warnings.h"
+#include "run/messages/key_text.h"
+#include "run/messages/place_advice.h"
 
 namespace tessera {
 namespace {

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "master/collage_loop.h"
+#include "result/missing_shape.h"
 #include "run/collage_input.h"
 #include "run/refined_result.h"
-#include "result/missing_shape.h"
-#include "master/collage_loop.h"
 
 namespace tessera {
 

@@ -9,9 +9,9 @@
 #include <cstdio>
 #include <cstring>
 
-#include "terminal/shell_word.h"
 #include "core/base/error.h"
 #include "core/base/split_text.h"
+#include "terminal/shell_word.h"
 #include "text/utf8_text.h"
 
 namespace tessera {

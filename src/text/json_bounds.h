@@ -13,10 +13,10 @@ namespace tessera {
 struct JsonBounds {
   static constexpr std::size_t kAny = std::numeric_limits<std::size_t>::max();
 
-  std::size_t values = kAny;                           // in all: a tree takes 200 bytes for each, or less
-  std::size_t levels = kAny;                           // of lists and objects in each other
-  std::size_t members = kAny;                          // of one object: an ordered tree compares each two
-  std::size_t token_bytes = std::size_t(1) << 20;      // of a text or a number
+  std::size_t values = kAny;                       // in all: a tree takes 200 bytes for each, or less
+  std::size_t levels = kAny;                       // of lists and objects in each other
+  std::size_t members = kAny;                      // of one object: an ordered tree compares each two
+  std::size_t token_bytes = std::size_t(1) << 20;  // of a text or a number
 };
 
 /// Looks at a text in parts.

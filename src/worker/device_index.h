@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/matching/model_source.h"
-#include "worker/index_rows.h"
 #include "worker/devices/opencl_runtime.h"
+#include "worker/index_rows.h"
 
 namespace tessera::worker {
 

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <numeric>
 
-#include "worker/docked_shortlist.h"
 #include "worker/devices/kernel_options.h"
+#include "worker/docked_shortlist.h"
 #include "worker/list_room.h"
 
 namespace tessera::worker {

@@ -6,8 +6,8 @@
 
 #include "core/matching/matcher.h"
 #include "core/matching/matching_context.h"
-#include "core/shape/shape_model.h"
 #include "core/settings/tuning.h"
+#include "core/shape/shape_model.h"
 #include "records.h"
 #include "worker/index_rows.h"
 

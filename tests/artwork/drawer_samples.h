@@ -4,9 +4,9 @@
 #include <opencv2/core.hpp>
 #include <string>
 
-#include "support/artwork_samples.h"
-#include "core/base/error.h"
 #include "artwork/drawers/drawers.h"
+#include "core/base/error.h"
+#include "support/artwork_samples.h"
 
 namespace tessera::test {
 

@@ -2,9 +2,9 @@
 #include <glib.h>
 #include <gtest/gtest.h>
 
-#include "support/artwork_samples.h"
-#include "core/base/error.h"
 #include "artwork/artwork_render.h"
+#include "core/base/error.h"
+#include "support/artwork_samples.h"
 #include "support/scratch_folder.h"
 
 namespace tessera {

@@ -3,9 +3,9 @@
 
 #include <chrono>
 
-#include "support/artwork_samples.h"
-#include "core/base/error.h"
 #include "artwork/svg/svg_import.h"
+#include "core/base/error.h"
+#include "support/artwork_samples.h"
 
 namespace tessera {
 namespace test_css_effort {

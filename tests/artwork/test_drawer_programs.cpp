@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "drawer_samples.h"
 #include "artwork/protocol/drawer_protocol.h"
+#include "drawer_samples.h"
 #include "support/scratch_folder.h"
 
 namespace tessera {

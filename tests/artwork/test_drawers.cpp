@@ -8,11 +8,11 @@
 #include <future>
 #include <thread>
 
-#include "drawer_samples.h"
 #include "artwork/artwork_render.h"
+#include "artwork/protocol/shape_codec.h"
 #include "artwork/svg/svg_import.h"
 #include "artwork/warping/warped_svg.h"
-#include "artwork/protocol/shape_codec.h"
+#include "drawer_samples.h"
 
 namespace tessera {
 namespace test_drawers {

@@ -6,9 +6,9 @@
 
 #include <map>
 
-#include "core/base/error.h"
 #include "artwork/images/image_decoding.h"
 #include "artwork/images/orientation.h"
+#include "core/base/error.h"
 #include "support/images.h"
 
 namespace tessera {

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
-#include "drawer_samples.h"
 #include "artwork/images/reduced_picture.h"
+#include "drawer_samples.h"
 #include "support/large_file.h"
 #include "support/limited_child.h"
 

@@ -9,13 +9,13 @@
 #include <filesystem>
 #include <functional>
 
-#include "core/base/error.h"
 #include "artwork/artwork_render.h"
 #include "artwork/drawers/drawers.h"
+#include "core/base/error.h"
+#include "files/work_in_order.h"
 #include "job/canvas/canvas_file.h"
 #include "library/library_builder.h"
 #include "library/storage/library_file.h"
-#include "files/work_in_order.h"
 #include "odd_svgs.h"
 #include "support/scratch_folder.h"
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-#include "support/artwork_samples.h"
-#include "core/base/error.h"
-#include "artwork/images/photo.h"
 #include "artwork/drawers/drawers.h"
+#include "artwork/images/photo.h"
+#include "core/base/error.h"
+#include "support/artwork_samples.h"
 
 namespace tessera {
 namespace test_photo {

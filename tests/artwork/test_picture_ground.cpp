@@ -3,10 +3,10 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "support/artwork_samples.h"
-#include "support/drawn_collage.h"
 #include "artwork/artwork_render.h"
 #include "artwork/images/mask.h"
+#include "support/artwork_samples.h"
+#include "support/drawn_collage.h"
 #include "support/sample_collage.h"
 
 namespace tessera {

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "support/artwork_samples.h"
-#include "core/base/error.h"
-#include "artwork/images/artwork_page.h"
 #include "artwork/artwork_render.h"
 #include "artwork/artwork_shape.h"
+#include "artwork/images/artwork_page.h"
+#include "core/base/error.h"
+#include "support/artwork_samples.h"
 #include "support/images.h"
 
 namespace tessera {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "support/artwork_samples.h"
 #include "artwork/artwork_shape.h"
+#include "support/artwork_samples.h"
 
 namespace tessera {
 namespace test_solid_coverage {

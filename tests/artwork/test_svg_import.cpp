@@ -3,8 +3,8 @@
 
 #include <chrono>
 
-#include "core/base/error.h"
 #include "artwork/svg/svg_import.h"
+#include "core/base/error.h"
 #include "support/scratch_folder.h"
 
 namespace tessera {

@@ -5,13 +5,13 @@
 #include <cstdlib>
 #include <opencv2/imgproc.hpp>
 
-#include "support/artwork_samples.h"
-#include "core/base/error.h"
 #include "artwork/artwork_render.h"
 #include "artwork/svg/svg_import.h"
-#include "support/scratch_folder.h"
+#include "core/base/error.h"
 #include "style_sheets.h"
+#include "support/artwork_samples.h"
 #include "support/images.h"
+#include "support/scratch_folder.h"
 
 namespace tessera {
 namespace test_svg_neighbours {

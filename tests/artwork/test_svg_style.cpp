@@ -6,13 +6,13 @@
 #include <chrono>
 #include <opencv2/core.hpp>
 
-#include "support/artwork_samples.h"
-#include "core/base/error.h"
 #include "artwork/artwork_render.h"
 #include "artwork/svg/css_declarations.h"
 #include "artwork/svg/css_tokens.h"
 #include "artwork/svg/svg_import.h"
+#include "core/base/error.h"
 #include "style_sheets.h"
+#include "support/artwork_samples.h"
 
 namespace tessera {
 namespace test_svg_style {

@@ -6,8 +6,8 @@
 #include <functional>
 #include <limits>
 
-#include "core/base/error.h"
 #include "artwork/protocol/warp_codec.h"
+#include "core/base/error.h"
 
 namespace tessera {
 namespace test_warp_codec {

@@ -6,14 +6,14 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "support/artwork_samples.h"
-#include "core/base/error.h"
-#include "artwork/images/alpha.h"
 #include "artwork/artwork_render.h"
+#include "artwork/images/alpha.h"
 #include "artwork/images/png_uri.h"
 #include "artwork/svg/svg_import.h"
 #include "artwork/warping/warped_picture.h"
 #include "artwork/warping/warped_svg.h"
+#include "core/base/error.h"
+#include "support/artwork_samples.h"
 
 namespace tessera {
 namespace test_warped_svg {

@@ -9,10 +9,10 @@
 #include <iterator>
 #include <random>
 
-#include "core/base/error.h"
-#include "files/atomic_file.h"
 #include "checkpoint/checkpoint_file.h"
 #include "checkpoint/checkpoint_seal.h"
+#include "core/base/error.h"
+#include "files/atomic_file.h"
 #include "random_state.h"
 #include "support/scratch_folder.h"
 

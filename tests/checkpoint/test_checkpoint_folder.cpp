@@ -6,12 +6,12 @@
 #include <iterator>
 #include <set>
 
-#include "core/base/error.h"
-#include "support/file_size_limit.h"
-#include "files/atomic_file.h"
 #include "checkpoint/checkpoint_folder.h"
 #include "checkpoint/checkpoint_origin.h"
+#include "core/base/error.h"
+#include "files/atomic_file.h"
 #include "library/storage/library_file.h"
+#include "support/file_size_limit.h"
 #include "support/planted_files.h"
 #include "support/random_shape.h"
 #include "support/scratch_folder.h"

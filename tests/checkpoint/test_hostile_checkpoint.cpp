@@ -2,13 +2,13 @@
 // no more than 1 GB.
 #include <gtest/gtest.h>
 
-#include "forged_checkpoint.h"
 #include "checkpoint/checkpoint_file.h"
+#include "forged_checkpoint.h"
 #include "job/job_file.h"
 #include "master/collage_loop.h"
-#include "support/scratch_folder.h"
 #include "support/divided_matcher.h"
 #include "support/hostile_file.h"
+#include "support/scratch_folder.h"
 
 namespace tessera {
 namespace test_hostile_checkpoint {

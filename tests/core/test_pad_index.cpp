@@ -99,7 +99,8 @@ TEST(PadIndex, SignsMeetInOneBlock) {
   std::vector<PadBytes> pads = random_pads(10'000, 5);
   for (PadBytes& pad : pads) pad.sign = pad.sign == 3 ? 2 : pad.sign;
   const PadIndex index = make_pad_index(pads, kElements);
-  const auto mixed = std::count_if(index.blocks.begin(), index.blocks.end(), [](const PadBox& b) { return b.signs == 3; });
+  const auto mixed =
+      std::count_if(index.blocks.begin(), index.blocks.end(), [](const PadBox& b) { return b.signs == 3; });
   EXPECT_LE(mixed, 1);
 }
 

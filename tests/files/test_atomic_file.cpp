@@ -12,8 +12,8 @@
 #include <thread>
 
 #include "core/base/error.h"
-#include "support/file_size_limit.h"
 #include "files/atomic_file.h"
+#include "support/file_size_limit.h"
 #include "support/planted_files.h"
 #include "support/scratch_folder.h"
 

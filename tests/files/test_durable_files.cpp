@@ -8,9 +8,9 @@
 #include <fstream>
 #include <iterator>
 
+#include "checkpoint/checkpoint_folder.h"
 #include "core/base/error.h"
 #include "files/atomic_file.h"
-#include "checkpoint/checkpoint_folder.h"
 #include "recorded_disk.h"
 #include "support/scratch_folder.h"
 

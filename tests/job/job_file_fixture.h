@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "job/job_file.h"
-#include "support/scratch_folder.h"
 #include "support/input_error.h"
+#include "support/scratch_folder.h"
 
 namespace tessera {
 

@@ -10,8 +10,8 @@
 #include "job/canvas/canvas_edge.h"
 #include "job/canvas/canvas_file.h"
 #include "job/canvas/canvas_page.h"
-#include "support/scratch_folder.h"
 #include "support/images.h"
+#include "support/scratch_folder.h"
 
 namespace tessera {
 namespace test_canvas_file {

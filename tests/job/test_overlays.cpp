@@ -8,12 +8,12 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "library/storage/library_file.h"
 #include "library/library_view.h"
-#include "support/random_shape.h"
-#include "support/scratch_folder.h"
+#include "library/storage/library_file.h"
 #include "support/colours.h"
 #include "support/images.h"
+#include "support/random_shape.h"
+#include "support/scratch_folder.h"
 
 namespace tessera {
 namespace test_overlays {

@@ -3,11 +3,11 @@
 
 #include "job/job_file.h"
 #include "job/palette.h"
-#include "library/storage/library_file.h"
 #include "library/one_colour.h"
+#include "library/storage/library_file.h"
+#include "support/input_error.h"
 #include "support/random_shape.h"
 #include "support/scratch_folder.h"
-#include "support/input_error.h"
 
 namespace tessera {
 namespace test_palette {

@@ -5,11 +5,11 @@
 
 #include <array>
 
-#include "text/pose.h"
 #include "result/geojson_output.h"
+#include "support/input_error.h"
 #include "support/sample_collage.h"
 #include "support/scratch_folder.h"
-#include "support/input_error.h"
+#include "text/pose.h"
 
 namespace tessera {
 namespace test_start_pieces {

@@ -6,8 +6,8 @@
 #include "core/base/error.h"
 #include "core/base/processor_time.h"
 #include "job/pieces/shape_group.h"
-#include "support/scratch_folder.h"
 #include "support/input_error.h"
+#include "support/scratch_folder.h"
 
 namespace tessera {
 namespace test_wish_resolution {

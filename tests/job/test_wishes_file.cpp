@@ -3,13 +3,13 @@
 
 #include <random>
 
-#include "text/csv_text.h"
 #include "job/job_difference.h"
 #include "job/job_file.h"
 #include "job/job_keys.h"
 #include "job/pieces/wish_resolution.h"
-#include "support/scratch_folder.h"
 #include "support/input_error.h"
+#include "support/scratch_folder.h"
+#include "text/csv_text.h"
 
 namespace tessera {
 namespace test_wishes_file {

@@ -3,13 +3,13 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "support/artwork_samples.h"
 #include "job/canvas/canvas_file.h"
 #include "render/canvas_drawing.h"
 #include "render/ground_strips.h"
-#include "support/scratch_folder.h"
+#include "support/artwork_samples.h"
 #include "support/images.h"
 #include "support/input_error.h"
+#include "support/scratch_folder.h"
 #include "support/svg_samples.h"
 
 namespace tessera {

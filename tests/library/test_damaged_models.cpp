@@ -12,8 +12,8 @@
 #include "library/storage/segment_bytes.h"
 #include "library/storage/segment_columns.h"
 #include "library/storage/shape_models.h"
-#include "support/scratch_folder.h"
 #include "support/many_shapes.h"
+#include "support/scratch_folder.h"
 
 namespace tessera {
 namespace test_damaged_models {

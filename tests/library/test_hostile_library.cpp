@@ -13,13 +13,13 @@
 #include "core/shape/shape_field.h"
 #include "forged_library.h"
 #include "hdf5_metadata.h"
-#include "library/storage/library_file.h"
 #include "library/library_shapes.h"
-#include "render/pieces/artwork_original.h"
+#include "library/storage/library_file.h"
 #include "library_surgery.h"
-#include "support/scratch_folder.h"
+#include "render/pieces/artwork_original.h"
 #include "support/hostile_file.h"
 #include "support/images.h"
+#include "support/scratch_folder.h"
 #include "support/synthetic_library.h"
 
 namespace tessera {

@@ -9,10 +9,10 @@
 #include "job/pieces/job_library.h"
 #include "library/library_copy.h"
 #include "library/library_view.h"
-#include "support/random_shape.h"
-#include "support/scratch_folder.h"
 #include "support/colours.h"
 #include "support/input_error.h"
+#include "support/random_shape.h"
+#include "support/scratch_folder.h"
 
 namespace tessera {
 namespace test_library_view {

@@ -4,8 +4,8 @@
 #include "core/matching/matching_context.h"
 #include "library/storage/library_file.h"
 #include "library/storage/shape_models.h"
-#include "support/scratch_folder.h"
 #include "support/matching_scene.h"
+#include "support/scratch_folder.h"
 
 namespace tessera {
 namespace test_shape_models {

@@ -8,8 +8,8 @@
 #include "core/pad/pad_index.h"
 #include "library/library_view.h"
 #include "library/storage/shape_models.h"
-#include "support/scratch_folder.h"
 #include "support/many_shapes.h"
+#include "support/scratch_folder.h"
 
 namespace tessera {
 namespace test_stored_models {

@@ -145,7 +145,8 @@ float beyond_px(const Box& box, Vec2 p) {
 }
 
 /// The pieces with all their images that may be felt in a window as copies.
-std::vector<PlacedDrawing> near_to(const ReplacementWindow& w, const std::vector<Placement>& all, const Period& period) {
+std::vector<PlacedDrawing> near_to(const ReplacementWindow& w, const std::vector<Placement>& all,
+                                   const Period& period) {
   std::vector<PlacedDrawing> near;
   for (const Placement& p : all) {
     for (const Vec2 offset : period.offsets()) {

@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "plan/plan_estimate.h"
-#include "plan/plan_text.h"
 #include "core/base/kept_memory.h"
 #include "core/matching/matching_context.h"
+#include "plan/plan_estimate.h"
+#include "plan/plan_text.h"
 #include "worker/shard.h"
 
 namespace tessera::cli {

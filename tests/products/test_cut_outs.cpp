@@ -3,9 +3,9 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "support/artwork_samples.h"
-#include "products/elements/cut_outs.h"
 #include "library/storage/library_file.h"
+#include "products/elements/cut_outs.h"
+#include "support/artwork_samples.h"
 #include "support/scratch_folder.h"
 
 namespace tessera {

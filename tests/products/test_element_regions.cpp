@@ -4,10 +4,10 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "products/elements/gap_filter.h"
 #include "products/elements/segmentation/boundary_map.h"
 #include "products/elements/segmentation/colour_clusters.h"
 #include "products/elements/segmentation/distance_split.h"
-#include "products/elements/gap_filter.h"
 #include "products/elements/segmentation/label_scaling.h"
 #include "products/elements/segmentation/merge_tree.h"
 #include "products/elements/segmentation/region_labels.h"

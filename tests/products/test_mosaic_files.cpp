@@ -7,15 +7,15 @@
 #include <set>
 #include <sstream>
 
-#include "support/artwork_samples.h"
-#include "core/base/error.h"
 #include "artwork/images/colour_conversion.h"
+#include "core/base/error.h"
 #include "job/job_file.h"
 #include "products/mosaic/face_search.h"
 #include "products/mosaic/mosaic_files.h"
 #include "products/mosaic/mosaic_job.h"
-#include "support/scratch_folder.h"
+#include "support/artwork_samples.h"
 #include "support/images.h"
+#include "support/scratch_folder.h"
 
 namespace tessera {
 namespace test_mosaic_files {

@@ -7,9 +7,9 @@
 
 #include "core/base/error.h"
 #include "products/nesting/drawings/dxf_drawings.h"
-#include "products/nesting/nest_instance.h"
 #include "products/nesting/drawings/svg_drawings.h"
 #include "products/nesting/drawings/svg_path_data.h"
+#include "products/nesting/nest_instance.h"
 
 namespace tessera {
 namespace test_nest_input {

@@ -3,9 +3,9 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "products/elements/segmentation/connected_labels.h"
 #include "products/elements/elements_overview.h"
 #include "products/elements/photo_elements.h"
+#include "products/elements/segmentation/connected_labels.h"
 
 namespace tessera {
 namespace test_photo_elements {

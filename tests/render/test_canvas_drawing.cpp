@@ -6,9 +6,9 @@
 #include <chrono>
 
 #include "job/canvas/canvas_file.h"
+#include "support/input_error.h"
 #include "support/sample_collage.h"
 #include "support/scratch_folder.h"
-#include "support/input_error.h"
 
 namespace tessera {
 namespace test_canvas_drawing {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "artwork/images/png_encoder.h"
-#include "support/sample_collage.h"
 #include "support/colours.h"
+#include "support/sample_collage.h"
 
 namespace tessera {
 namespace test_drawn_colours {

@@ -8,13 +8,13 @@
 #include "job/canvas/overlays.h"
 #include "render/afar_measure.h"
 #include "render/card_drawing.h"
+#include "render/pieces/tones.h"
 #include "result/card_input.h"
 #include "result/result_file.h"
-#include "render/pieces/tones.h"
-#include "support/sample_collage.h"
-#include "support/scratch_folder.h"
 #include "support/images.h"
 #include "support/input_error.h"
+#include "support/sample_collage.h"
+#include "support/scratch_folder.h"
 
 namespace tessera {
 namespace test_from_afar {

@@ -2,13 +2,13 @@
 #include <gtest/gtest.h>
 #include <sched.h>
 
-#include "support/drawn_collage.h"
 #include "render/label_map.h"
 #include "render/png_stream.h"
-#include "support/sample_collage.h"
-#include "support/scratch_folder.h"
+#include "support/drawn_collage.h"
 #include "support/images.h"
 #include "support/input_error.h"
+#include "support/sample_collage.h"
+#include "support/scratch_folder.h"
 
 namespace tessera {
 namespace test_label_map {

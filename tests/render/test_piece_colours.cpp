@@ -4,8 +4,8 @@
 #include <opencv2/core.hpp>
 #include <set>
 
-#include "support/drawn_collage.h"
 #include "render/piece_colours.h"
+#include "support/drawn_collage.h"
 #include "support/sample_collage.h"
 
 namespace tessera {

@@ -6,9 +6,9 @@
 #include <fstream>
 
 #include "result/geojson_output.h"
+#include "support/input_error.h"
 #include "support/sample_collage.h"
 #include "support/scratch_folder.h"
-#include "support/input_error.h"
 
 namespace tessera {
 namespace test_piece_deformation {

@@ -10,17 +10,17 @@
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 
-#include "support/artwork_samples.h"
-#include "support/drawn_collage.h"
 #include "files/available_cores.h"
 #include "render/pieces/artwork_original.h"
-#include "result/drawing_notes.h"
 #include "render/png_stream.h"
 #include "render/tiff_pyramid.h"
+#include "result/drawing_notes.h"
+#include "support/artwork_samples.h"
+#include "support/drawn_collage.h"
+#include "support/images.h"
 #include "support/planted_files.h"
 #include "support/sample_collage.h"
 #include "support/scratch_folder.h"
-#include "support/images.h"
 
 namespace tessera {
 namespace test_png_output {

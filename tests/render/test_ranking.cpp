@@ -6,12 +6,12 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "result/card_output.h"
 #include "render/ranking.h"
+#include "result/card_output.h"
 #include "result/result_manifest.h"
-#include "support/scratch_folder.h"
 #include "support/images.h"
 #include "support/input_error.h"
+#include "support/scratch_folder.h"
 
 namespace tessera {
 namespace test_ranking {

@@ -5,11 +5,11 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "support/artwork_samples.h"
 #include "job/canvas/overlays.h"
-#include "support/scratch_folder.h"
+#include "support/artwork_samples.h"
 #include "support/images.h"
 #include "support/input_error.h"
+#include "support/scratch_folder.h"
 #include "support/svg_samples.h"
 
 namespace tessera {

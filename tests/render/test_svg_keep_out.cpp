@@ -4,8 +4,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "job/canvas/canvas_file.h"
-#include "support/scratch_folder.h"
 #include "support/images.h"
+#include "support/scratch_folder.h"
 #include "support/svg_samples.h"
 
 namespace tessera {

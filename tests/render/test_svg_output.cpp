@@ -3,8 +3,8 @@
 
 #include <set>
 
-#include "support/artwork_samples.h"
 #include "artwork/images/sha256.h"
+#include "support/artwork_samples.h"
 #include "support/scratch_folder.h"
 #include "support/svg_samples.h"
 

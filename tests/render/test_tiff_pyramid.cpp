@@ -11,9 +11,9 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "artwork/images/alpha.h"
 #include "core/base/error.h"
 #include "support/file_size_limit.h"
-#include "artwork/images/alpha.h"
 #include "support/planted_files.h"
 #include "support/scratch_folder.h"
 

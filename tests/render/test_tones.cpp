@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "core/colour/ciede2000.h"
 #include "artwork/images/colour_conversion.h"
-#include "support/sample_collage.h"
+#include "core/colour/ciede2000.h"
 #include "support/colours.h"
+#include "support/sample_collage.h"
 
 namespace tessera {
 namespace test_tones {

@@ -11,9 +11,9 @@
 #include "render/card_drawing.h"
 #include "result/placed_pieces.h"
 #include "result/result_manifest.h"
+#include "support/input_error.h"
 #include "support/sample_collage.h"
 #include "support/scratch_folder.h"
-#include "support/input_error.h"
 
 namespace tessera {
 namespace test_collage_files {

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-#include "support/scratch_folder.h"
 #include "support/images.h"
 #include "support/input_error.h"
+#include "support/scratch_folder.h"
 
 namespace tessera {
 namespace test_erased_pieces {

@@ -7,9 +7,9 @@
 #include "job/job_difference.h"
 #include "result/finished_result.h"
 #include "result/result_manifest.h"
+#include "support/input_error.h"
 #include "support/sample_collage.h"
 #include "support/scratch_folder.h"
-#include "support/input_error.h"
 
 namespace tessera {
 namespace test_finished_result {

@@ -7,14 +7,14 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "core/pad/pad_index.h"
 #include "checkpoint/checkpoint_columns.h"
 #include "checkpoint/checkpoint_seal.h"
+#include "core/pad/pad_index.h"
 #include "library/storage/library_layout.h"
 #include "library/storage/segment_layout.h"
-#include "text/number_text.h"
 #include "result/result_manifest.h"
 #include "support/scratch_folder.h"
+#include "text/number_text.h"
 
 namespace tessera {
 namespace test_format_documents {

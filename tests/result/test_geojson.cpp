@@ -4,10 +4,10 @@
 #include <clocale>
 #include <nlohmann/json.hpp>
 
-#include "text/number_text.h"
-#include "text/pose.h"
 #include "result/geojson_output.h"
 #include "support/sample_collage.h"
+#include "text/number_text.h"
+#include "text/pose.h"
 
 namespace tessera {
 namespace test_geojson {

@@ -10,10 +10,10 @@
 #include "core/collage/quality.h"
 #include "core/geometry/winding.h"
 #include "result/geojson_output.h"
-#include "support/sample_collage.h"
-#include "support/scratch_folder.h"
 #include "support/input_error.h"
 #include "support/limited_child.h"
+#include "support/sample_collage.h"
+#include "support/scratch_folder.h"
 
 namespace tessera {
 namespace test_polygon_pieces {

@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "render/ranking.h"
 #include "result/card_output.h"
 #include "result/drawing_notes.h"
 #include "result/geojson_output.h"
-#include "render/ranking.h"
 #include "result/result_manifest.h"
 #include "support/sample_collage.h"
 #include "support/scratch_folder.h"

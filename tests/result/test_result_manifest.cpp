@@ -6,9 +6,9 @@
 
 #include "result/collage_files.h"
 #include "result/result_manifest.h"
+#include "support/input_error.h"
 #include "support/sample_collage.h"
 #include "support/scratch_folder.h"
-#include "support/input_error.h"
 
 namespace tessera {
 namespace test_result_manifest {

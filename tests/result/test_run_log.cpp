@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "support/file_size_limit.h"
 #include "result/run_log.h"
 #include "result/run_record.h"
-#include "text/utc_time.h"
+#include "support/file_size_limit.h"
 #include "support/planted_files.h"
 #include "support/scratch_folder.h"
+#include "text/utc_time.h"
 
 namespace tessera {
 namespace test_run_log {

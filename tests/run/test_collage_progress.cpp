@@ -3,8 +3,8 @@
 
 #include <csignal>
 
-#include "run/collage_progress.h"
 #include "comm/stop_signals.h"
+#include "run/collage_progress.h"
 
 namespace tessera::cli {
 namespace test_collage_progress {

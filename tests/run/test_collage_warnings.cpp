@@ -4,10 +4,10 @@
 #include <functional>
 #include <memory>
 
-#include "run/messages/collage_warnings.h"
-#include "run/messages/key_text.h"
 #include "core/colour/colour_target.h"
 #include "core/field/keep_out.h"
+#include "run/messages/collage_warnings.h"
+#include "run/messages/key_text.h"
 #include "support/synthetic_shapes.h"
 
 namespace tessera::cli {

@@ -39,8 +39,8 @@ TEST_F(ToldLayers, InTheLogAloneWhereTheKernelLacksOne) {
 }
 
 TEST_F(ToldLayers, AsAWarningWhereOneFailed) {
-  EXPECT_TRUE(told({.system_calls = LayerState::failed})
-                  .starts_with("tessera: warning: result: seccomp, which failed here, "));
+  EXPECT_TRUE(
+      told({.system_calls = LayerState::failed}).starts_with("tessera: warning: result: seccomp, which failed here, "));
   EXPECT_NE(log().find(" warning: seccomp, which failed here, "), std::string::npos) << log();
 }
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <thread>
 
-#include "run/time_limit.h"
 #include "core/base/error.h"
+#include "run/time_limit.h"
 
 namespace tessera::cli {
 namespace test_time_limit {

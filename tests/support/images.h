@@ -19,9 +19,9 @@
 #include <string>
 #include <vector>
 
-#include "core/base/error.h"
 #include "artwork/images/image_decoding.h"
 #include "artwork/images/png_encoder.h"
+#include "core/base/error.h"
 
 namespace tessera::test {
 
@@ -199,9 +199,7 @@ inline bool write_image(const std::string& path, const cv::Mat& image) {
 }
 
 /// As it is stored.
-inline cv::Mat decoded(const Bytes& bytes) {
-  return decode_image(bytes, "picture", PixelBits::as_stored).pixels;
-}
+inline cv::Mat decoded(const Bytes& bytes) { return decode_image(bytes, "picture", PixelBits::as_stored).pixels; }
 
 /// Empty where there is no readable picture.
 inline cv::Mat read_image(const std::string& path) {

@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
-#include "drawn_collage.h"
 #include "artwork/artwork_render.h"
+#include "drawn_collage.h"
 #include "sample_collage.h"
 
 namespace tessera::test {

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/digest.h"
-#include "text/json_file.h"
-#include "support/scratch_folder.h"
 #include "support/input_error.h"
+#include "support/scratch_folder.h"
+#include "text/json_file.h"
 
 namespace tessera {
 namespace test_json_bounds {

@@ -32,8 +32,7 @@ class PairSearchTest : public testing::Test {
 
   /// Sample t looks `steps` far, or twice as far.
   void reach(u32 steps) {
-    std::vector<SampleRecord> records =
-        make_sample_records(scene_.samples, library_.match(), library_.pad_levels());
+    std::vector<SampleRecord> records = make_sample_records(scene_.samples, library_.match(), library_.pad_levels());
     for (std::size_t t = 0; t < records.size(); ++t) set_reach(records[t], t % 2 == 0 ? steps : 2 * steps);
     samples_.write(records);
   }

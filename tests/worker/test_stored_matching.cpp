@@ -3,9 +3,9 @@
 
 #include "core/matching/reference_matcher.h"
 #include "library/storage/shape_models.h"
-#include "support/scratch_folder.h"
 #include "support/many_shapes.h"
 #include "support/matcher_round.h"
+#include "support/scratch_folder.h"
 #include "worker/devices/opencl_devices.h"
 #include "worker/opencl_matcher.h"
 

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "artwork/drawer/drawing_service.h"
+#include "artwork/protocol/drawer_protocol.h"
 #include "artwork/sandbox/drawer_files.h"
 #include "artwork/sandbox/drawer_landlock.h"
-#include "artwork/protocol/drawer_protocol.h"
 #include "artwork/sandbox/drawer_sandbox.h"
-#include "artwork/drawer/drawing_service.h"
 
 namespace tessera {
 namespace {

@@ -6,18 +6,18 @@
 #include <string>
 #include <string_view>
 
-#include "artwork/open_artwork_page.h"
-#include "artwork/images/artwork_page.h"
 #include "artwork/artwork_render.h"
 #include "artwork/artwork_shape.h"
+#include "artwork/images/artwork_page.h"
 #include "artwork/images/photo.h"
 #include "artwork/images/png_picture.h"
+#include "artwork/images/whole_picture.h"
+#include "artwork/open_artwork_page.h"
+#include "artwork/protocol/shape_answer.h"
+#include "artwork/protocol/warp_codec.h"
 #include "artwork/svg/svg_import.h"
 #include "artwork/svg/svg_pdf.h"
 #include "artwork/warping/warped_svg.h"
-#include "artwork/images/whole_picture.h"
-#include "artwork/protocol/shape_answer.h"
-#include "artwork/protocol/warp_codec.h"
 
 namespace tessera {
 namespace {

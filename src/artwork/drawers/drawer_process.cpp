@@ -20,9 +20,9 @@
 #include <system_error>
 #include <utility>
 
+#include "artwork/drawers/drawer_program.h"
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
-#include "artwork/drawers/drawer_program.h"
 #include "text/utf8_text.h"
 
 namespace tessera {

@@ -14,12 +14,12 @@
 #include <system_error>
 #include <thread>
 
-#include "core/base/error.h"
 #include "artwork/artwork_render.h"
-#include "artwork/images/image_decoding.h"
 #include "artwork/drawers/drawer_process.h"
+#include "artwork/images/image_decoding.h"
 #include "artwork/protocol/shape_answer.h"
 #include "artwork/protocol/warp_codec.h"
+#include "core/base/error.h"
 #include "text/utf8_text.h"
 
 namespace tessera {

@@ -13,10 +13,10 @@
 #include <variant>
 #include <vector>
 
-#include "core/deform/warp.h"
-#include "artwork/images/artwork_page.h"
 #include "artwork/artwork_shape.h"
+#include "artwork/images/artwork_page.h"
 #include "artwork/protocol/drawer_layers.h"
+#include "core/deform/warp.h"
 
 namespace tessera {
 

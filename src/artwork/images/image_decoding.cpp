@@ -2,10 +2,10 @@
 
 #include <stdexcept>
 
-#include "artwork/images/looks_like_svg.h"
-#include "core/base/error.h"
 #include "artwork/images/image_header.h"
+#include "artwork/images/looks_like_svg.h"
 #include "artwork/images/unread_format.h"
+#include "core/base/error.h"
 
 namespace tessera {
 namespace {

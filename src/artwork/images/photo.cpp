@@ -2,10 +2,10 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "core/base/error.h"
 #include "artwork/images/image_decoding.h"
 #include "artwork/images/orientation.h"
 #include "artwork/images/reduced_picture.h"
+#include "core/base/error.h"
 
 namespace tessera {
 

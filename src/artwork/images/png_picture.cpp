@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-#include "core/base/error.h"
 #include "artwork/images/alpha.h"
 #include "artwork/images/image_header.h"
 #include "artwork/images/image_readers.h"
+#include "core/base/error.h"
 
 namespace tessera {
 namespace {

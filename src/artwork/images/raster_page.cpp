@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-#include "core/base/error.h"
 #include "artwork/images/alpha.h"
 #include "artwork/images/image_decoding.h"
 #include "artwork/images/mask.h"
 #include "artwork/images/reduced_picture.h"
+#include "core/base/error.h"
 
 namespace tessera {
 namespace {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-#include "core/base/error.h"
 #include "artwork/images/image_decoding.h"
 #include "artwork/images/photo.h"
 #include "artwork/images/reduced_picture.h"
+#include "core/base/error.h"
 
 namespace tessera {
 

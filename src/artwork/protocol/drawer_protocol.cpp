@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/base/version.h"
 #include "artwork/images/image_decoding.h"
+#include "core/base/version.h"
 
 namespace tessera {
 namespace {

@@ -20,7 +20,9 @@ struct WarpHeader {
 };
 
 std::size_t nodes_of(const WarpHeader& header) { return std::size_t(header.columns) * std::size_t(header.rows); }
-std::size_t cells_of(const WarpHeader& header) { return std::size_t(header.columns - 1) * std::size_t(header.rows - 1); }
+std::size_t cells_of(const WarpHeader& header) {
+  return std::size_t(header.columns - 1) * std::size_t(header.rows - 1);
+}
 
 void check(bool holds, const std::string& what) {
   if (!holds) throw InputError("a warp: " + what);
@@ -48,10 +50,10 @@ void check_displacement(const Grid<Vec2>& displacement) {
 
 std::vector<std::uint8_t> encode_warp(const Warp& warp) {
   const WarpHeader header{.origin = warp.origin,
-                      .step = warp.step,
-                      .columns = warp.displacement.width(),
-                      .rows = warp.displacement.height(),
-                      .falling = warp.falling};
+                          .step = warp.step,
+                          .columns = warp.displacement.width(),
+                          .rows = warp.displacement.height(),
+                          .falling = warp.falling};
   check_header(header);
   check(warp.active.width() == header.columns - 1 && warp.active.height() == header.rows - 1,
         "its cells do not fit its nodes");

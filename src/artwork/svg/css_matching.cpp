@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
-#include "core/base/error.h"
 #include "artwork/svg/xml_tree.h"
+#include "core/base/error.h"
 #include "core/base/too_many.h"
 
 namespace tessera {

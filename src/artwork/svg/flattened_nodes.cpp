@@ -1,7 +1,7 @@
 #include "artwork/svg/flattened_nodes.h"
 
-#include "core/base/error.h"
 #include "artwork/svg/svg_values.h"
+#include "core/base/error.h"
 
 namespace tessera {
 

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <vector>
 
+#include "artwork/images/cairo_objects.h"
 #include "artwork/images/looks_like_svg.h"
-#include "core/base/error.h"
-#include "files/gunzip.h"
 #include "artwork/svg/svg_document.h"
 #include "artwork/svg/svg_page.h"
-#include "artwork/images/cairo_objects.h"
+#include "core/base/error.h"
+#include "files/gunzip.h"
 
 namespace tessera {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/base/error.h"
 #include "artwork/svg/svg_values.h"
+#include "core/base/error.h"
 #include "text/number_text.h"
 
 namespace tessera {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "core/base/error.h"
 #include "artwork/images/cairo_objects.h"
+#include "core/base/error.h"
 
 namespace tessera {
 namespace {

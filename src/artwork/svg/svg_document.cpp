@@ -5,8 +5,8 @@
 #include <optional>
 #include <string_view>
 
-#include "core/base/error.h"
 #include "artwork/svg/fonts.h"
+#include "core/base/error.h"
 
 namespace tessera {
 namespace {

@@ -10,11 +10,11 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/error.h"
-#include "files/gunzip.h"
 #include "artwork/svg/svg_page.h"
 #include "artwork/svg/svg_style.h"
 #include "artwork/svg/xml_tree.h"
+#include "core/base/error.h"
+#include "files/gunzip.h"
 #include "text/number_text.h"
 #include "text/xml_writer.h"
 

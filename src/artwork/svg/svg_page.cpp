@@ -4,9 +4,9 @@
 #include <cctype>
 #include <vector>
 
-#include "files/gunzip.h"
-#include "artwork/svg/svg_document.h"
 #include "artwork/images/cairo_objects.h"
+#include "artwork/svg/svg_document.h"
+#include "files/gunzip.h"
 
 namespace tessera {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <cairo-pdf.h>
 
-#include "core/base/error.h"
-#include "artwork/svg/printed_svg.h"
 #include "artwork/images/cairo_objects.h"
+#include "artwork/svg/printed_svg.h"
+#include "core/base/error.h"
 
 namespace tessera {
 namespace {

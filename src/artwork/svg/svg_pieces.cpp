@@ -6,8 +6,8 @@
 #include <memory>
 #include <utility>
 
-#include "core/base/error.h"
 #include "artwork/svg/xml_tree.h"
+#include "core/base/error.h"
 
 namespace tessera {
 namespace {

@@ -4,10 +4,10 @@
 #include <set>
 #include <utility>
 
-#include "core/base/error.h"
 #include "artwork/svg/css_matching.h"
 #include "artwork/svg/css_tokens.h"
 #include "artwork/svg/xml_tree.h"
+#include "core/base/error.h"
 #include "core/base/too_many.h"
 
 namespace tessera {

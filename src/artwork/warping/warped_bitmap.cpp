@@ -5,11 +5,11 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "core/base/error.h"
 #include "artwork/images/alpha.h"
 #include "artwork/svg/flattened_svg.h"
 #include "artwork/svg/path_steps.h"
 #include "artwork/warping/warped_picture.h"
+#include "core/base/error.h"
 
 namespace tessera {
 namespace {

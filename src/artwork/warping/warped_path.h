@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-#include "core/deform/warp.h"
 #include "artwork/svg/path_steps.h"
+#include "core/deform/warp.h"
 
 namespace tessera {
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "core/base/error.h"
 #include "artwork/svg/flattened_svg.h"
-#include "artwork/warping/svg_warper.h"
 #include "artwork/svg/xml_tree.h"
+#include "artwork/warping/svg_warper.h"
+#include "core/base/error.h"
 
 namespace tessera {
 namespace {

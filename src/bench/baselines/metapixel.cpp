@@ -6,15 +6,15 @@
 #include <opencv2/imgproc.hpp>
 #include <span>
 
-#include "bench/baselines/program_run.h"
-#include "core/base/error.h"
 #include "artwork/artwork_render.h"
+#include "artwork/drawers/drawers.h"
 #include "artwork/images/colour_conversion.h"
 #include "artwork/images/image_decoding.h"
+#include "artwork/images/png_encoder.h"
+#include "bench/baselines/program_run.h"
+#include "core/base/error.h"
 #include "files/atomic_file.h"
 #include "files/available_cores.h"
-#include "artwork/drawers/drawers.h"
-#include "artwork/images/png_encoder.h"
 
 namespace tessera::bench {
 namespace {

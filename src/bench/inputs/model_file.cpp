@@ -6,9 +6,9 @@
 
 #include "core/base/digest.h"
 #include "files/atomic_file.h"
+#include "files/regular_file.h"
 #include "library/storage/segment_bytes.h"
 #include "library/storage/stored_models.h"
-#include "files/regular_file.h"
 
 namespace tessera::bench {
 namespace {

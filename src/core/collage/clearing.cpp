@@ -5,8 +5,8 @@
 #include "core/relax/contacts.h"
 #include "core/relax/piece_neighbours.h"
 #include "core/relax/schedules.h"
-#include "core/shape/shape_field.h"
 #include "core/settings/tuning.h"
+#include "core/shape/shape_field.h"
 
 namespace tessera {
 namespace {

@@ -9,8 +9,8 @@
 #include "core/field/line_art.h"
 #include "core/field/piece_distance.h"
 #include "core/geometry/rasterise.h"
-#include "core/shape/shape_field.h"
 #include "core/settings/tuning.h"
+#include "core/shape/shape_field.h"
 
 namespace tessera {
 namespace {

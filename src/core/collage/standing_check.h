@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/field/canvas.h"
-#include "core/shape/shape.h"
 #include "core/settings/wishes.h"
+#include "core/shape/shape.h"
 
 namespace tessera {
 

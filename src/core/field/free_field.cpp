@@ -7,8 +7,8 @@
 #include "core/field/piece_distance.h"
 #include "core/geometry/bit_grid.h"
 #include "core/geometry/extent.h"
-#include "core/shape/shape_field.h"
 #include "core/settings/tuning.h"
+#include "core/shape/shape_field.h"
 
 namespace tessera {
 namespace {

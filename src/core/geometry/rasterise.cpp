@@ -31,7 +31,7 @@ void add_crossings(Vec2 p, Vec2 q, const Window& window, std::vector<RowCrossing
 }
 
 std::vector<RowCrossing> sorted_crossings(const Outline& outline, const Similarity& grid_from_shape,
-                                       const Window& window) {
+                                          const Window& window) {
   std::vector<RowCrossing> crossings;
   for (const std::vector<Vec2>& curve : outline.curves) {
     if (curve.empty()) continue;

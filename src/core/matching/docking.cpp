@@ -9,7 +9,6 @@
 namespace tessera {
 namespace {
 
-
 /// Key points of both, less their means: what least squares needs of them.
 struct PointMoments {
   Vec2 product;  // real and imaginary part

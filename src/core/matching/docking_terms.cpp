@@ -41,7 +41,9 @@ DockingTerms docking_terms(const Similarity& canvas_from_shape, const ShapeModel
     const int i = first + k < kBoundaryPoints ? first + k : first + k - kBoundaryPoints;
     const float d = distance[i];
     if (std::abs(d) < context.delta_px) terms.matched_px += step_px;
-    const ContactRun here = d < -kNoise_px ? ContactRun::overlap : d > kNoise_px && d < context.gap_px ? ContactRun::gap : ContactRun::none;
+    const ContactRun here = d < -kNoise_px                        ? ContactRun::overlap
+                            : d > kNoise_px && d < context.gap_px ? ContactRun::gap
+                                                                  : ContactRun::none;
     if (here != run) {
       finish_run(terms, run, area_px2);
       run = here;

@@ -23,8 +23,8 @@
 #include "core/geometry/extent.h"
 #include "core/matching/docking.h"
 #include "core/matching/docking_terms.h"
-#include "core/shape/shape_id.h"
 #include "core/settings/tuning.h"
+#include "core/shape/shape_id.h"
 
 namespace tessera {
 

@@ -7,10 +7,7 @@
 #include "core/pad/pad_index.h"
 
 namespace tessera {
-namespace {
-
-
-}  // namespace
+namespace {}  // namespace
 
 ReferenceMatcher::ReferenceMatcher(const MatchingContext& context, std::uint32_t first_shape,
                                    std::vector<ShapeModel> models)

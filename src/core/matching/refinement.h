@@ -5,8 +5,8 @@
 #include "core/field/field_lookup.h"
 #include "core/geometry/similarity.h"
 #include "core/matching/pose_range.h"
-#include "core/shape/shape_model.h"
 #include "core/settings/tuning.h"
+#include "core/shape/shape_model.h"
 
 namespace tessera {
 

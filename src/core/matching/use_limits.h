@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/settings/settings.h"
-#include "core/shape/shape_id.h"
 #include "core/settings/wishes.h"
+#include "core/shape/shape_id.h"
 
 namespace tessera {
 

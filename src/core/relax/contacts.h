@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/geometry/similarity.h"
-#include "core/relax/edge_distance.h"
 #include "core/relax/contact_shape.h"
+#include "core/relax/edge_distance.h"
 
 namespace tessera {
 

@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "core/matching/pose_range.h"
-#include "core/relax/edge_distance.h"
 #include "core/relax/contact_shape.h"
+#include "core/relax/edge_distance.h"
 
 namespace tessera {
 

@@ -91,13 +91,15 @@ PieceMovement RelaxationStep::solved(const Similarity& canvas_from_shape, const 
   const TurnLimits turns = poses.turns(canvas_from_shape);
   const StepLimits turn{double(turns.low * scale_px_), double(turns.high * scale_px_)};
   // A pose at a bound may lie beyond it by rounding.
-  const StepLimits growth{double(std::min(0.f, std::max(poses.min_scale_px - scale_px_, (kMostShrinking - 1) * scale_px_))),
-                      double(std::max(0.f, poses.max_scale_px - scale_px_))};
+  const StepLimits growth{
+      double(std::min(0.f, std::max(poses.min_scale_px - scale_px_, (kMostShrinking - 1) * scale_px_))),
+      double(std::max(0.f, poses.max_scale_px - scale_px_))};
   double x[4] = {};
   bool fixed[4] = {};
   do {
     solve(matrix_, gradient_, fixed, x);
-  } while (fix_at_limit(growth, fixed[kGrowth], x[kGrowth]) || fix_at_limit(turn, fixed[kTurnUnknown], x[kTurnUnknown]));
+  } while (fix_at_limit(growth, fixed[kGrowth], x[kGrowth]) ||
+           fix_at_limit(turn, fixed[kTurnUnknown], x[kTurnUnknown]));
   return {float(x[0]), float(x[1]), float(x[2]), float(x[3])};
 }
 

@@ -12,7 +12,7 @@ namespace {
 /// takes half the time (docs/measurements.md).
 constexpr float kSpacing = 2;
 constexpr int kDockPoints = 64;
-constexpr int kInteriorSteps = 16;       // over the shape's field
+constexpr int kInteriorSteps = 16;            // over the shape's field
 constexpr float kInteriorPointDepth = 0.04f;  // nearer to the boundary its samples tell
 
 /// By steps as long as the field says that the outline is away.

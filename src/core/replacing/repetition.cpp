@@ -86,7 +86,8 @@ Repetition::Repetition(const ReplacementWindow& window)
     : costs_(window.repetition),
       drawn_(window.drawn),
       pieces_(window.elsewhere) {
-  for (const WindowPiece& piece : window.moving) pieces_.push_back(placed_drawing(piece.drawing, piece.canvas_from_shape));
+  for (const WindowPiece& piece : window.moving)
+    pieces_.push_back(placed_drawing(piece.drawing, piece.canvas_from_shape));
   std::stable_sort(pieces_.begin(), pieces_.end(),
                    [](const PlacedDrawing& a, const PlacedDrawing& b) { return a.drawing < b.drawing; });
 }

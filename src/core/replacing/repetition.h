@@ -44,7 +44,7 @@ class Repetition {
 
   RepetitionCosts costs_;
   double energy_px2_ = 0;
-  std::vector<DrawingArea> drawn_;  // ascending
+  std::vector<DrawingArea> drawn_;     // ascending
   std::vector<PlacedDrawing> pieces_;  // ascending by drawing
 };
 

@@ -82,9 +82,9 @@ struct ReplacementWindow {
   std::vector<WindowPiece> moving;
   std::vector<WindowPiece> still;  // that reach into the window, or nearly
   std::vector<IncomingShape> incoming;
-  std::vector<DrawingArea> drawn;     // every drawing of `moving` and `incoming`, ascending
+  std::vector<DrawingArea> drawn;        // every drawing of `moving` and `incoming`, ascending
   std::vector<PlacedDrawing> elsewhere;  // pieces that do not move in it, of any drawing, as far as copies are felt
-  std::uint64_t random = 0;           // what the draws follow from
+  std::uint64_t random = 0;              // what the draws follow from
   std::uint32_t trials = 0;
   float first_temperature_px2 = 0;  // falls evenly to the last: what a loss of so much energy is worth a risk of 1 in e
   float last_temperature_px2 = 0;

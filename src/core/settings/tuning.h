@@ -136,8 +136,9 @@ inline constexpr float kColourFootprint = 0.7f;  // of the scale: the place whos
 inline constexpr float kNearColourShare = 4;     // at weight 1 one in so many shapes has the colour of a place,
 inline constexpr std::uint32_t kLeastNearColours = 64;  // but so many at least
 inline constexpr float kOwnContrast = 2;  // of a shape, beside its mean's difference: restless ones come later
-inline constexpr double kOffColour = 1 / 192.0;  // of a px², at weight 1, for each px² and a difference of 1: in improving
-inline constexpr float kColourStep = 8;   // of a lattice in CIELAB: places of one lattice point share their shapes
+inline constexpr double kOffColour =
+    1 / 192.0;                           // of a px², at weight 1, for each px² and a difference of 1: in improving
+inline constexpr float kColourStep = 8;  // of a lattice in CIELAB: places of one lattice point share their shapes
 inline constexpr std::uint32_t kAnyColourDraws = 2;  // every so-many-th random docking takes a shape of any colour
 inline constexpr float kNeighbourReach = 0.75f;      // of the scales: pieces whose centres are nearer are neighbours
 inline constexpr float kNeighbourFading = 4;         // halvings by the least welcome neighbour, at a weight of 1

@@ -7,10 +7,10 @@
 #include <numbers>
 #include <vector>
 
-#include "core/shape/outline.h"
 #include "core/base/portable_math.h"
 #include "core/geometry/closed_curve.h"
 #include "core/geometry/polygon.h"
+#include "core/shape/outline.h"
 
 namespace tessera {
 namespace {
@@ -18,7 +18,7 @@ namespace {
 constexpr float kRoundedLength = 1e-3f;    // parts of a length that summation may lose
 constexpr double kRoundedArea = 0.02;      // parts of the area, which is 1
 constexpr float kRoundedDistance = 2e-3f;  // shape units; the library's steps are finer (docs/library-format.md)
-constexpr int kCheckedBlock = 8;                  // nodes each way of which one is computed anew
+constexpr int kCheckedBlock = 8;           // nodes each way of which one is computed anew
 
 bool agree(float a, float b) { return std::abs(a - b) <= kRoundedLength * std::max(1.f, std::abs(b)); }
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "artwork/drawers/drawers.h"
 #include "core/field/canvas.h"
 #include "core/geometry/grid.h"
 #include "core/geometry/vec2.h"
-#include "artwork/drawers/drawers.h"
 #include "job/job_file.h"
 
 namespace tessera {

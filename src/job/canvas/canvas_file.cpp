@@ -4,11 +4,11 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "core/base/error.h"
-#include "core/field/free_field.h"
 #include "artwork/images/mask.h"
 #include "artwork/silhouette.h"
 #include "artwork/solid_coverage.h"
+#include "core/base/error.h"
+#include "core/field/free_field.h"
 #include "job/canvas/canvas_keep_out.h"
 #include "job/canvas/canvas_regions.h"
 #include "job/job_keys.h"
@@ -51,7 +51,8 @@ void add_translucent_parts(cv::Mat& alpha) {
   const cv::Mat small = shrunk_alpha(alpha, kSilhouetteSide_px);
   if (solid_coverage(small, 0).coverage.data == small.data) return;  // most have none
   cv::Mat parts;
-  cv::resize(solid_coverage(shrunk_alpha(alpha, kMostForParts_px), 0).coverage, parts, alpha.size(), 0, 0, cv::INTER_LINEAR);
+  cv::resize(solid_coverage(shrunk_alpha(alpha, kMostForParts_px), 0).coverage, parts, alpha.size(), 0, 0,
+             cv::INTER_LINEAR);
   alpha = cv::max(alpha, parts);
 }
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "core/field/canvas.h"
-#include "core/geometry/grid.h"
 #include "artwork/artwork_render.h"
 #include "artwork/drawers/drawers.h"
+#include "core/field/canvas.h"
+#include "core/geometry/grid.h"
 #include "job/job_file.h"
 
 namespace tessera {

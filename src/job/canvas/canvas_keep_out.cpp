@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "artwork/artwork_render.h"
 #include "core/base/error.h"
 #include "core/field/keep_out.h"
-#include "artwork/artwork_render.h"
 #include "job/canvas/canvas_file.h"
 #include "job/canvas/canvas_page.h"
 

@@ -5,8 +5,8 @@
 #include <opencv2/core.hpp>
 #include <span>
 
-#include "core/field/canvas.h"
 #include "artwork/drawers/drawers.h"
+#include "core/field/canvas.h"
 #include "job/job_file.h"
 
 namespace tessera {

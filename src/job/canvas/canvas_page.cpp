@@ -4,8 +4,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "core/base/error.h"
 #include "artwork/artwork_render.h"
+#include "core/base/error.h"
 #include "job/millimetres.h"
 
 namespace tessera {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "artwork/drawers/drawers.h"
 #include "core/field/canvas.h"
 #include "core/geometry/grid.h"
-#include "artwork/drawers/drawers.h"
 #include "job/job_file.h"
 
 namespace tessera {

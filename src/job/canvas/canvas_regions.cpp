@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <opencv2/imgproc.hpp>
 
-#include "core/base/error.h"
 #include "artwork/images/colour_conversion.h"
 #include "artwork/images/mask.h"
+#include "core/base/error.h"
 #include "job/job_keys.h"
 #include "text/number_text.h"
 

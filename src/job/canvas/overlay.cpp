@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "artwork/images/looks_like_svg.h"
-#include "core/base/error.h"
 #include "artwork/artwork_render.h"
 #include "artwork/drawers/drawers.h"
+#include "artwork/images/looks_like_svg.h"
+#include "core/base/error.h"
 #include "job/canvas/canvas_page.h"
 
 namespace tessera {

@@ -4,8 +4,8 @@
 #include <opencv2/core.hpp>
 #include <string>
 
-#include "core/field/canvas.h"
 #include "artwork/drawers/drawers.h"
+#include "core/field/canvas.h"
 
 namespace tessera {
 

@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include "artwork/images/colour_conversion.h"
+#include "artwork/images/png_encoder.h"
+#include "artwork/images/png_picture.h"
 #include "core/base/digest.h"
 #include "core/base/error.h"
-#include "artwork/images/colour_conversion.h"
-#include "artwork/images/png_picture.h"
-#include "artwork/images/png_encoder.h"
 #include "job/canvas/overlay.h"
 
 namespace tessera {

@@ -7,10 +7,10 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "artwork/drawers/drawers.h"
 #include "core/colour/colour_target.h"
 #include "core/field/canvas.h"
 #include "core/geometry/size_map.h"
-#include "artwork/drawers/drawers.h"
 #include "job/job_file.h"
 #include "library/storage/shape_library.h"
 

@@ -4,8 +4,8 @@
 #include <iterator>
 #include <set>
 
-#include "core/base/error.h"
 #include "artwork/images/colour_conversion.h"
+#include "core/base/error.h"
 #include "job/job_tables.h"
 #include "job/palette.h"
 #include "job/pieces/start_pieces.h"

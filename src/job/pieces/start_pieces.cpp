@@ -10,12 +10,12 @@
 
 #include "core/base/error.h"
 #include "core/geometry/period.h"
-#include "job/pieces/feature_properties.h"
+#include "files/output_lock.h"
 #include "job/job_entry.h"
 #include "job/job_keys.h"
+#include "job/pieces/feature_properties.h"
 #include "text/nearest_name.h"
 #include "text/number_text.h"
-#include "files/output_lock.h"
 #include "text/pose.h"
 
 namespace tessera {
@@ -87,8 +87,9 @@ class Names {
     const bool mirrored = flag(properties, "mirrored");
     if (const auto found = index_[mirrored].find(name); found != index_[mirrored].end()) return ShapeId{found->second};
     if (index_[!mirrored].contains(name)) {
-      refuse_piece("mirrored", mirrored ? "true" : "false",
-           mirrored ? "false, as pieces.mirrored says of this shape" : "true, as pieces.mirrored says of this shape");
+      refuse_piece(
+          "mirrored", mirrored ? "true" : "false",
+          mirrored ? "false, as pieces.mirrored says of this shape" : "true, as pieces.mirrored says of this shape");
     }
     const std::string nearest = nearest_name(name, names_);
     refuse_piece("shape", found_text(value), allowed + (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?"));
@@ -109,7 +110,8 @@ std::optional<Similarity> exact_pose(const json& properties) {
     right = value[i].is_number() && std::abs(value[i].get<double>()) <= kY.max;
     if (right) numbers[i] = float(value[i].get<double>());
   }
-  if (!right) refuse_piece(kPose, found_text(value), "four numbers from " + fixed(-kY.max, 0) + " to " + fixed(kY.max, 0));
+  if (!right)
+    refuse_piece(kPose, found_text(value), "four numbers from " + fixed(-kY.max, 0) + " to " + fixed(kY.max, 0));
   return Similarity{numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 

@@ -7,8 +7,8 @@
 #include <set>
 #include <tuple>
 
-#include "core/geometry/degrees.h"
 #include "core/base/error.h"
+#include "core/geometry/degrees.h"
 #include "core/style/style_weight.h"
 #include "job/job_keys.h"
 #include "job/job_tables.h"
@@ -22,7 +22,6 @@
 
 namespace tessera {
 namespace {
-
 
 /// Null where the row says nothing of it.
 const JobValue* cell(const JobRow& row, const std::string& column) {

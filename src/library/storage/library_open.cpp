@@ -6,10 +6,10 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "files/regular_file.h"
 #include "library/hdf5/hdf5_attributes.h"
 #include "library/storage/library_check.h"
 #include "library/storage/library_layout.h"
-#include "files/regular_file.h"
 
 namespace tessera {
 namespace {

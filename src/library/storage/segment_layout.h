@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "core/pad/pad_index.h"
-#include "core/shape/shape_model.h"
 #include "core/settings/tuning.h"
+#include "core/shape/shape_model.h"
 #include "library/storage/shape_head.h"
 
 namespace tessera {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/matching/model_source.h"
-#include "library/storage/segment_layout.h"
 #include "files/regular_file.h"
+#include "library/storage/segment_layout.h"
 
 namespace tessera {
 

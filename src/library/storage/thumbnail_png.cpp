@@ -44,7 +44,7 @@ bool is_header(const Chunk& chunk) {
 
 bool is_thumbnail_png(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < kPngSignature.size() || !std::equal(kPngSignature.begin(), kPngSignature.end(), bytes.begin(),
-                                                      [](char c, std::uint8_t b) { return std::uint8_t(c) == b; }))
+                                                         [](char c, std::uint8_t b) { return std::uint8_t(c) == b; }))
     return false;
   bytes = bytes.subspan(kPngSignature.size());
   if (!is_header(take_chunk(bytes))) return false;

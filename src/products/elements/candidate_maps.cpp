@@ -7,9 +7,9 @@
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
+#include "products/elements/element_masks.h"
 #include "products/elements/segmentation/boundary_map.h"
 #include "products/elements/segmentation/distance_split.h"
-#include "products/elements/element_masks.h"
 #include "products/elements/segmentation/merge_tree.h"
 #include "products/elements/segmentation/region_labels.h"
 #include "products/elements/segmentation/relief_watershed.h"
@@ -23,7 +23,9 @@ constexpr double kSolidCandidate = 0.7;
 /// Pixels of all ways that are tried at a time.
 constexpr double kMostMapped_px2 = 6e6;
 
-cv::Mat elements_of(const cv::Mat& mask) { return solid_regions(split_by_distance(mask), kLeastCandidate_px2, kSolidCandidate); }
+cv::Mat elements_of(const cv::Mat& mask) {
+  return solid_regions(split_by_distance(mask), kLeastCandidate_px2, kSolidCandidate);
+}
 
 double usual_area_px2(const std::vector<RegionBox>& regions) {
   double sum = 0;

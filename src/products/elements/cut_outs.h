@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "artwork/drawers/drawers.h"
-#include "products/elements/photo_elements.h"
 #include "library/library_builder.h"
+#include "products/elements/photo_elements.h"
 
 namespace tessera {
 

@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "products/elements/segmentation/boundary_map.h"
 #include "products/elements/candidate_maps.h"
 #include "products/elements/freed_memory.h"
 #include "products/elements/gap_filter.h"
-#include "products/elements/segmentation/label_scaling.h"
 #include "products/elements/photo_margin.h"
+#include "products/elements/segmentation/boundary_map.h"
+#include "products/elements/segmentation/label_scaling.h"
 #include "products/elements/segmentation/region_labels.h"
 #include "products/elements/segmentation/region_vote.h"
 

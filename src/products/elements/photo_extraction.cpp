@@ -5,17 +5,17 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
-#include "core/base/error.h"
-#include "core/shape/outline.h"
 #include "artwork/images/image_decoding.h"
 #include "artwork/images/png_encoder.h"
-#include "products/elements/segmentation/connected_labels.h"
+#include "core/base/error.h"
+#include "core/shape/outline.h"
+#include "files/regular_file.h"
 #include "products/elements/elements_overview.h"
 #include "products/elements/freed_memory.h"
 #include "products/elements/ground_pixels.h"
 #include "products/elements/ground_synthesis.h"
+#include "products/elements/segmentation/connected_labels.h"
 #include "products/elements/segmentation/label_scaling.h"
-#include "files/regular_file.h"
 
 namespace tessera {
 namespace {

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <utility>
 
-#include "core/base/error.h"
 #include "artwork/svg/xml_tree.h"
+#include "core/base/error.h"
 #include "files/regular_file.h"
 
 namespace tessera {

@@ -6,11 +6,12 @@
 #include <span>
 #include <string_view>
 
-#include "core/base/error.h"
 #include "artwork/artwork_render.h"
 #include "artwork/images/colour_conversion.h"
-#include "files/atomic_file.h"
 #include "artwork/images/png_encoder.h"
+#include "core/base/error.h"
+#include "files/atomic_file.h"
+#include "files/regular_file.h"
 #include "products/elements/photo_extraction.h"
 #include "products/mosaic/face_search.h"
 #include "products/mosaic/haar_cascade_file.h"
@@ -18,7 +19,6 @@
 #include "products/mosaic/saliency.h"
 #include "products/mosaic/segmentation.h"
 #include "products/mosaic/size_map.h"
-#include "files/regular_file.h"
 #include "text/utf8_text.h"
 
 namespace tessera {

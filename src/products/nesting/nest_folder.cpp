@@ -10,11 +10,11 @@
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
 #include "files/atomic_file.h"
+#include "files/regular_file.h"
+#include "files/write_all.h"
 #include "products/nesting/nest_job.h"
 #include "products/nesting/nest_sheets.h"
-#include "files/regular_file.h"
 #include "text/utf8_text.h"
-#include "files/write_all.h"
 
 namespace tessera {
 namespace {

@@ -6,9 +6,9 @@
 #include <functional>
 #include <string>
 
-#include "products/nesting/nest_result.h"
 #include "files/output_folder.h"
 #include "files/output_lock.h"
+#include "products/nesting/nest_result.h"
 
 namespace tessera {
 

@@ -7,15 +7,15 @@
 
 #include "core/base/count_text.h"
 #include "core/base/error.h"
-#include "products/nesting/layout/search_outline.h"
+#include "core/base/too_many.h"
+#include "files/regular_file.h"
 #include "library/library_view.h"
 #include "library/name_index.h"
 #include "products/nesting/drawings/dxf_drawings.h"
-#include "products/nesting/nest_instance.h"
 #include "products/nesting/drawings/svg_drawings.h"
+#include "products/nesting/layout/search_outline.h"
+#include "products/nesting/nest_instance.h"
 #include "products/nesting/unknown_units.h"
-#include "files/regular_file.h"
-#include "core/base/too_many.h"
 #include "text/utf8_text.h"
 
 namespace tessera {

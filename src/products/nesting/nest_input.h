@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "products/nesting/layout/nest_problem.h"
 #include "products/nesting/drawings/nest_contours.h"
+#include "products/nesting/layout/nest_problem.h"
 
 namespace tessera {
 

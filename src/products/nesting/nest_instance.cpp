@@ -6,9 +6,9 @@
 
 #include "core/base/count_text.h"
 #include "core/base/error.h"
+#include "core/base/too_many.h"
 #include "products/nesting/layout/nesting.h"
 #include "text/json_bounds.h"
-#include "core/base/too_many.h"
 #include "text/utf8_text.h"
 
 namespace tessera {
@@ -52,7 +52,8 @@ int whole_number_in(const json& value, int least, int most, const std::string& w
 
 NestRing ring_of(const json& points, const std::string& where) {
   if (!points.is_array() || points.size() > kMostContourPoints + 1) {
-    throw InputError(where + ": found " + (points.is_array() ? count_text(points.size(), "point") : shown_value(points)) +
+    throw InputError(where + ": found " +
+                     (points.is_array() ? count_text(points.size(), "point") : shown_value(points)) +
                      ", allowed: a list of points, " + std::to_string(kMostContourPoints) + " or fewer");
   }
   NestRing ring;
@@ -103,7 +104,8 @@ std::vector<double> angles_of(const json& item, const std::string& where) {
   const auto at = item.find("allowed_orientations");
   if (at == item.end() || at->is_null()) return {};
   if (!at->is_array() || at->empty() || at->size() > kMostAngles)
-    throw InputError(where + ": allowed_orientations: found " + shown_value(*at) + ", allowed: a list of 1 to 360 angles");
+    throw InputError(where + ": allowed_orientations: found " + shown_value(*at) +
+                     ", allowed: a list of 1 to 360 angles");
   std::set<double> angles;
   for (const json& angle : *at) angles.insert(number_in(angle, -3600, 3600, where + ": allowed_orientations"));
   return {angles.begin(), angles.end()};
@@ -128,7 +130,8 @@ NestInput nest_instance(std::string_view text, const std::string& path) {
   if (instance.is_discarded()) throw InputError(path + ": not a readable JSON file");
   const json& items = member(instance, "items", path);
   if (!items.is_array() || items.empty() || items.size() > kMostDrawings) {
-    throw InputError(path + ": items: found " + (items.is_array() ? count_text(items.size(), "item") : shown_value(items)) +
+    throw InputError(path + ": items: found " +
+                     (items.is_array() ? count_text(items.size(), "item") : shown_value(items)) +
                      ", allowed: a list of 1 to " + std::to_string(kMostDrawings));
   }
   NestInput input;

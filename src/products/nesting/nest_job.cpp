@@ -7,8 +7,8 @@
 #include "core/base/count_text.h"
 #include "job/toml_text.h"
 #include "products/nesting/nest_sheets.h"
-#include "text/number_text.h"
 #include "products/puzzle/puzzle_geojson.h"
+#include "text/number_text.h"
 
 namespace tessera {
 namespace {

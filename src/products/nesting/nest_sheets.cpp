@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/error.h"
 #include "artwork/images/cairo_objects.h"
+#include "core/base/error.h"
 #include "text/number_text.h"
 #include "text/xml_writer.h"
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "products/nesting/drawings/dxf_drawings.h"
-#include "products/nesting/nest_input.h"
 #include "products/nesting/drawings/svg_drawings.h"
+#include "products/nesting/nest_input.h"
 
 namespace tessera {
 

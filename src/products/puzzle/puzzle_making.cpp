@@ -7,18 +7,18 @@
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 
+#include "artwork/artwork_render.h"
+#include "artwork/images/png_encoder.h"
 #include "core/base/error.h"
 #include "core/base/portable_math.h"
 #include "core/geometry/polygon.h"
-#include "artwork/artwork_render.h"
-#include "artwork/images/png_encoder.h"
-#include "products/elements/photo_extraction.h"
+#include "files/regular_file.h"
 #include "job/canvas/canvas_edge.h"
 #include "job/canvas/canvas_file.h"
-#include "text/number_text.h"
+#include "products/elements/photo_extraction.h"
 #include "products/puzzle/frame_outline.h"
 #include "products/puzzle/puzzle_geojson.h"
-#include "files/regular_file.h"
+#include "text/number_text.h"
 
 namespace tessera {
 namespace {

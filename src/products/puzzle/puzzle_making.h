@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "products/puzzle/puzzle_cut.h"
 #include "artwork/drawers/drawers.h"
 #include "files/new_folder.h"
+#include "products/puzzle/puzzle_cut.h"
 
 namespace tessera {
 

@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "core/base/error.h"
 #include "artwork/artwork_render.h"
 #include "artwork/images/sha256.h"
+#include "core/base/error.h"
 #include "files/regular_file.h"
 
 namespace tessera {

@@ -5,8 +5,8 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "core/colour/colour_grid.h"
 #include "artwork/drawers/drawers.h"
+#include "core/colour/colour_grid.h"
 #include "result/placed_shapes.h"
 
 namespace tessera {

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "result/collage_files.h"
 #include "render/pieces/shape_artworks.h"
+#include "result/collage_files.h"
 
 namespace tessera {
 

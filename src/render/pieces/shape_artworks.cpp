@@ -2,19 +2,19 @@
 
 #include <algorithm>
 
-#include "artwork/images/looks_like_svg.h"
-#include "core/base/error.h"
 #include "artwork/images/alpha.h"
 #include "artwork/images/colour_conversion.h"
+#include "artwork/images/looks_like_svg.h"
 #include "artwork/silhouette.h"
+#include "core/base/error.h"
 #include "job/picture_size.h"
-#include "text/number_text.h"
-#include "render/pieces/artwork_clip.h"
-#include "render/pieces/artwork_original.h"
 #include "layers/embedded_drawing.h"
 #include "layers/svg_image.h"
+#include "render/pieces/artwork_clip.h"
+#include "render/pieces/artwork_original.h"
 #include "render/pieces/svg_path.h"
 #include "render/pieces/warped_artwork.h"
+#include "text/number_text.h"
 #include "text/xml_writer.h"
 
 namespace tessera {

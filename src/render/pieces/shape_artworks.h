@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "artwork/drawers/drawers.h"
-#include "result/collage_files.h"
-#include "result/drawing_notes.h"
 #include "render/pieces/sprite.h"
 #include "render/pieces/stop_watcher.h"
+#include "result/collage_files.h"
+#include "result/drawing_notes.h"
 
 namespace tessera {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-#include "core/geometry/rasterise.h"
 #include "artwork/images/alpha.h"
 #include "artwork/images/colour_conversion.h"
+#include "core/geometry/rasterise.h"
 #include "render/pieces/artwork_original.h"
 
 namespace tessera {

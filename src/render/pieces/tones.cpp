@@ -5,10 +5,10 @@
 #include <cmath>
 #include <optional>
 
+#include "artwork/images/colour_conversion.h"
 #include "core/colour/ciede2000.h"
 #include "core/geometry/extent.h"
 #include "core/matching/colour_fit.h"
-#include "artwork/images/colour_conversion.h"
 #include "render/pieces/sprite.h"
 
 namespace tessera {

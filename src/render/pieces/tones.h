@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/colour/colour_target.h"
-#include "result/collage_files.h"
 #include "render/pieces/drawn_colours.h"
+#include "result/collage_files.h"
 
 namespace tessera {
 

@@ -5,8 +5,6 @@
 #include <cstdio>
 #include <optional>
 
-#include "run/messages/key_text.h"
-#include "terminal/terminal.h"
 #include "core/base/count_text.h"
 #include "core/collage/former_pieces.h"
 #include "core/collage/standing_check.h"
@@ -14,9 +12,11 @@
 #include "job/job_keys.h"
 #include "job/job_tables.h"
 #include "job/job_value.h"
-#include "text/number_text.h"
 #include "master/relaxing.h"
 #include "master/replacing.h"
+#include "run/messages/key_text.h"
+#include "terminal/terminal.h"
+#include "text/number_text.h"
 
 namespace tessera {
 namespace {
@@ -129,8 +129,7 @@ std::string used_up_warning(const Job& job, const Canvas& canvas, const master::
   return text;
 }
 
-std::string standing_warning(const Job& job, const Canvas& canvas,
-                             const std::function<const Shape&(ShapeId)>& shape) {
+std::string standing_warning(const Job& job, const Canvas& canvas, const std::function<const Shape&(ShapeId)>& shape) {
   const std::vector<GivenPiece>& pieces = job.settings.wishes.given;
   const std::size_t first_of_start = rows_of(job, "given").size();
   const auto name = [&](std::size_t piece) { return shape(pieces[piece].shape).name; };

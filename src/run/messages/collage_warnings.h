@@ -9,8 +9,8 @@
 #include "core/field/canvas.h"
 #include "core/shape/shape.h"
 #include "job/job_file.h"
-#include "result/finished_result.h"
 #include "master/collage_loop.h"
+#include "result/finished_result.h"
 
 namespace tessera {
 
@@ -30,8 +30,7 @@ std::string incomplete_warning(const std::string& folder, const ResultManifest& 
 
 /// Which of the pieces that stand from the start lie in zones that are kept out of; and of those of start.pieces, which
 /// lie outside the canvas or on others. Empty where all lie well. `shape(id)` gives library shapes with their outlines.
-std::string standing_warning(const Job& job, const Canvas& canvas,
-                             const std::function<const Shape&(ShapeId)>& shape);
+std::string standing_warning(const Job& job, const Canvas& canvas, const std::function<const Shape&(ShapeId)>& shape);
 
 /// Where the library was used up with much of the canvas left: the sizes that would fill it. Else empty, as where the
 /// program found the sizes itself.

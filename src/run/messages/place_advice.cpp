@@ -4,12 +4,12 @@
 #include <optional>
 #include <utility>
 
-#include "run/messages/key_text.h"
 #include "core/base/error.h"
 #include "core/collage/any_place.h"
 #include "core/matching/stances.h"
 #include "job/canvas/canvas_file.h"
 #include "job/job_tables.h"
+#include "run/messages/key_text.h"
 
 namespace tessera {
 namespace {
@@ -154,9 +154,8 @@ class KeysTried {
 
 }  // namespace
 
-std::vector<std::string> keys_that_keep_out(const Job& job, const CollageSettings& sized,
-                                            const ShapeLibrary& library, const Canvas& canvas,
-                                            const std::vector<ShapeId>& shapes) {
+std::vector<std::string> keys_that_keep_out(const Job& job, const CollageSettings& sized, const ShapeLibrary& library,
+                                            const Canvas& canvas, const std::vector<ShapeId>& shapes) {
   return KeysTried(job, sized, library, canvas, shapes).keys_that_help();
 }
 

@@ -14,9 +14,8 @@ namespace tessera {
 /// None of these shapes found a place. The keys, with their values, of which each alone lets one of the shapes lie on the
 /// empty canvas: sizes, rotations, padding, zones that are kept out of. None where one of the shapes fits as it is, or no
 /// key alone helps. `sized`: the settings with the sizes that were tried.
-std::vector<std::string> keys_that_keep_out(const Job& job, const CollageSettings& sized,
-                                            const ShapeLibrary& library, const Canvas& canvas,
-                                            const std::vector<ShapeId>& shapes);
+std::vector<std::string> keys_that_keep_out(const Job& job, const CollageSettings& sized, const ShapeLibrary& library,
+                                            const Canvas& canvas, const std::vector<ShapeId>& shapes);
 
 /// Whether the job may have pieces.fit = "all".
 bool may_fit_all(const Job& job);

@@ -10,8 +10,8 @@
 #include "comm/rank_watch.h"
 #include "core/base/interrupted.h"
 #include "core/base/stopwatch.h"
-#include "products/nesting/layout/column_layout.h"
 #include "files/parallel_for.h"
+#include "products/nesting/layout/column_layout.h"
 
 #include <boost/serialization/vector.hpp>
 

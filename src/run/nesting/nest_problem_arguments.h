@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "run/nesting/nest_run.h"
 #include "products/nesting/layout/nest_problem.h"
 #include "products/nesting/nest_input.h"
+#include "run/nesting/nest_run.h"
 
 namespace tessera {
 

@@ -7,13 +7,6 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "run/messages/collage_warnings.h"
-#include "terminal/exit_codes.h"
-#include "run/nesting/nest_chains.h"
-#include "run/nesting/nest_problem_arguments.h"
-#include "run/nesting/nest_stop.h"
-#include "terminal/progress_bar.h"
-#include "terminal/terminal.h"
 #include "comm/stop_signals.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
@@ -21,6 +14,13 @@
 #include "core/base/stopwatch.h"
 #include "products/nesting/layout/nest_check.h"
 #include "products/nesting/nest_folder.h"
+#include "run/messages/collage_warnings.h"
+#include "run/nesting/nest_chains.h"
+#include "run/nesting/nest_problem_arguments.h"
+#include "run/nesting/nest_stop.h"
+#include "terminal/exit_codes.h"
+#include "terminal/progress_bar.h"
+#include "terminal/terminal.h"
 #include "text/utf8_text.h"
 
 namespace tessera {

@@ -7,8 +7,8 @@
 #include "core/field/field_lookup.h"
 #include "core/matching/docking.h"
 #include "core/matching/near_colours.h"
-#include "core/shape/shape_model.h"
 #include "core/settings/tuning.h"
+#include "core/shape/shape_model.h"
 
 namespace tessera::worker {
 namespace {

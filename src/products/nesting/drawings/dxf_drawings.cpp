@@ -8,8 +8,8 @@
 
 #include "core/base/error.h"
 #include "core/base/split_text.h"
-#include "products/nesting/drawings/contour_chains.h"
 #include "core/base/too_many.h"
+#include "products/nesting/drawings/contour_chains.h"
 #include "text/utf8_text.h"
 
 namespace tessera {
@@ -148,7 +148,8 @@ NestRing outline_of(const Entity& entity, double mm, std::size_t most) {
   if (entity.kind == "CIRCLE" || entity.kind == "ARC") {
     const double r = entity.radius * mm;
     const bool whole = entity.kind == "CIRCLE";
-    double first = whole ? 0 : entity.first_deg * std::numbers::pi / 180, last = whole ? 2 * std::numbers::pi : entity.last_deg * std::numbers::pi / 180;
+    double first = whole ? 0 : entity.first_deg * std::numbers::pi / 180,
+           last = whole ? 2 * std::numbers::pi : entity.last_deg * std::numbers::pi / 180;
     if (last <= first) last += 2 * std::numbers::pi * std::ceil((first - last) / (2 * std::numbers::pi) + 1e-12);
     const NestPoint centre = entity.from * mm;
     ring = {centre + at_angle(r, first)};

@@ -7,9 +7,9 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/too_many.h"
 #include "products/nesting/drawings/svg_path_data.h"
 #include "products/nesting/drawings/svg_tree.h"
-#include "core/base/too_many.h"
 #include "text/utf8_text.h"
 
 namespace tessera {

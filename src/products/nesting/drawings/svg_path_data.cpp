@@ -8,13 +8,12 @@
 
 #include "core/base/count_text.h"
 #include "core/base/error.h"
-#include "products/nesting/drawings/nest_contours.h"
 #include "core/base/too_many.h"
+#include "products/nesting/drawings/nest_contours.h"
 #include "text/utf8_text.h"
 
 namespace tessera {
 namespace {
-
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }

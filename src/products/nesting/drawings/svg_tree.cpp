@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "files/gunzip.h"
 #include "core/base/too_many.h"
+#include "files/gunzip.h"
 #include "text/utf8_text.h"
 
 namespace tessera {
