@@ -19,7 +19,7 @@ while read -r room; do
 done < <(find . -name '*.cpp' -printf '%h\n' -o -name '*.h' -printf '%h\n' | sed 's|^\./||' | sort -u)
 
 for room in "${!place[@]}"; do
-  files=$(find "$room" -maxdepth 1 -name '*.cpp' -o -maxdepth 1 -name '*.h' | wc -l)
+  files=$(find . -path "./$room/*" ! -path "./$room/*/*" \( -name '*.cpp' -o -name '*.h' \) | wc -l)
   ((files > 0)) || fail "src/rooms.txt names $room, which holds no files"
   ((files <= most_files)) || fail "$room holds $files files; allowed: $most_files or fewer"
 done

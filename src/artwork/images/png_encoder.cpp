@@ -8,6 +8,7 @@
 #include <csetjmp>
 #include <string>
 
+#include "artwork/images/png_errors.h"
 #include "core/base/error.h"
 
 namespace tessera {
@@ -31,10 +32,6 @@ int colour_type(int channels) {
   return channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB;
 }
 
-/// libpng leaves by longjmp: between setjmp and here stands nothing that needs a destructor.
-[[noreturn]] void leave(png_structp png, png_const_charp) { std::longjmp(png_jmpbuf(png), 1); }
-void ignore(png_structp, png_const_charp) {}
-
 /// Exceptions must not pass through libpng.
 bool takes(const PngEncoder::Sink& sink, std::span<const std::uint8_t> bytes) noexcept {
   try {
@@ -56,7 +53,7 @@ void flush_nothing(png_structp) {}
 struct PngEncoder::State {
   explicit State(Sink to)
       : sink(std::move(to)),
-        png(png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, leave, ignore)) {
+        png(png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, leave_png, ignore_png)) {
     if (png) info = png_create_info_struct(png);
   }
   ~State() { png_destroy_write_struct(&png, &info); }

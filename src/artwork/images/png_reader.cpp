@@ -7,19 +7,16 @@
 
 #include "artwork/images/image_readers.h"
 #include "artwork/images/orientation.h"
+#include "artwork/images/png_errors.h"
 
 namespace tessera {
 namespace {
-
-/// libpng leaves by longjmp: between setjmp and here stands nothing that needs a destructor.
-[[noreturn]] void leave(png_structp png, png_const_charp) { std::longjmp(png_jmpbuf(png), 1); }
-void ignore(png_structp, png_const_charp) {}
 
 class PngReader {
  public:
   explicit PngReader(std::span<const std::uint8_t> bytes)
       : rest_(bytes),
-        png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, leave, ignore)) {
+        png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, leave_png, ignore_png)) {
     if (png_) info_ = png_create_info_struct(png_);
   }
   ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
