@@ -12,7 +12,7 @@ Stances stances_of(global const StanceRecord* stances, global const StanceListRe
   return result;
 }
 
-// core/field/size_map.h: the part of its sizes that a shape may have at a place.
+// core/geometry/size_map.h: the part of its sizes that a shape may have at a place.
 float size_part(constant MatchRecord* match, global const float* size_map, float x, float y) {
   if (match->size_width == 0) return 1;
   const CellLookup c = cell_lookup(x, y, match->size_cells_per_px, match->size_width, match->size_height);

@@ -1,5 +1,5 @@
 // write_hostile_jobs COUNT: writes job_1.toml to job_COUNT.toml into the working directory, by the generator of
-// tests/io/hostile_job.h. Some name own.h5 as their library and mask.svg as their canvas, others a pipe, a device or a
+// tests/job/hostile_job.h. Some name own.h5 as their library and mask.svg as their canvas, others a pipe, a device or a
 // folder.
 #include <cstdlib>
 #include <fstream>
