@@ -1,5 +1,5 @@
 // The readers of picture formats: the pixels that were stored, and files that are cut short, damaged or mean harm.
-#include "artwork/images/image_readers.h"
+#include "artwork/images/formats/image_readers.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -7,7 +7,7 @@
 #include <map>
 
 #include "artwork/images/image_decoding.h"
-#include "artwork/images/orientation.h"
+#include "artwork/images/formats/orientation.h"
 #include "core/base/error.h"
 #include "support/images.h"
 

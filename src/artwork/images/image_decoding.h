@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "artwork/images/image_readers.h"
+#include "artwork/images/formats/image_readers.h"
 
 namespace tessera {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "artwork/images/byte_reader.h"
+#include "artwork/images/formats/byte_reader.h"
 
 namespace tessera {
 namespace {

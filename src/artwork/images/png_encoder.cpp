@@ -8,7 +8,7 @@
 #include <csetjmp>
 #include <string>
 
-#include "artwork/images/png_errors.h"
+#include "artwork/images/formats/png_errors.h"
 #include "core/base/error.h"
 
 namespace tessera {

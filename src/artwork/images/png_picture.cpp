@@ -5,7 +5,7 @@
 
 #include "artwork/images/alpha.h"
 #include "artwork/images/image_header.h"
-#include "artwork/images/image_readers.h"
+#include "artwork/images/formats/image_readers.h"
 #include "core/base/error.h"
 
 namespace tessera {

@@ -1,6 +1,6 @@
 #include <webp/decode.h>
 
-#include "artwork/images/image_readers.h"
+#include "artwork/images/formats/image_readers.h"
 
 namespace tessera {
 

@@ -5,9 +5,9 @@
 #include <cstring>
 #include <vector>
 
-#include "artwork/images/image_readers.h"
-#include "artwork/images/orientation.h"
-#include "artwork/images/png_errors.h"
+#include "artwork/images/formats/image_readers.h"
+#include "artwork/images/formats/orientation.h"
+#include "artwork/images/formats/png_errors.h"
 
 namespace tessera {
 namespace {

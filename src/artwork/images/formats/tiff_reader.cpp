@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "artwork/images/image_readers.h"
-#include "artwork/images/orientation.h"
+#include "artwork/images/formats/image_readers.h"
+#include "artwork/images/formats/orientation.h"
 
 namespace tessera {
 namespace {

@@ -9,8 +9,8 @@
 #include <cstring>
 #include <vector>
 
-#include "artwork/images/image_readers.h"
-#include "artwork/images/orientation.h"
+#include "artwork/images/formats/image_readers.h"
+#include "artwork/images/formats/orientation.h"
 
 namespace tessera {
 namespace {

@@ -1,8 +1,8 @@
-#include "artwork/images/orientation.h"
+#include "artwork/images/formats/orientation.h"
 
 #include <string_view>
 
-#include "artwork/images/byte_reader.h"
+#include "artwork/images/formats/byte_reader.h"
 
 namespace tessera {
 

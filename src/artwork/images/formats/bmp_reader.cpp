@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "artwork/images/byte_reader.h"
-#include "artwork/images/image_readers.h"
+#include "artwork/images/formats/byte_reader.h"
+#include "artwork/images/formats/image_readers.h"
 
 namespace tessera {
 namespace {

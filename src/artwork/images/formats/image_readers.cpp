@@ -1,4 +1,4 @@
-#include "artwork/images/image_readers.h"
+#include "artwork/images/formats/image_readers.h"
 
 namespace tessera {
 namespace {
