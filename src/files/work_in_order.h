@@ -15,7 +15,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/base/error.h"
+#include "core/base/process_limits.h"
 
 namespace tessera {
 
@@ -38,7 +38,7 @@ class OrderedWorkers {
       try {
         threads_.emplace_back([this] { work(); });
       } catch (const std::system_error& error) {  // fewer threads do the same work
-        if (threads_.empty()) throw EnvironmentError(std::string("cannot start a thread: ") + error.what());
+        if (threads_.empty()) throw no_thread(error);
         break;
       }
     }

@@ -135,7 +135,7 @@ echo "ok memory"
 # Where no stack finds room, no thread starts.
 (
   ulimit -s $((8 << 20)) -v $((6 << 20))
-  refused 1 'cannot start a thread: Resource temporarily unavailable' library build drawings -o none.h5
-  refused 1 'cannot start a thread: Resource temporarily unavailable' draw result --to none --quiet
+  refused 1 'cannot start a thread: Resource temporarily unavailable; limits of this process: 6144 MiB of address space' library build drawings -o none.h5
+  refused 1 'cannot start a thread: Resource temporarily unavailable; limits of this process: 6144 MiB of address space' draw result --to none --quiet
 ) || exit 1
 echo "ok threads"

@@ -25,4 +25,8 @@ std::string process_limits() {
   return text;
 }
 
+EnvironmentError no_thread(const std::system_error& error) {
+  return EnvironmentError(std::string("cannot start a thread: ") + error.what() + process_limits());
+}
+
 }  // namespace tessera

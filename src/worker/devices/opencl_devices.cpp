@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdlib>
+#include <future>
 #include <numeric>
 #include <sstream>
+#include <system_error>
+#include <thread>
 
 #include "core/base/count_text.h"
 #include "core/base/process_limits.h"
@@ -69,6 +73,25 @@ std::string why_no_devices(const std::vector<cl::Platform>& found) {
          "POCL_CACHE_DIR where it is set, must be a folder that can be written";
 }
 
+/// Starts as many threads at once as PoCL will for a CPU, and ends them. Where PoCL gets too few it ends the process by
+/// abort(3), in words that name no limit; who would tell more (run/foreign_end.h) is not asked, as LLVM has just taken the
+/// signal. Throws EnvironmentError instead.
+void check_threads_can_start() {
+  const char* const most = std::getenv("POCL_MAX_PTHREAD_COUNT");
+  const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
+  const unsigned count = most && std::atoi(most) > 0 ? std::min(cores, unsigned(std::atoi(most))) : cores;
+  std::promise<void> all_started;
+  const std::shared_future<void> end = all_started.get_future().share();
+  std::vector<std::jthread> threads;
+  try {
+    while (threads.size() < count) threads.emplace_back([end] { end.wait(); });
+  } catch (const std::system_error& error) {
+    all_started.set_value();
+    throw no_thread(error);
+  }
+  all_started.set_value();
+}
+
 /// 'devices.use = "gpu"' or '--devices gpu'.
 std::string request_text(const std::string& use, const std::string& option) {
   return option.empty() ? "devices.use = \"" + use + "\"" : option + " " + use;
@@ -114,6 +137,7 @@ std::vector<cl::Device> opencl_devices() {
   kernel_cache();
   std::vector<cl::Device> all;
   const std::vector<cl::Platform> found = platforms();
+  check_threads_can_start();  // now that the drivers are loaded, which take memory, too
   for (const cl::Platform& platform : found) {
     for (cl::Device& device : devices_of(platform)) all.push_back(std::move(device));
   }
