@@ -15,7 +15,7 @@ constexpr const char* kTransparent = "colour.image is transparent here";
 
 /// Whether pieces that were chosen by this picture cover the colours that the report says.
 bool is_of_collage(const ColourImage& image, const CollageReport& report) {
-  return report.covered.empty() || covered_colours(report, *image.target) == report.covered;
+  return report.covered.empty() || covered_colours(report.placements, report.shapes, *image.target) == report.covered;
 }
 
 }  // namespace

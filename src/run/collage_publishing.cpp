@@ -19,7 +19,7 @@ std::string publish(const CollageInput& input, const master::CollageResult& resu
   CollageReport report;
   report.job = &input.job;
   report.canvas = &input.canvas;
-  report.placements = as_written(result.placements);  // as tessera draw knows them when it gives other colours
+  report.placements = result.placements;
   report.missing = missing;
   report.statistics = result.statistics;
   report.ranks = ranks;
@@ -28,9 +28,9 @@ std::string publish(const CollageInput& input, const master::CollageResult& resu
   report.shapes = read_placed_shapes(input.library, report.placements, parts);
   report.names_like_patterns = names_like_patterns(input.library, input.job);
   const ColourWish& colour = input.job.settings.colour;
-  if (colour.target) report.covered = covered_colours(report, *colour.target);
-  if (draws_palette(input.job.colour, input.library)) report.colours = piece_colours(report, input.palette);
-  report.placements = result.placements;
+  const std::vector<Placement> written = as_written(result.placements);  // as tessera draw knows them
+  if (colour.target) report.covered = covered_colours(written, report.shapes, *colour.target);
+  if (draws_palette(input.job.colour, input.library)) report.colours = piece_colours(report, written, input.palette);
   const std::vector<StyleFeatures> styles = input.library.styles();
   for (const Placement& placement : report.placements) report.styles.push_back(styles[index_of(placement.shape)]);
   if (!result.unfinished && deforms(input.job)) deform_pieces(report);
