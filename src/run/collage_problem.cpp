@@ -1,16 +1,18 @@
-#include "run/checked_job.h"
+#include "run/collage_problem.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 #include <vector>
 
+#include "checkpoint/checkpoint_origin.h"
 #include "core/collage/former_pieces.h"
 #include "core/collage/region_below.h"
 #include "core/field/room.h"
 #include "core/matching/sized_settings.h"
 #include "job/canvas/canvas_file.h"
-#include "job/canvas/overlays.h"
+#include "job/palette.h"
 #include "job/picture_size.h"
 #include "job/pieces/job_library.h"
 #include "render/canvas_drawing.h"
@@ -30,8 +32,8 @@ std::map<ShapeId, Outline> outlines_of(const std::vector<GivenPiece>& pieces, co
   return outlines;
 }
 
-}  // namespace
-
+/// No piece of start.remove comes back to where it lay, unless nothing else may come in for it. This goes by the whole
+/// canvas.
 void keep_removed_from_coming_back(const ShapeLibrary& library, const Canvas& canvas, Job& job) {
   const std::vector<GivenPiece>& removed = job.start.removed;
   if (removed.empty()) return;
@@ -48,6 +50,7 @@ void keep_removed_from_coming_back(const ShapeLibrary& library, const Canvas& ca
   }
 }
 
+/// Where pieces are removed only their room is left of the canvas. Returns which part of the canvas that is.
 double limit_to_room(const ShapeLibrary& library, const Job& job, Canvas& canvas) {
   if (job.start.removed.empty()) return 1;
   const std::map<ShapeId, Outline> outlines = outlines_of(job.start.removed, library);
@@ -61,26 +64,80 @@ double limit_to_room(const ShapeLibrary& library, const Job& job, Canvas& canvas
   return std::min(1., area_px2 / canvas.area_px2);
 }
 
-LibraryView checked_library(Job& job) {
+OutputSpec checked_output(const Job& job, const Canvas& canvas) {
+  Job drawn = job;
+  drawn.output = on_paper(job.output, job.canvas, canvas);
+  check_picture_size(drawn.output, canvas);
+  check_canvas_drawing(drawn, canvas);
+  return drawn.output;
+}
+
+CanvasFindings findings_on(const Canvas& canvas, const ShapeLibrary& library, const Job& job) {
+  CanvasFindings found;
+  if (job.settings.pieces.fit_all) {
+    found.size_factor =
+        first_size_factor(job.settings, std::uint32_t(library.size()), canvas.area_px2, library.drawings());
+  }
+  const PieceSettings pieces = with_sizes_times(found.size_factor, job.settings).pieces;
+  found.overlays = read_overlays(canvas, job, pieces.min_scale_px);
+  check_images(canvas, pieces);
+  return found;
+}
+
+CollageSettings settings_of(const Job& job, const CanvasFindings& found) {
+  CollageSettings settings = with_sizes_times(found.size_factor, job.settings);
+  settings.improve.trials = int(std::ceil(double(settings.improve.trials) * found.room_part));
+  settings.improve.seconds *= found.room_part;
+  return settings;
+}
+
+LibraryView library_of(Job& job) {
   LibraryView library = open_library_of(job);
   resolve_wishes(library, job);
   add_start_pieces(library, job);
   return library;
 }
 
-Canvas checked_canvas(const ShapeLibrary& library, Job& job) {
-  Canvas canvas = canvas_of(job);
-  Job drawn = job;
-  drawn.output = on_paper(job.output, job.canvas, canvas);
-  check_picture_size(drawn.output, canvas);
-  check_canvas_drawing(drawn, canvas);
-  if (job.settings.pieces.fit_all) {
-    job.size_factor =
-        first_size_factor(job.settings, std::uint32_t(library.size()), canvas.area_px2, library.drawings());
-  }
-  set_overlays(read_overlays(canvas, job), library, job);
-  check_images(canvas, with_sizes_times(job.size_factor, job.settings).pieces);
-  return canvas;
+}  // namespace
+
+CollageProblem::CollageProblem(Job job, LibraryView library, CanvasFindings found)
+    : job_(std::move(job)),
+      library_(std::move(library)),
+      found_(std::move(found)) {
+  set_overlays(found_.overlays, library_, job_);
+  settings_ = settings_of(job_, found_);
 }
+
+/// Each member goes by those before it.
+struct CanvasProblem::Read {
+  explicit Read(Job raw)
+      : job(std::move(raw)),
+        library(library_of(job)),
+        palette(load_palette(job)),
+        canvas(canvas_of(job)),
+        output(checked_output(job, canvas)),
+        found(findings_on(canvas, library, job)),
+        digest(tessera::canvas_digest(canvas)) {
+    keep_removed_from_coming_back(library, canvas, job);
+    found.room_part = limit_to_room(library, job, canvas);
+  }
+
+  Job job;
+  LibraryView library;
+  std::vector<std::string> palette;
+  Canvas canvas;
+  OutputSpec output;
+  CanvasFindings found;
+  std::uint64_t digest;
+};
+
+CanvasProblem::CanvasProblem(Job raw) : CanvasProblem(Read(std::move(raw))) {}
+
+CanvasProblem::CanvasProblem(Read read)
+    : CollageProblem(std::move(read.job), std::move(read.library), std::move(read.found)),
+      canvas_(std::move(read.canvas)),
+      canvas_digest_(read.digest),
+      output_(std::move(read.output)),
+      palette_(std::move(read.palette)) {}
 
 }  // namespace tessera
