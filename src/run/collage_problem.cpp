@@ -50,15 +50,20 @@ void keep_removed_from_coming_back(const ShapeLibrary& library, const Canvas& ca
   }
 }
 
+/// Of the first attempt.
+PieceSettings sized_pieces(const Job& job, double size_factor) {
+  return with_sizes_times(size_factor, job.settings).pieces;
+}
+
 /// Where pieces are removed only their room is left of the canvas. Returns which part of the canvas that is.
-double limit_to_room(const ShapeLibrary& library, const Job& job, Canvas& canvas) {
+double limit_to_room(const ShapeLibrary& library, const Job& job, double size_factor, Canvas& canvas) {
   if (job.start.removed.empty()) return 1;
   const std::map<ShapeId, Outline> outlines = outlines_of(job.start.removed, library);
   std::vector<PieceThatLay> lay;
   for (const GivenPiece& piece : job.start.removed) {
     lay.push_back({&outlines.at(piece.shape), piece.canvas_from_shape});
   }
-  fill_only_where_they_lay(lay, job.settings.pieces.min_scale_px, canvas);
+  fill_only_where_they_lay(lay, sized_pieces(job, size_factor).min_scale_px, canvas);
   double area_px2 = 0;
   for (const CanvasRegion& region : canvas.regions) area_px2 += region.area_px2;
   return std::min(1., area_px2 / canvas.area_px2);
@@ -78,7 +83,7 @@ CanvasFindings findings_on(const Canvas& canvas, const ShapeLibrary& library, co
     found.size_factor =
         first_size_factor(job.settings, std::uint32_t(library.size()), canvas.area_px2, library.drawings());
   }
-  const PieceSettings pieces = with_sizes_times(found.size_factor, job.settings).pieces;
+  const PieceSettings pieces = sized_pieces(job, found.size_factor);
   found.overlays = read_overlays(canvas, job, pieces.min_scale_px);
   check_images(canvas, pieces);
   return found;
@@ -119,7 +124,7 @@ struct CanvasProblem::Read {
         found(findings_on(canvas, library, job)),
         digest(tessera::canvas_digest(canvas)) {
     keep_removed_from_coming_back(library, canvas, job);
-    found.room_part = limit_to_room(library, job, canvas);
+    found.room_part = limit_to_room(library, job, found.size_factor, canvas);
   }
 
   Job job;

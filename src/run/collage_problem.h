@@ -15,8 +15,8 @@ namespace tessera {
 
 /// What the canvas decides about the whole problem. Workers read no canvas: rank 0 tells them this.
 struct CanvasFindings {
-  double size_factor = 1;  // times all sizes; below or above 1 where every shape is to have a place (pieces.fit)
-  double room_part = 1;    // of the canvas, that is filled: where pieces lay that are removed (start.remove), or all
+  double size_factor = 1;  // times all sizes; 1 but where every shape is to have a place (pieces.fit)
+  double room_part = 1;    // of the canvas, that is filled: less than all where pieces are removed
   Overlays overlays = {};
 };
 
@@ -46,7 +46,8 @@ class CanvasProblem : public CollageProblem {
   /// key, what was found and what is allowed.
   explicit CanvasProblem(Job raw);
 
-  /// Where pieces are removed only their room is to be filled, and as far round it as a gap may be that nothing fits into.
+  /// Where pieces are removed (start.remove) only their room is to be filled, and as far round it as a gap may be that
+  /// nothing fits into.
   const Canvas& canvas() const { return canvas_; }
   /// Of the canvas as a whole (checkpoint_origin.h).
   std::uint64_t canvas_digest() const { return canvas_digest_; }

@@ -14,8 +14,8 @@ namespace tessera {
 /// "tessera 0.1.0, commit 4554c24, kernels 5a0c1e4bd1f0a977"
 std::string program_identity();
 
-/// Rank 0: tells all workers the master's program and its problem. `library_digest`: of its library's content, which takes
-/// time to compute.
+/// Rank 0: tells all workers the master's program and its problem. `library_digest`: of its library's content, known
+/// already to the caller, as it takes time.
 void announce_problem(comm::Communicator& ranks, const std::string& program, const CollageProblem& problem,
                       std::uint64_t library_digest);
 
@@ -23,8 +23,8 @@ void announce_problem(comm::Communicator& ranks, const std::string& program, con
 /// the job otherwise.
 Job receive_job(comm::Communicator& ranks, const std::string& program);
 
-/// A worker, then: the problem of that job, with what the master found on the canvas. Throws InputError where this rank's
-/// library has another content than the master's, or knows other colours of its drawings.
+/// A worker, then: the problem of that job, with what the master found on the canvas. Throws InputError where this
+/// rank's library has another content than the master's, or knows other colours of its drawings.
 CollageProblem receive_problem(comm::Communicator& ranks, Job job);
 
 /// The parts of announce_problem and receive_problem that say what was found on the canvas.
