@@ -31,8 +31,8 @@ std::uint64_t canvas_digest(const Canvas& canvas) {
   return digest.value();
 }
 
-CheckpointOrigin make_origin(const Job& job, const ShapeLibrary& library, const Canvas& canvas) {
-  return {&job, library.content_digest(), canvas_digest(canvas), job.overlay_digest};
+CheckpointOrigin make_origin(const Job& job, const ShapeLibrary& library, std::uint64_t canvas_digest) {
+  return {&job, library.content_digest(), canvas_digest, job.overlay_digest};
 }
 
 Checkpoint make_checkpoint(const CheckpointOrigin& origin, const CheckpointState& state) {

@@ -24,7 +24,7 @@ struct CheckpointOrigin {
 /// A digest of what is to be filled.
 std::uint64_t canvas_digest(const Canvas& canvas);
 
-CheckpointOrigin make_origin(const Job& job, const ShapeLibrary& library, const Canvas& canvas);
+CheckpointOrigin make_origin(const Job& job, const ShapeLibrary& library, std::uint64_t canvas_digest);
 
 Checkpoint make_checkpoint(const CheckpointOrigin& origin, const CheckpointState& state);
 

@@ -148,8 +148,7 @@ struct Job {
   CollageSettings settings;
   std::uint64_t overlay_digest = 0;  // of what lies over the canvas (overlays.h); 0: nothing
   std::shared_ptr<const std::vector<std::uint8_t>> shown_png = {};  // colour.image as the result keeps it; the master's
-  double size_factor = 1;  // times all sizes; found by the master where every shape is to have a place (pieces.fit)
-  std::map<std::string, std::vector<JobRow>> tables;  // by name
+  std::map<std::string, std::vector<JobRow>> tables;                // by name
 };
 
 /// `overrides` are "section.key=value" with the value in TOML; what is not TOML is taken as a string. Relative paths in

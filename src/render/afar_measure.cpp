@@ -15,7 +15,7 @@ constexpr const char* kTransparent = "colour.image is transparent here";
 
 /// Whether pieces that were chosen by this picture cover the colours that the report says.
 bool is_of_collage(const ColourImage& image, const CollageReport& report) {
-  return report.covered.empty() || covered_colours(report, *image.target) == report.covered;
+  return report.covered.empty() || covered_colours(report.placements, report.shapes, *image.target) == report.covered;
 }
 
 }  // namespace
@@ -25,7 +25,8 @@ AfarMeasure::AfarMeasure(const CollageReport& report, Drawers& drawers)
       pieces_(report.placements.size()),
       mosaic_(picture_size_px(report.job->output, *report.canvas)) {
   try {
-    const ColourImage image = read_colour_image(*report.canvas, *report.job, drawers);
+    const ColourImage image =
+        read_colour_image(*report.canvas, *report.job, report.job->settings.pieces.min_scale_px, drawers);
     if (!is_of_collage(image, report)) {
       not_measured_ = kAnother;
       return;

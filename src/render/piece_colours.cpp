@@ -88,11 +88,12 @@ bool draws_palette(const ColourSpec& colour, const ShapeLibrary& library) {
   return colour.pieces == "palette" || (colour.pieces == "auto" && colour.image.empty() && is_of_one_colour(library));
 }
 
-std::vector<std::string> piece_colours(const CollageReport& report, const std::vector<std::string>& palette) {
+std::vector<std::string> piece_colours(const CollageReport& report, const std::vector<Placement>& placements,
+                                       const std::vector<std::string>& palette) {
   const float padding_px = report.job->settings.pieces.padding_px;
   std::vector<Piece> pieces;
   std::vector<std::size_t> chosen;
-  for (const Placement& placement : report.placements) {
+  for (const Placement& placement : placements) {
     const std::string wanted = report.covered.empty() ? "" : report.covered[pieces.size()];
     pieces.push_back(make_piece(placement, report.shape(placement.shape)));
     chosen.push_back(wanted.empty() ? unlike_neighbours(pieces, chosen, palette.size(), padding_px)

@@ -311,7 +311,7 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
   if (!other_colours) {
     report.colours = manifest.colours;
   } else if (draws_palette(job.colour, library)) {
-    report.colours = piece_colours(report, palette);
+    report.colours = piece_colours(report, report.placements, palette);
   }
   if (job.colour.shift > 0 && !report.covered.empty()) {
     const std::vector<DrawnColours> drawn = drawn_colours(report.shapes, drawers);

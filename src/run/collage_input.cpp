@@ -3,10 +3,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "job/palette.h"
 #include "job/pieces/start_pieces.h"
 #include "result/collage_files.h"
-#include "run/checked_job.h"
 #include "run/refined_result.h"
 
 namespace tessera {
@@ -29,9 +27,8 @@ CheckpointFolder checkpoints_in(const EarlierResult& earlier, Start start) {
   return std::filesystem::exists(earlier.folder) ? CheckpointFolder(earlier.folder) : checked_start(earlier, start);
 }
 
-CheckpointOrigin checked_origin(const CollageArguments& arguments, const Job& job, const ShapeLibrary& library,
-                                const Canvas& canvas) {
-  const CheckpointOrigin origin = make_origin(job, library, canvas);
+CheckpointOrigin checked_origin(const CollageArguments& arguments, const CanvasProblem& problem) {
+  const CheckpointOrigin origin = make_origin(problem.job(), problem.library(), problem.canvas_digest());
   if (arguments.refined) check_is_the_same_collage(*arguments.refined, origin);
   return origin;
 }
@@ -49,20 +46,17 @@ std::string output_folder(const CollageArguments& arguments) {
   return "out/" + std::filesystem::path(arguments.job).stem().string();
 }
 
-CollageInput::CollageInput(const CollageArguments& arguments)
-    : job(job_of(arguments)),
-      folder(output_folder(arguments)),
+CollageInput::CollageInput(const CollageArguments& arguments) : CollageInput(arguments, job_of(arguments)) {}
+
+CollageInput::CollageInput(const CollageArguments& arguments, Job raw)
+    : folder(output_folder(arguments)),
       earlier{.folder = folder, .whole = {}, .damage = {}},  // what is in a folder counts when it is locked
       start(start_of(arguments, earlier)),
       checkpoints(checkpoints_in(earlier, start)),
-      library(checked_library(job)),
-      palette(load_palette(job)),
-      canvas(checked_canvas(library, job)),
-      origin(checked_origin(arguments, job, library, canvas)),
+      problem(std::move(raw)),
+      origin(checked_origin(arguments, problem)),
       lock(locked_folder(folder), folder) {
-  keep_removed_from_coming_back(library, canvas, job);
-  room_part = limit_to_room(library, job, canvas);
-  check_start_is_elsewhere(job, folder);
+  check_start_is_elsewhere(problem.job(), folder);
   check_nothing_foreign_is_replaced(folder, arguments.job);
   prepare_output_directory(folder);
   earlier = find_earlier_result(folder);

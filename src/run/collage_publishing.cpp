@@ -16,24 +16,26 @@ bool leaves_older_result(const CollageInput& input, const master::CollageResult&
 std::string publish(const CollageInput& input, const master::CollageResult& result,
                     const std::vector<MissingShape>& missing, const RankStatistics& ranks, const RunRecord& record,
                     const CollageCheckpoints& checkpoints) {
+  const CanvasProblem& problem = input.problem;
   CollageReport report;
-  report.job = &input.job;
-  report.canvas = &input.canvas;
-  report.placements = as_written(result.placements);  // as tessera draw knows them when it gives other colours
+  report.job = &problem.job();
+  report.canvas = &problem.canvas();
+  report.placements = result.placements;
   report.missing = missing;
   report.statistics = result.statistics;
   report.ranks = ranks;
   report.record = record;
   const LibraryParts parts{.outline = true, .field = true, .levels = 0, .artwork = true, .original = false};
-  report.shapes = read_placed_shapes(input.library, report.placements, parts);
-  report.names_like_patterns = names_like_patterns(input.library, input.job);
-  const ColourWish& colour = input.job.settings.colour;
-  if (colour.target) report.covered = covered_colours(report, *colour.target);
-  if (draws_palette(input.job.colour, input.library)) report.colours = piece_colours(report, input.palette);
-  report.placements = result.placements;
-  const std::vector<StyleFeatures> styles = input.library.styles();
+  report.shapes = read_placed_shapes(problem.library(), report.placements, parts);
+  report.names_like_patterns = names_like_patterns(problem.library(), problem.job());
+  const ColourWish& colour = problem.settings().colour;
+  const std::vector<Placement> written = as_written(result.placements);  // as tessera draw knows them
+  if (colour.target) report.covered = covered_colours(written, report.shapes, *colour.target);
+  if (draws_palette(problem.job().colour, problem.library()))
+    report.colours = piece_colours(report, written, problem.palette());
+  const std::vector<StyleFeatures> styles = problem.library().styles();
   for (const Placement& placement : report.placements) report.styles.push_back(styles[index_of(placement.shape)]);
-  if (!result.unfinished && deforms(input.job)) deform_pieces(report);
+  if (!result.unfinished && deforms(problem.job())) deform_pieces(report);
   const std::string card = publish_result(input.folder, report, input.origin, !result.unfinished);
   if (result.unfinished) {
     checkpoints.require_one();

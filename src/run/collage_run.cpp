@@ -1,6 +1,5 @@
 #include "run/collage_run.h"
 
-#include <cmath>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
@@ -16,7 +15,6 @@
 #include "core/base/error.h"
 #include "core/base/interrupted.h"
 #include "core/base/version.h"
-#include "core/matching/sized_settings.h"
 #include "job/pieces/job_library.h"
 #include "library/library_shapes.h"
 #include "library/one_colour.h"
@@ -59,8 +57,8 @@ RunRecord record_of(const CollageInput& input) {
   record.version = program_version();
   record.commit = program_commit();
   record.command_line = own_command_line();
-  record.job_file = std::filesystem::absolute(input.job.path).string();
-  record.library_file = library_text(input.job);
+  record.job_file = std::filesystem::absolute(input.problem.job().path).string();
+  record.library_file = library_text(input.problem.job());
   record.library_digest = input.origin.library_digest;
   record.started_utc = utc_now();
   return record;
@@ -84,23 +82,15 @@ StopReason watch_waits(comm::Communicator& ranks, const Job& job, const TimeLimi
   return stop_reason;
 }
 
-/// As of the room that is filled: improving it takes as large a part.
-CollageSettings settings_of(const CollageInput& input) {
-  CollageSettings settings = with_sizes_times(input.job.size_factor, input.job.settings);
-  settings.improve.trials = int(std::ceil(double(settings.improve.trials) * input.room_part));
-  settings.improve.seconds *= input.room_part;
-  return settings;
-}
-
 master::CollageResult run_loop(const CollageArguments& arguments, const CollageInput& input, const TimeLimit& limit,
                                Matcher& matcher, Replacer& replacer, ShapeSource& shapes,
                                CollageCheckpoints& checkpoints) {
   const CheckpointState* from = input.from ? &*input.from : nullptr;
   if (from) say(arguments, "going on from " + from->name + ", " + count_text(from->placements.size(), "piece"));
-  const CollageSettings settings = settings_of(input);
+  const CollageSettings& settings = input.problem.settings();
   CollageProgress progress(settings, arguments.quiet, limit);
-  master::CollageResult result =
-      master::make_collage(input.canvas, settings, matcher, shapes, progress, {from, &checkpoints}, &replacer);
+  master::CollageResult result = master::make_collage(input.problem.canvas(), settings, matcher, shapes, progress,
+                                                      {from, &checkpoints}, &replacer);
   result.statistics.last_tenth = progress.history().gained_in_last_tenth(result.statistics.total_s);
   return result;
 }
@@ -115,47 +105,49 @@ std::string idle_keys_warning_of(const CollageArguments& arguments, const Job& j
   return warning;
 }
 
-std::string standing_warning_of(const CollageInput& input) {
-  if (input.job.settings.wishes.given.empty()) return "";
+std::string standing_warning_of(const CanvasProblem& problem) {
+  if (problem.settings().wishes.given.empty()) return "";
   constexpr LibraryParts kOutlines{.outline = true, .field = false, .levels = 0, .artwork = false};
   std::map<ShapeId, Shape> read;
-  return standing_warning(input.job, input.canvas, [&](ShapeId id) -> const Shape& {
+  return standing_warning(problem.job(), problem.canvas(), [&](ShapeId id) -> const Shape& {
     const auto [at, is_new] = read.try_emplace(id);
-    if (is_new) at->second = std::move(input.library.read(index_of(id), index_of(id) + 1, kOutlines).front());
+    if (is_new) at->second = std::move(problem.library().read(index_of(id), index_of(id) + 1, kOutlines).front());
     return at->second;
   });
 }
 
-std::string unable_library_warning_of(const CollageArguments& arguments, const CollageInput& input) {
-  const bool was_told = arguments.refined && arguments.refined->whole.job.colour.image == input.job.colour.image;
-  if (input.job.colour.image.empty() || was_told) return "";
-  return unable_library_warning(input.job, input.library.size(), is_of_one_colour(input.library));
+std::string unable_library_warning_of(const CollageArguments& arguments, const CanvasProblem& problem) {
+  const std::string& image = problem.job().colour.image;
+  const bool was_told = arguments.refined && arguments.refined->whole.job.colour.image == image;
+  if (image.empty() || was_told) return "";
+  return unable_library_warning(problem.job(), problem.library().size(), is_of_one_colour(problem.library()));
 }
 
 /// A canvas of which only the room of removed pieces is filled says nothing of the drawing; the result that is refined
 /// was warned.
-std::string outline_alone_warning_of(const CollageArguments& arguments, const CollageInput& input) {
-  return arguments.refined || input.room_part < 1 ? "" : outline_alone_warning(input.job, input.canvas);
+std::string outline_alone_warning_of(const CollageArguments& arguments, const CanvasProblem& problem) {
+  const bool is_part = problem.found().room_part < 1;
+  return arguments.refined || is_part ? "" : outline_alone_warning(problem.job(), problem.canvas());
 }
 
 /// From the empty canvas or a checkpoint to the result without its pictures.
 CollageEnd compute(const CollageArguments& arguments, const CollageInput& input, const TimeLimit& limit,
                    comm::Communicator& ranks, const std::shared_ptr<CollageJournal>& journal) {
+  const CanvasProblem& problem = input.problem;
+  const Job& job = problem.job();
   // Before it is too late, but no question: whoever edits a job and runs it again wants just that.
-  journal->warn(replaced_result_warning(input.earlier, input.job));
-  journal->warn(idle_keys_warning_of(arguments, input.job));
-  journal->warn(unable_library_warning_of(arguments, input));
-  journal->warn(outline_alone_warning_of(arguments, input));
-  if (!arguments.refined) journal->warn(standing_warning_of(input));  // a result's pieces lie as it put them
-  if (relaxes(arguments)) journal->warn(idle_relaxing_warning(input.job));
+  journal->warn(replaced_result_warning(input.earlier, job));
+  journal->warn(idle_keys_warning_of(arguments, job));
+  journal->warn(unable_library_warning_of(arguments, problem));
+  journal->warn(outline_alone_warning_of(arguments, problem));
+  if (!arguments.refined) journal->warn(standing_warning_of(problem));  // a result's pieces lie as it put them
+  if (relaxes(arguments)) journal->warn(idle_relaxing_warning(job));
   journal->warn(short_limit_warning(limit.seconds(), leaving_s(ranks)));
   if (input.from) journal->resumed(*input.from);
-  const StopReason stop_reason = watch_waits(ranks, input.job, limit, journal);
-  announce_run(ranks, program_identity(), input.job, input.origin.library_digest);
-  announce_overlays(ranks, input.job);
-  const SitedMatcher matching =
-      ranks.size() > 1 ? workers_matcher(ranks) : own_matcher(input.job, input.library, stop_reason);
-  LibraryShapes shapes(input.library);
+  const StopReason stop_reason = watch_waits(ranks, job, limit, journal);
+  announce_problem(ranks, program_identity(), problem, input.origin.library_digest);
+  const SitedMatcher matching = ranks.size() > 1 ? workers_matcher(ranks) : own_matcher(problem, stop_reason);
+  LibraryShapes shapes(problem.library());
   const std::unique_ptr<Replacer> replacer =
       ranks.size() > 1 ? comm::gather_replacers(ranks) : own_replacer(shapes, stop_reason);
   // Over those that LLVM brings with the first kernel: they reset themselves when they are called, and a second signal
@@ -169,14 +161,14 @@ CollageEnd compute(const CollageArguments& arguments, const CollageInput& input,
   const master::CollageResult result =
       run_loop(arguments, input, limit, *matching.matcher, *replacer, shapes, checkpoints);
   const RankStatistics times = times_of(clock, result);
-  const std::vector<MissingShape> missing = missing_shapes(input, result);
+  const std::vector<MissingShape> missing = missing_shapes(problem, result);
   journal->warn(unplaced_warning(input, result, missing, arguments.refined.get()));
-  journal->warn(never_fitting_warning(input, result));
-  journal->warn(used_up_warning(input.job, input.canvas, result));
-  if (relaxes(arguments)) journal->warn(nothing_gained_warning(input.job, result));
-  journal->warn(empty_room_warning(input.job, result));
-  if (!input.job.start.removed.empty())
-    journal->warn(come_back_warning(input.job, input.canvas, result, input.library.variant_of()));
+  journal->warn(never_fitting_warning(problem, result));
+  journal->warn(used_up_warning(job, problem.canvas(), result));
+  if (relaxes(arguments)) journal->warn(nothing_gained_warning(job, result));
+  journal->warn(empty_room_warning(job, result));
+  if (!job.start.removed.empty())
+    journal->warn(come_back_warning(job, problem.canvas(), result, problem.library().variant_of()));
   journal->keep_warning(checkpoints.warning());
   const RunRecord& record = journal->ended(result.statistics.stopped_by, result.placements.size());
   if (leaves_older_result(input, result)) {
@@ -195,7 +187,7 @@ bool draw_pictures(const CollageArguments& arguments, const CollageInput& input,
   comm::install_stop_handlers();
   PictureRequest pictures;
   pictures.svg = pictures.png = true;
-  pictures.library = library_paths(input.job);
+  pictures.library = library_paths(input.problem.job());
   try {
     const bool drawn = draw(input.folder, pictures, arguments.quiet,
                             [&] { return comm::stop_signalled() || limit.drawing_over(leaving_s(ranks)); });

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "comm/heartbeat.h"
 #include "comm/matcher_server.h"
@@ -12,11 +13,9 @@
 #include "comm/worker_team.h"
 #include "core/base/interrupted.h"
 #include "core/matching/matching_context.h"
-#include "core/matching/sized_settings.h"
 #include "core/ranks/partition.h"
 #include "core/replacing/own_replacer.h"
 #include "files/available_cores.h"
-#include "job/pieces/job_library.h"
 #include "library/library_shapes.h"
 #include "library/storage/shape_models.h"
 #include "run/foreign_end.h"
@@ -26,8 +25,8 @@
 namespace tessera {
 namespace {
 
-MatchingContext context_of(const Job& job, const ShapeLibrary& library) {
-  return make_matching_context(with_sizes_times(job.size_factor, job.settings), std::uint32_t(library.size()));
+MatchingContext context_of(const CollageProblem& problem) {
+  return make_matching_context(problem.settings(), std::uint32_t(problem.library().size()));
 }
 
 /// A worker's devices and cores are its part of its node's, shared with the other workers there.
@@ -58,14 +57,13 @@ std::string host_name() {
 }  // namespace
 
 void run_collage_worker(comm::Communicator& ranks) {
-  Job job = receive_job(ranks, program_identity());
-  const comm::Heart heart(ranks, job.comm.silence_s);
-  const LibraryView library = open_library_of(job);
-  check_library(ranks, library);
-  receive_overlays(ranks, library, job);
-  resolve_wishes(library, job);
+  Job masters = receive_job(ranks, program_identity());
+  const comm::Heart heart(ranks, masters.comm.silence_s);
+  const CollageProblem problem = receive_problem(ranks, std::move(masters));
+  const Job& job = problem.job();
+  const LibraryView& library = problem.library();
   const ShapeRange part = even_range(library.size(), ranks.rank() - 1, ranks.size() - 1);
-  const MatchingContext context = context_of(job, library);
+  const MatchingContext context = context_of(problem);
   const worker::DeviceShare share = share_of_node(ranks, job);
   const int cores = cores_of(share);
   worker::limit_cpu_threads(cores);
@@ -80,8 +78,10 @@ void run_collage_worker(comm::Communicator& ranks) {
               std::make_unique<OwnReplacer>(shapes, cores, look));
 }
 
-SitedMatcher own_matcher(const Job& job, const ShapeLibrary& library, const StopReason& stop_reason) {
-  const MatchingContext context = context_of(job, library);
+SitedMatcher own_matcher(const CollageProblem& problem, const StopReason& stop_reason) {
+  const Job& job = problem.job();
+  const LibraryView& library = problem.library();
+  const MatchingContext context = context_of(problem);
   const ShapeRange all = even_range(library.size(), 0, 1);
   const auto give_up = give_up_when(stop_reason);
   const auto models = models_of(library, context);

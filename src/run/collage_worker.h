@@ -10,8 +10,7 @@
 #include "core/ranks/rank_site.h"
 #include "core/replacing/replacer.h"
 #include "core/shape/shape_source.h"
-#include "job/job_file.h"
-#include "library/storage/shape_library.h"
+#include "run/collage_problem.h"
 
 namespace tessera {
 
@@ -29,7 +28,7 @@ struct SitedMatcher {
 
 /// Of a run without workers: the whole library on this rank's devices. What asks to stop ends a question by
 /// Interrupted.
-SitedMatcher own_matcher(const Job& job, const ShapeLibrary& library, const StopReason& stop_reason);
+SitedMatcher own_matcher(const CollageProblem& problem, const StopReason& stop_reason);
 
 /// Of a run with workers, which do the matching: rank 0 has no devices then.
 SitedMatcher workers_matcher(comm::Communicator& ranks);

@@ -13,7 +13,7 @@
 #include "core/base/digest.h"
 #include "core/base/error.h"
 #include "core/base/version.h"
-#include "job/canvas/overlays.h"
+#include "job/pieces/job_library.h"
 #include "worker/devices/kernel_options.h"
 
 namespace tessera {
@@ -45,6 +45,8 @@ std::string exact_text(double value) {
   return text;
 }
 
+double receive_number(comm::Communicator& ranks) { return std::strtod(receive_text(ranks).c_str(), nullptr); }
+
 struct CellCount {
   int width;
   int height;
@@ -73,6 +75,23 @@ Grid<Cell> receive_cells(comm::Communicator& ranks, float& length) {
   return cells;
 }
 
+/// `masters`: the digest of the content.
+void check_library(const ShapeLibrary& library, const std::string& masters) {
+  const std::string own = hex(library.content_digest());
+  if (own == masters) return;
+  throw InputError(library.path() + ": another library than the master's of this name (digest of the content " + own +
+                   ", the master's " + masters +
+                   "); all ranks must read the same: copy it anew to every node, or keep it where all nodes see it");
+}
+
+/// `masters`: the digest of what lies over the canvas, with the colours of the drawings.
+void check_colours(const CollageProblem& problem, const std::string& masters) {
+  if (hex(problem.job().overlay_digest) == masters) return;
+  throw InputError(problem.library().path() +
+                   ": other colours of the drawings than in the master's library of this name; all "
+                   "ranks must read the same: copy it anew to every node, or keep it where all nodes see it");
+}
+
 }  // namespace
 
 std::string program_identity() {
@@ -80,11 +99,9 @@ std::string program_identity() {
 }
 
 // Each as a text of its own, the program first: programs that differ need to agree about nothing else.
-void announce_run(comm::Communicator& ranks, const std::string& program, const Job& job, std::uint64_t library_digest) {
+void announce_job(comm::Communicator& ranks, const std::string& program, const Job& job) {
   ranks.broadcast(to_bytes(program));
   ranks.broadcast(to_bytes(to_toml(job)));
-  ranks.broadcast(to_bytes(exact_text(job.size_factor)));
-  ranks.broadcast(to_bytes(hex(library_digest)));
 }
 
 Job receive_job(comm::Communicator& ranks, const std::string& program) {
@@ -100,46 +117,52 @@ Job receive_job(comm::Communicator& ranks, const std::string& program) {
         "this rank understands the master's job otherwise than the master; install the same program "
         "and the same libraries on every node");
   }
-  job.size_factor = std::strtod(receive_text(ranks).c_str(), nullptr);
   return job;
 }
 
-void check_library(comm::Communicator& ranks, const ShapeLibrary& library) {
-  const std::string masters = receive_text(ranks);
-  const std::string own = hex(library.content_digest());
-  if (own == masters) return;
-  throw InputError(library.path() + ": another library than the master's of this name (digest of the content " + own +
-                   ", the master's " + masters +
-                   "); all ranks must read the same: copy it anew to every node, or keep it where all nodes see it");
-}
-
 // Of colours the finest level alone: the others follow from it.
-void announce_overlays(comm::Communicator& ranks, const Job& job) {
-  ranks.broadcast(to_bytes(hex(job.overlay_digest)));
-  const ColourWish& colour = job.settings.colour;
-  const int width = colour.target ? int(colour.target->levels().front().width) : 0;
-  const int height = colour.target ? int(colour.target->levels().front().height) : 0;
-  send_cells<Texel>(ranks, {width, height}, colour.target ? colour.target->px_per_texel() : 0,
-                    colour.target ? colour.target->texels().data() : nullptr);
+void announce_findings(comm::Communicator& ranks, const CanvasFindings& found) {
+  ranks.broadcast(to_bytes(exact_text(found.size_factor)));
+  ranks.broadcast(to_bytes(exact_text(found.room_part)));
+  const ColourTarget* const colour = found.overlays.colour.get();
+  const int width = colour ? int(colour->levels().front().width) : 0;
+  const int height = colour ? int(colour->levels().front().height) : 0;
+  send_cells<Texel>(ranks, {width, height}, colour ? colour->px_per_texel() : 0,
+                    colour ? colour->texels().data() : nullptr);
   const SizeMap none;
-  const SizeMap& sizes = job.settings.pieces.size_map ? *job.settings.pieces.size_map : none;
+  const SizeMap& sizes = found.overlays.sizes ? *found.overlays.sizes : none;
   send_cells<float>(ranks, {sizes.part.width(), sizes.part.height()}, sizes.cells_per_px, sizes.part.data().data());
 }
 
-void receive_overlays(comm::Communicator& ranks, const ShapeLibrary& library, Job& job) {
-  const std::string masters = receive_text(ranks);
-  Overlays overlays;
+CanvasFindings receive_findings(comm::Communicator& ranks) {
+  CanvasFindings found;
+  found.size_factor = receive_number(ranks);
+  found.room_part = receive_number(ranks);
   float length = 0;
   const Grid<Texel> finest = receive_cells<Texel>(ranks, length);
-  if (!finest.data().empty()) overlays.colour = std::make_shared<const ColourTarget>(finest, length);
+  if (!finest.data().empty()) found.overlays.colour = std::make_shared<const ColourTarget>(finest, length);
   SizeMap sizes;
   sizes.part = receive_cells<float>(ranks, sizes.cells_per_px);
-  if (!sizes.part.data().empty()) overlays.sizes = std::make_shared<const SizeMap>(std::move(sizes));
-  set_overlays(overlays, library, job);
-  if (hex(job.overlay_digest) == masters) return;
-  throw InputError(library.path() +
-                   ": other colours of the drawings than in the master's library of this name; all "
-                   "ranks must read the same: copy it anew to every node, or keep it where all nodes see it");
+  if (!sizes.part.data().empty()) found.overlays.sizes = std::make_shared<const SizeMap>(std::move(sizes));
+  return found;
+}
+
+void announce_problem(comm::Communicator& ranks, const std::string& program, const CollageProblem& problem,
+                      std::uint64_t library_digest) {
+  announce_job(ranks, program, problem.job());
+  ranks.broadcast(to_bytes(hex(library_digest)));
+  announce_findings(ranks, problem.found());
+  ranks.broadcast(to_bytes(hex(problem.job().overlay_digest)));
+}
+
+CollageProblem receive_problem(comm::Communicator& ranks, Job job) {
+  LibraryView library = open_library_of(job);
+  check_library(library, receive_text(ranks));
+  CanvasFindings found = receive_findings(ranks);
+  resolve_wishes(library, job);
+  CollageProblem problem(std::move(job), std::move(library), std::move(found));
+  check_colours(problem, receive_text(ranks));
+  return problem;
 }
 
 }  // namespace tessera

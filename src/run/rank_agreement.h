@@ -2,32 +2,36 @@
 // Where they differ the run would end well and give another collage, or none.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "comm/communicator.h"
 #include "job/job_file.h"
-#include "library/storage/shape_library.h"
+#include "run/collage_problem.h"
 
 namespace tessera {
 
 /// "tessera 0.1.0, commit 4554c24, kernels 5a0c1e4bd1f0a977"
 std::string program_identity();
 
-/// Rank 0: tells all workers the master's program, job and library.
-void announce_run(comm::Communicator& ranks, const std::string& program, const Job& job, std::uint64_t library_digest);
+/// Rank 0: tells all workers the master's program and its problem. `library_digest`: of its library's content, known
+/// already to the caller, as it takes time.
+void announce_problem(comm::Communicator& ranks, const std::string& program, const CollageProblem& problem,
+                      std::uint64_t library_digest);
 
-/// A worker: receives the master's job. Throws EnvironmentError where this rank's program is another one or understands
+/// A worker, first: the master's job. Throws EnvironmentError where this rank's program is another one or understands
 /// the job otherwise.
 Job receive_job(comm::Communicator& ranks, const std::string& program);
 
-/// Rank 0, then: the pictures that lie over the canvas.
-void announce_overlays(comm::Communicator& ranks, const Job& job);
+/// A worker, then: the problem of that job, with what the master found on the canvas. Throws InputError where this
+/// rank's library has another content than the master's, or knows other colours of its drawings.
+CollageProblem receive_problem(comm::Communicator& ranks, Job job);
 
-/// A worker, after receive_job: throws InputError where `library` has another content than the master's.
-void check_library(comm::Communicator& ranks, const ShapeLibrary& library);
+/// The parts of announce_problem and receive_problem that say what was found on the canvas.
+void announce_findings(comm::Communicator& ranks, const CanvasFindings& found);
+CanvasFindings receive_findings(comm::Communicator& ranks);
 
-/// A worker, after check_library: sets the job's overlays. Throws InputError where its library knows other colours of
-/// its drawings than the master's.
-void receive_overlays(comm::Communicator& ranks, const ShapeLibrary& library, Job& job);
+/// The part that announces the job.
+void announce_job(comm::Communicator& ranks, const std::string& program, const Job& job);
 
 }  // namespace tessera

@@ -21,15 +21,14 @@ constexpr std::size_t kNamesAtATime = 4096;
 constexpr LibraryParts kNamesOnly{.outline = false, .field = false, .levels = 0, .artwork = false};
 
 /// With fit = "all" at the smallest that were allowed.
-CollageSettings smallest_sizes(const Job& job) {
-  const CollageSettings first = with_sizes_times(job.size_factor, job.settings);
+CollageSettings smallest_sizes(const CollageSettings& first) {
   return with_sizes_times(double(least_size_factor(first.pieces)), first);
 }
 
-std::vector<ShapeId> all_that_may_stand(const CollageInput& input) {
+std::vector<ShapeId> all_that_may_stand(const CanvasProblem& problem) {
   std::vector<ShapeId> shapes;
-  const StanceTable whole(input.job.settings, std::uint32_t(input.library.size()));
-  for (std::uint32_t region = 0; region < std::max<std::size_t>(1, input.canvas.regions.size()); ++region) {
+  const StanceTable whole(problem.settings(), std::uint32_t(problem.library().size()));
+  for (std::uint32_t region = 0; region < std::max<std::size_t>(1, problem.canvas().regions.size()); ++region) {
     const StanceTable table = whole.limited({.region = region});
     for (std::uint32_t i = 0; i < table.open_shapes(); ++i) shapes.push_back(table.open_shape(i));
   }
@@ -65,18 +64,20 @@ std::vector<std::string> keys_that_make_room(const Job& job) {
 }
 
 /// For shapes of which none, or too few, found a place.
-std::vector<std::string> what_to_try(const CollageInput& input, const std::vector<ShapeId>& shapes) {
-  const Job& job = input.job;
-  std::vector<std::string> keys = keys_that_keep_out(job, smallest_sizes(job), input.library, input.canvas, shapes);
+std::vector<std::string> what_to_try(const CanvasProblem& problem, const std::vector<ShapeId>& shapes) {
+  const Job& job = problem.job();
+  std::vector<std::string> keys =
+      keys_that_keep_out(job, smallest_sizes(problem.settings()), problem.library(), problem.canvas(), shapes);
   if (keys.empty()) keys = keys_that_make_room(job);
   return with_canvas(std::move(keys), job);
 }
 
-std::string empty_warning(const CollageInput& input, const master::CollageResult& result) {
-  const std::vector<ShapeId> shapes = all_that_may_stand(input);
+std::string empty_warning(const CanvasProblem& problem, const std::string& folder,
+                          const master::CollageResult& result) {
+  const std::vector<ShapeId> shapes = all_that_may_stand(problem);
   const bool is_full = !shapes.empty() && !limit_that_ended(result.statistics);
-  return empty_result_warning(input.folder, input.job, result,
-                              is_full ? what_to_try(input, shapes) : std::vector<std::string>());
+  return empty_result_warning(folder, problem.job(), result,
+                              is_full ? what_to_try(problem, shapes) : std::vector<std::string>());
 }
 
 /// Refining what is to stay as it is lets no piece more come in than the result has; nobody gave that limit.
@@ -86,9 +87,9 @@ bool keeps_number_of_pieces(const Job& job, const RefinedResult* refined, const 
          std::size_t(job.settings.stop.pieces) == refined->whole.manifest.shapes.size();
 }
 
-std::string missing_warning(const CollageInput& input, const master::CollageResult& result,
+std::string missing_warning(const CanvasProblem& problem, const master::CollageResult& result,
                             const std::vector<MissingShape>& missing, const RefinedResult* refined) {
-  const Job& job = input.job;
+  const Job& job = problem.job();
   const std::uint64_t pieces = pieces_of(missing);
   const std::string what =
       count_text(pieces, "piece is", "pieces are") + " missing: " + missing_text(missing, kNamesTold) + "; ";
@@ -103,14 +104,14 @@ std::string missing_warning(const CollageInput& input, const master::CollageResu
       job.settings.pieces.fit_all
           ? "no sizes down to " + length_text(job, double(job.settings.pieces.least_scale_px)) + " gave all a place"
           : "they found no place";
-  return what + tried + "; try " + joined_warnings(what_to_try(input, shapes));
+  return what + tried + "; try " + joined_warnings(what_to_try(problem, shapes));
 }
 
 /// Says for each class of shapes whether none of them stands, though the job wishes for a size of their own and counts
 /// none of them.
-std::vector<bool> absent_classes(const CollageInput& input, const master::CollageResult& result) {
-  const Wishes& wishes = input.job.settings.wishes;
-  const UseLimits uses(input.job.settings.pieces, wishes);
+std::vector<bool> absent_classes(const CanvasProblem& problem, const master::CollageResult& result) {
+  const Wishes& wishes = problem.settings().wishes;
+  const UseLimits uses(problem.settings().pieces, wishes);
   std::vector<bool> absent;
   for (const ShapeWish& wish : wishes.classes) absent.push_back(wish.weight > 0 && !wish.poses.scale_px.empty());
   for (std::uint32_t i = 0; i < wishes.class_of_shape.size(); ++i) {
@@ -120,46 +121,47 @@ std::vector<bool> absent_classes(const CollageInput& input, const master::Collag
   return absent;
 }
 
-std::string never_fitting_text(const CollageInput& input, const std::vector<ShapeId>& shapes) {
-  const std::vector<std::string> keys =
-      keys_that_keep_out(input.job, smallest_sizes(input.job), input.library, input.canvas, shapes);
+std::string never_fitting_text(const CanvasProblem& problem, const std::vector<ShapeId>& shapes) {
+  const std::vector<std::string> keys = keys_that_keep_out(problem.job(), smallest_sizes(problem.settings()),
+                                                           problem.library(), problem.canvas(), shapes);
   if (keys.empty()) return "";
   const std::size_t first = index_of(shapes.front());
   const std::string others = shapes.size() == 1 ? " fits" : " and " + count_text(shapes.size() - 1, "other") + " fit";
-  return '"' + input.library.read(first, first + 1, kNamesOnly).front().name + '"' + others +
+  return '"' + problem.library().read(first, first + 1, kNamesOnly).front().name + '"' + others +
          " nowhere on the canvas; try " + joined_warnings(keys);
 }
 
 }  // namespace
 
-std::string never_fitting_warning(const CollageInput& input, const master::CollageResult& result) {
+std::string never_fitting_warning(const CanvasProblem& problem, const master::CollageResult& result) {
   constexpr std::size_t kMostClasses = 8;  // each may take a tenth of a second
-  const std::vector<std::uint32_t>& class_of_shape = input.job.settings.wishes.class_of_shape;
+  const std::vector<std::uint32_t>& class_of_shape = problem.settings().wishes.class_of_shape;
   if (result.unfinished || result.placements.empty() || class_of_shape.empty()) return "";
-  const std::vector<bool> absent = absent_classes(input, result);
+  const std::vector<bool> absent = absent_classes(problem, result);
   std::map<std::uint32_t, std::vector<ShapeId>> shapes_of_class;
-  for (const ShapeId shape : all_that_may_stand(input)) {
+  for (const ShapeId shape : all_that_may_stand(problem)) {
     const std::uint32_t of = class_of_shape[index_of(shape)];
     if (absent[of]) shapes_of_class[of].push_back(shape);
   }
   std::size_t tried = 0;
   for (const auto& [of, shapes] : shapes_of_class) {
-    if (const std::string text = never_fitting_text(input, shapes); !text.empty()) return text;
+    if (const std::string text = never_fitting_text(problem, shapes); !text.empty()) return text;
     if (++tried == kMostClasses) break;
   }
   return "";
 }
 
-std::vector<MissingShape> missing_shapes(const CollageInput& input, const master::CollageResult& result) {
+std::vector<MissingShape> missing_shapes(const CanvasProblem& problem, const master::CollageResult& result) {
   if (result.unfinished) return {};
   std::vector<MissingShape> named;
   std::vector<Shape> block;
   std::size_t begin = 0;
-  for (const MissingPieces& missing : missing_pieces(input.job.settings, input.library.drawings(), result.placements)) {
+  for (const MissingPieces& missing :
+       missing_pieces(problem.settings(), problem.library().drawings(), result.placements)) {
     const std::size_t i = index_of(missing.shape);
     if (i >= begin + block.size()) {
       begin = i / kNamesAtATime * kNamesAtATime;
-      block = input.library.read(begin, std::min(begin + kNamesAtATime, input.library.size()), kNamesOnly);
+      block = problem.library().read(begin, std::min(begin + kNamesAtATime, problem.library().size()), kNamesOnly);
     }
     named.push_back({missing.shape, block[i - begin].name, missing.wanted, missing.standing});
   }
@@ -169,8 +171,8 @@ std::vector<MissingShape> missing_shapes(const CollageInput& input, const master
 std::string unplaced_warning(const CollageInput& input, const master::CollageResult& result,
                              const std::vector<MissingShape>& missing, const RefinedResult* refined) {
   if (result.unfinished) return "";
-  if (result.placements.empty()) return empty_warning(input, result);
-  return missing.empty() ? "" : missing_warning(input, result, missing, refined);
+  if (result.placements.empty()) return empty_warning(input.problem, input.folder, result);
+  return missing.empty() ? "" : missing_warning(input.problem, result, missing, refined);
 }
 
 }  // namespace tessera

@@ -7,12 +7,13 @@
 #include "master/collage_loop.h"
 #include "result/missing_shape.h"
 #include "run/collage_input.h"
+#include "run/collage_problem.h"
 #include "run/refined_result.h"
 
 namespace tessera {
 
 /// Of a finished collage; empty of an unfinished one, which may still get them.
-std::vector<MissingShape> missing_shapes(const CollageInput& input, const master::CollageResult& result);
+std::vector<MissingShape> missing_shapes(const CanvasProblem& problem, const master::CollageResult& result);
 
 /// Why the collage is empty, or which of `missing` found no place, and what helps. Empty where nothing is missing, and
 /// where the run may still go on. `refined`: from whose pieces it began; null: none.
@@ -22,6 +23,6 @@ std::string unplaced_warning(const CollageInput& input, const master::CollageRes
 /// Names the shapes that fit nowhere on the canvas in a size of their own ([[shapes]] scale_px, or as drawn), so that
 /// none of them stands, and says what helps; those that the job counts are told elsewhere. Empty where there are no
 /// such shapes, and for an empty collage.
-std::string never_fitting_warning(const CollageInput& input, const master::CollageResult& result);
+std::string never_fitting_warning(const CanvasProblem& problem, const master::CollageResult& result);
 
 }  // namespace tessera

@@ -161,7 +161,7 @@ class Origin : public testing::Test {
   }
 
   CheckpointOrigin origin(const Job& job, const Canvas& canvas = make_rectangle_canvas(100, 80)) const {
-    return make_origin(job, LibraryFile(job.library), canvas);
+    return make_origin(job, LibraryFile(job.library), canvas_digest(canvas));
   }
 
   Checkpoint checkpoint() const {

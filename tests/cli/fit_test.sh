@@ -155,4 +155,7 @@ echo "ok empty collages"
 job plan own.h5 $'fit = "all"\nuses = 1\nscale_px = [2, 4]'
 run 0 plan plan.toml --ranks 2
 grep -qE '^  pieces +about [1-9]$' output || fail "the plan goes by other sizes: $(cat output)"
+cp output small
+run 0 plan plan.toml --ranks 2 --set 'pieces.scale_px=[400, 800]'
+cmp small output || fail "the plan of pieces that are larger than the canvas is another one: $(diff small output)"
 echo "ok plan"

@@ -44,16 +44,18 @@ class Overlaid : public testing::Test {
     return folder_.write(name, std::string(bytes.begin(), bytes.end()));
   }
 
+  Overlays overlays() const { return read_overlays(canvas_, job_, job_.settings.pieces.min_scale_px); }
+
   Texel colour_of(const std::string& file, Vec2 p_px) {
     job_.colour.image = file;
-    set_overlays(read_overlays(canvas_, job_), LibraryFile(library(true)), job_);
+    set_overlays(overlays(), LibraryFile(library(true)), job_);
     return job_.settings.colour.target->at(0, p_px);
   }
 
   std::string mistake(const std::string& file, bool known = true) {
     job_.colour.image = file;
     try {
-      set_overlays(read_overlays(canvas_, job_), LibraryFile(library(known)), job_);
+      set_overlays(overlays(), LibraryFile(library(known)), job_);
     } catch (const InputError& error) {
       return error.what();
     }
@@ -80,7 +82,7 @@ cv::Mat two_halves(cv::Size size) {
 }
 
 TEST_F(Overlaid, WithoutOneNothingIsWished) {
-  set_overlays(read_overlays(canvas_, job_), LibraryFile(library(true)), job_);
+  set_overlays(overlays(), LibraryFile(library(true)), job_);
   EXPECT_FALSE(job_.settings.colour);
   EXPECT_EQ(job_.overlay_digest, 0u);
 }
@@ -97,7 +99,7 @@ TEST_F(Overlaid, CoversTheCanvas) {
 /// What a result keeps of the picture in this file.
 cv::Mat kept(const Canvas& canvas, Job job, const std::string& file) {
   job.colour.image = file;
-  return test::decoded(*read_overlays(canvas, job).shown_png);
+  return test::decoded(*read_overlays(canvas, job, job.settings.pieces.min_scale_px).shown_png);
 }
 
 TEST_F(Overlaid, IsKeptInItsOwnPixels) {
@@ -108,7 +110,7 @@ TEST_F(Overlaid, IsKeptInItsOwnPixels) {
   ASSERT_EQ(large.size(), cv::Size(1360, 680));
   EXPECT_EQ(large.at<cv::Vec4b>(340, 670), cv::Vec4b(0, 0, 255, 255));
   EXPECT_EQ(large.at<cv::Vec4b>(340, 690), cv::Vec4b(0, 0, 0, 255));
-  EXPECT_FALSE(read_overlays(canvas_, job_).shown_png) << "without a picture";
+  EXPECT_FALSE(overlays().shown_png) << "without a picture";
 }
 
 TEST_F(Overlaid, AnSvgIsKeptAsFineAsAPhoto) {
@@ -149,7 +151,7 @@ TEST_F(Overlaid, ValuesComeInSteps) {
   cv::theRNG().state = 7;
   cv::randu(noise, 0, 256);
   job_.size_map = job_.colour.image = image("noise.png", noise);
-  set_overlays(read_overlays(canvas_, job_), LibraryFile(library(true)), job_);
+  set_overlays(overlays(), LibraryFile(library(true)), job_);
   const ColourTarget& target = *job_.settings.colour.target;
   const ColourLevel& finest = target.levels().front();
   for (std::uint32_t i = 0; i < finest.width * finest.height; ++i) {
@@ -185,7 +187,7 @@ TEST_F(Overlaid, SizesGoByLightness) {
   grey(cv::Rect(100, 0, 100, 100)) = 255;
   grey(cv::Rect(0, 50, 100, 50)) = 102;
   job_.size_map = image("sizes.png", grey);
-  set_overlays(read_overlays(canvas_, job_), LibraryFile(library(false)), job_);  // colours are not asked for
+  set_overlays(overlays(), LibraryFile(library(false)), job_);  // colours are not asked for
   const SizeMap& sizes = *job_.settings.pieces.size_map;
   EXPECT_EQ(sizes.part.width(), 25) << "two for the smallest piece";
   EXPECT_FLOAT_EQ(sizes.at({50, 20}), 0);

@@ -144,8 +144,9 @@ TEST_F(Measured, ALostPictureIsSaidWithoutItsPath) {
 }
 
 TEST_F(Measured, AnotherPictureThanThatOfTheCollageIsNotMeasured) {
-  sample_.report.covered =
-      covered_colours(sample_.report, *read_colour_image(sample_.canvas, sample_.job, drawers_).target);
+  sample_.report.covered = covered_colours(
+      sample_.report.placements, sample_.report.shapes,
+      *read_colour_image(sample_.canvas, sample_.job, sample_.job.settings.pieces.min_scale_px, drawers_).target);
   EXPECT_TRUE(note(without_alpha(gradient({400, 200}))).seen);
   sample_.report.covered.back() = "#123456";
   EXPECT_EQ(note(without_alpha(gradient({400, 200}))).not_measured, "colour.image has changed since the collage");

@@ -197,7 +197,7 @@ TEST(Tones, KnowWhatPiecesCover) {
   collage.paint(test::two_toned_grid({50, 0, 0}, {50, 0, 0}));
   const auto target =
       test::picture(200, 100, [](Vec2 p) { return p.x < 95 ? test::opaque(lab_of(cv::Vec3d(0, 0, 255))) : Texel{}; });
-  const std::vector<std::string> covered = covered_colours(collage.report, *target);
+  const std::vector<std::string> covered = covered_colours(collage.report.placements, collage.report.shapes, *target);
   ASSERT_EQ(covered.size(), 2u);
   EXPECT_TRUE(covered[0] == "#ff0000" || covered[0] == "#fe0000" || covered[0] == "#ff0100") << covered[0];
   EXPECT_EQ(covered[1], "");

@@ -7,27 +7,6 @@
 
 #include "comm/in_process_communicator.h"
 #include "core/base/error.h"
-#include "job/canvas/overlays.h"
-
-namespace tessera::test {
-
-/// Without shapes.
-class NoLibrary : public ShapeLibrary {
- public:
-  const std::string& path() const override { return path_; }
-  std::size_t size() const override { return 0; }
-  PadParameters pad_parameters() const override { return {}; }
-  std::uint64_t content_digest() const override { return 1; }
-  std::vector<std::uint32_t> variant_of() const override { return {}; }
-  std::vector<StyleFeatures> styles() const override { return {}; }
-  std::vector<std::uint32_t> drawings() const override { return {}; }
-  std::vector<Shape> read(std::size_t, std::size_t, const LibraryParts&) const override { return {}; }
-
- private:
-  std::string path_ = "none.h5";
-};
-
-}  // namespace tessera::test
 
 namespace tessera::cli {
 namespace test_rank_agreement {
@@ -42,7 +21,7 @@ std::string complaint(Join join) {
     job.quality = QualityWord::none;  // an effective job has the number in its place
     job.settings.seed = 5;
     const auto ranks = network.connect(0);
-    announce_run(*ranks, "master 1", job, 77);
+    announce_job(*ranks, "master 1", job);
   });
   const auto ranks = network.connect(1);
   try {
@@ -63,36 +42,31 @@ TEST(RankAgreement, the_masters_job_arrives) {
 }
 
 /// To the bit, however its sizes divide.
-TEST(RankAgreement, pictures_over_the_canvas_arrive) {
+TEST(RankAgreement, what_was_found_on_the_canvas_arrives) {
   Grid<Texel> finest(37, 11);
   for (std::size_t i = 0; i < finest.data().size(); ++i)
     finest.data()[i] = {float(i) / 7, float(i) / 3, -1.f / 9, 0.7f};
   const auto target = std::make_shared<const ColourTarget>(finest, 1.7f);
   const auto sizes = std::make_shared<const SizeMap>(SizeMap{Grid<float>(5, 3, 0.3f), 0.7f});
-  const test::NoLibrary library;
   comm::InProcessNetwork network(2);
-  std::jthread master([&] {
-    Job job;
-    set_overlays({target, sizes}, library, job);
-    announce_overlays(*network.connect(0), job);
-  });
-  Job job;
-  receive_overlays(*network.connect(1), library, job);
-  ASSERT_TRUE(job.settings.colour);
-  EXPECT_EQ(job.settings.colour.target->texels(), target->texels());
-  ASSERT_TRUE(job.settings.pieces.size_map);
-  EXPECT_EQ(job.settings.pieces.size_map->part.data(), sizes->part.data());
-  EXPECT_EQ(job.settings.pieces.size_map->cells_per_px, 0.7f);
-  EXPECT_EQ(job.settings.colour.target->levels().back().texels_per_px, target->levels().back().texels_per_px);
+  std::jthread master([&] { announce_findings(*network.connect(0), {1. / 3, 0.1, {target, sizes}}); });
+  const CanvasFindings found = receive_findings(*network.connect(1));
+  EXPECT_EQ(found.size_factor, 1. / 3);
+  EXPECT_EQ(found.room_part, 0.1);
+  ASSERT_TRUE(found.overlays.colour);
+  EXPECT_EQ(found.overlays.colour->texels(), target->texels());
+  ASSERT_TRUE(found.overlays.sizes);
+  EXPECT_EQ(found.overlays.sizes->part.data(), sizes->part.data());
+  EXPECT_EQ(found.overlays.sizes->cells_per_px, 0.7f);
+  EXPECT_EQ(found.overlays.colour->levels().back().texels_per_px, target->levels().back().texels_per_px);
 }
 
 TEST(RankAgreement, where_there_is_no_picture_none_arrives) {
   comm::InProcessNetwork network(2);
-  std::jthread master([&] { announce_overlays(*network.connect(0), {}); });
-  Job job;
-  receive_overlays(*network.connect(1), test::NoLibrary(), job);
-  EXPECT_FALSE(job.settings.colour);
-  EXPECT_FALSE(job.settings.pieces.size_map);
+  std::jthread master([&] { announce_findings(*network.connect(0), {}); });
+  const CanvasFindings found = receive_findings(*network.connect(1));
+  EXPECT_FALSE(found.overlays.colour);
+  EXPECT_FALSE(found.overlays.sizes);
 }
 
 TEST(RankAgreement, another_program_is_refused) {

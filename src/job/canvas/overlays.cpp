@@ -29,10 +29,7 @@ constexpr LibraryParts kHeadsOnly{.outline = false, .field = false, .levels = 0,
 float in_steps(float value, float steps) { return std::nearbyint(value * steps) / steps; }
 
 /// Of a grid over the canvas, so many for the side of the smallest piece.
-float px_per_cell(const Job& job, float cells_per_piece) {
-  const float smallest_px = job.settings.pieces.min_scale_px * float(job.size_factor);
-  return std::max(1.f, smallest_px / cells_per_piece);
-}
+float px_per_cell(float smallest_px, float cells_per_piece) { return std::max(1.f, smallest_px / cells_per_piece); }
 
 cv::Size cells_of(const Canvas& canvas, float px_per_cell) {
   const auto along = [&](int px) { return std::max(1, int(std::ceil(float(px) / px_per_cell))); };
@@ -90,10 +87,10 @@ Grid<Texel> texels_from(const cv::Mat& straight_bgra, cv::Size size) {
 }
 
 /// By lightness as it is stored; transparent places are white.
-std::shared_ptr<const SizeMap> size_map_of(const Canvas& canvas, const Job& job, Drawers& drawers) {
+std::shared_ptr<const SizeMap> size_map_of(const Canvas& canvas, const Job& job, float smallest_px, Drawers& drawers) {
   if (job.size_map.empty()) return nullptr;
   refuse_seamless(job, "pieces.size_map");
-  const float cell_px = px_per_cell(job, kSizesPerPiece);
+  const float cell_px = px_per_cell(smallest_px, kSizesPerPiece);
   const cv::Size size = cells_of(canvas, cell_px);
   const cv::Mat bgra = picture_for(job, job.size_map, "pieces.size_map", canvas, side_for(size), drawers);
   cv::Mat grey, alpha, cells;
@@ -148,10 +145,10 @@ std::shared_ptr<const std::vector<std::uint8_t>> shown_png(const Canvas& canvas,
 
 }  // namespace
 
-ColourImage read_colour_image(const Canvas& canvas, const Job& job, Drawers& drawers) {
+ColourImage read_colour_image(const Canvas& canvas, const Job& job, float smallest_px, Drawers& drawers) {
   if (job.colour.image.empty()) return {};
   refuse_seamless(job, "colour.image");
-  const float px_per_texel = px_per_cell(job, kTexelsPerPiece);
+  const float px_per_texel = px_per_cell(smallest_px, kTexelsPerPiece);
   const cv::Size size = cells_of(canvas, px_per_texel);
   const cv::Mat picture = picture_for(job, job.colour.image, "colour.image", canvas, side_for(size), drawers);
   const Grid<Texel> finest = texels_from(picture, size);
@@ -164,13 +161,13 @@ ColourImage read_colour_image(const Canvas& canvas, const Job& job, Drawers& dra
 
 std::vector<std::uint8_t> shown_picture_png(const cv::Mat& bgra) { return png_of(shrunk(bgra, kLongestShownSide_px)); }
 
-Overlays read_overlays(const Canvas& canvas, const Job& job) {
+Overlays read_overlays(const Canvas& canvas, const Job& job, float smallest_px) {
   Drawers drawers(photo_drawer_settings(1));
   Overlays overlays;
-  const ColourImage image = read_colour_image(canvas, job, drawers);
+  const ColourImage image = read_colour_image(canvas, job, smallest_px, drawers);
   overlays.colour = image.target;
   if (image.target) overlays.shown_png = shown_png(canvas, job, image.bgra, drawers);
-  overlays.sizes = size_map_of(canvas, job, drawers);
+  overlays.sizes = size_map_of(canvas, job, smallest_px, drawers);
   return overlays;
 }
 

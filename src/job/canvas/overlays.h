@@ -22,8 +22,9 @@ struct ColourImage {
   std::shared_ptr<const ColourTarget> target;
 };
 
-/// Empty where the job has none. Errors as read_overlays, and as overlay_picture where `drawers` are stopped.
-ColourImage read_colour_image(const Canvas& canvas, const Job& job, Drawers& drawers);
+/// Empty where the job has none. `smallest_px`: the size of the smallest piece. Errors as read_overlays, and as
+/// overlay_picture where `drawers` are stopped.
+ColourImage read_colour_image(const Canvas& canvas, const Job& job, float smallest_px, Drawers& drawers);
 
 /// Longest side of the picture that a result keeps. Its PNG in Base64, as SVGs hold it, stays below the 10 MB that
 /// libxml2 reads in one attribute, even where it is noise.
@@ -39,9 +40,10 @@ struct Overlays {
   std::shared_ptr<const std::vector<std::uint8_t>> shown_png = {};
 };
 
-/// Read from the job's files. Throws InputError that names the key and the file: where that is no picture, where the
-/// colours are transparent all over, or the canvas is seamless.
-Overlays read_overlays(const Canvas& canvas, const Job& job);
+/// Read from the job's files, as finely as the smallest piece needs, whose size is `smallest_px`. Throws InputError that
+/// names the key and the file: where that is no picture, where the colours are transparent all over, or the canvas is
+/// seamless.
+Overlays read_overlays(const Canvas& canvas, const Job& job, float smallest_px);
 
 /// Makes them those of the job's settings. Throws InputError where the library does not know the colours of its
 /// drawings' parts, as it is older, and they are asked for.

@@ -201,10 +201,11 @@ DrawnColours own_colours(const CollageReport& report, const std::vector<DrawnCol
 
 }  // namespace
 
-std::vector<std::string> covered_colours(const CollageReport& report, const ColourTarget& target) {
+std::vector<std::string> covered_colours(const std::vector<Placement>& placements, const PlacedShapes& shapes,
+                                         const ColourTarget& target) {
   std::vector<std::string> colours;
-  for (const Placement& placement : report.placements) {
-    const Shape& shape = report.shape(placement.shape);
+  for (const Placement& placement : placements) {
+    const Shape& shape = shapes[shapes.slot_of(placement.shape)];
     const Extent box = extent_of(shape.outline.curves.front(), {1, 0, 0, 0});
     const ColourModel model = make_colour_model(shape.colour_grid, box.low, box.high);
     const auto covered = covered_colour(model, placement.canvas_from_shape, target);

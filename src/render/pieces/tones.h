@@ -14,7 +14,8 @@ namespace tessera {
 
 /// The mean colour of the picture beneath each piece, "#rrggbb"; "" where it wishes nothing. The shapes have their
 /// outlines.
-std::vector<std::string> covered_colours(const CollageReport& report, const ColourTarget& target);
+std::vector<std::string> covered_colours(const std::vector<Placement>& placements, const PlacedShapes& shapes,
+                                         const ColourTarget& target);
 
 /// A piece's mean colour before tones are shifted: that of its drawing, or of its silhouette in a palette.
 cv::Vec3b drawn_colour(const CollageReport& report, std::size_t piece);
