@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/process_limits.h"
 
 namespace tessera {
 
@@ -38,7 +39,8 @@ class OrderedWorkers {
       try {
         threads_.emplace_back([this] { work(); });
       } catch (const std::system_error& error) {  // fewer threads do the same work
-        if (threads_.empty()) throw EnvironmentError(std::string("cannot start a thread: ") + error.what());
+        if (threads_.empty())
+          throw EnvironmentError(std::string("cannot start a thread: ") + error.what() + process_limits());
         break;
       }
     }

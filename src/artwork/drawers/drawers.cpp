@@ -20,6 +20,7 @@
 #include "artwork/protocol/shape_answer.h"
 #include "artwork/protocol/warp_codec.h"
 #include "core/base/error.h"
+#include "core/base/process_limits.h"
 #include "text/utf8_text.h"
 
 namespace tessera {
@@ -76,7 +77,8 @@ class Drawers::Crew {
       try {
         threads_.emplace_back([this, &process] { work(*process); });
       } catch (const std::system_error& error) {  // fewer threads do the same work
-        if (threads_.empty()) throw EnvironmentError(std::string("cannot start a thread: ") + error.what());
+        if (threads_.empty())
+          throw EnvironmentError(std::string("cannot start a thread: ") + error.what() + process_limits());
         break;
       }
     }
