@@ -7,7 +7,7 @@ function(tessera_room name)
   endif()
   foreach(folder IN LISTS ARG_FOLDERS)
     file(GLOB found CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
-    list(FILTER found EXCLUDE REGEX "main\\.cpp$")  # of a program
+    list(FILTER found EXCLUDE REGEX "/main\\.cpp$")  # of a program
     list(APPEND ARG_SOURCES ${found})
   endforeach()
   add_library(${name} STATIC ${ARG_SOURCES})

@@ -28,7 +28,7 @@ readonly drawings=/usr/share/openclipart/svg/animals
 
 check_parts() {
   local test missing=() needed=("$build/src/cli/tessera" "$build/src/cli/tessera-drawer"
-    "$build/bench/libopencl_profile.so" "$build/tests/golden/golden_inputs")
+    "$build/src/cli/tessera-bench" "$build/bench/libopencl_profile.so" "$build/tests/golden/golden_inputs")
   for test in "${kernel_tests[@]}"; do needed+=("$build/tests/worker/$test"); done
   for test in "${needed[@]}"; do [[ -e $test ]] || missing+=("$test"); done
   if [[ ${#missing[@]} -gt 0 ]]; then
@@ -127,7 +127,7 @@ END
 make_main() {
   local to=$work/main/bundle test
   mkdir -p "$to"/{bin,lib,tests/golden,jobs,out}
-  cp $build/src/cli/tessera $build/src/cli/tessera-drawer "$to/bin/"
+  cp $build/src/cli/tessera{,-drawer,-bench} "$to/bin/"
   copy_open_mpi "$to"
   copy_fonts "$to"
   for test in "${kernel_tests[@]}"; do cp "$build/tests/worker/$test" "$to/tests/"; done

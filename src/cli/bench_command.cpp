@@ -1,256 +1,36 @@
-#include <array>
-#include <filesystem>
-#include <functional>
-#include <memory>
+#include <unistd.h>
 
-#include "bench/benchmarks.h"
+#include <cerrno>
+#include <string>
+#include <string_view>
+#include <system_error>
+
 #include "cli/commands.h"
-#include "cli/list_option.h"
 #include "core/base/error.h"
-#include "files/atomic_file.h"
 #include "files/own_program.h"
-#include "files/regular_file.h"
-#include "result/collage_files.h"
-#include "terminal/terminal.h"
-#include "text/number_text.h"
-#include "worker/devices/opencl_devices.h"
 
 namespace tessera::cli {
 namespace {
 
-constexpr const char* kBenchExamples =
-    "Examples:\n"
-    "  tessera bench pairs\n"
-    "  tessera bench pairs --library out/animals.h5 --shapes 10000\n"
-    "  tessera bench headline --out headline.json\n"
-    "  tessera bench table2 --library out/animals.h5 --rows 13a,13b,13c\n"
-    "  tessera bench alternatives --library out/animals.h5 --scale-px 20,160 --size 1000 --seed 7\n"
-    "  tessera bench quality --library out/animals.h5 --scale-px 60,120 --seconds 32\n"
-    "  tessera bench replacing --library out/animals.h5 --scale-px 60,120 --size 10000\n"
-    "  tessera bench library --library out/animals.h5 --sizes 100,1000,10000\n"
-    "  tessera bench variety --library out/animals.h5 --sizes 100,1000 --pairs 0,100\n"
-    "  tessera bench mosaic --library out/openclipart.h5 --image cup.jpg --image rocket.jpg --pieces 2000\n"
-    "  tessera bench scaling --library out/animals.h5 --shapes 10000 --ranks 2,3\n"
-    "Each prints a table and writes the same figures as JSON, by default to out/bench_NAME.json.";
-
-using Benchmark = std::function<bench::Report(const bench::Setting&)>;
-
-/// A report replaces only another report: throws InputError where the file is there and is no JSON, as a library or a
-/// picture is.
-void check_is_report(const std::string& path) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) return;
-  std::array<std::uint8_t, 1> first{};
-  if (read_at(path, open_regular_file(path), 0, first) == 1 && first[0] != '{')
-    throw InputError("--out: found " + path + ", which is there and is no JSON file; give another name");
-}
-
-int run(const bench::Setting& setting, const Benchmark& benchmark) {
-  worker::chosen_devices(setting.devices, {}, "--devices");  // what is wrong with it shows at once, by this name
-  const std::filesystem::path folder = std::filesystem::path(setting.out).parent_path();
-  prepare_output_directory(folder.empty() ? "." : folder.string());
-  check_is_report(setting.out);
-  check_can_be_written(setting.out);
-  bench::Setting told = setting;
-  told.progress = print_message;
-  const bench::Report report = benchmark(told);
-  bench::write_report(report, setting.out);
-  print_lines(report.text + "\n");
-  print_line("written to %s", setting.out.c_str());
-  return 0;
-}
-
-CLI::App* add_benchmark(CLI::App& bench, Command& selected, const std::string& name, const std::string& meaning,
-                        Benchmark benchmark) {
-  CLI::App* sub = bench.add_subcommand(name, meaning);
-  const auto setting = std::make_shared<bench::Setting>();
-  setting->out = "out/bench_" + name + ".json";
-  sub->add_option("--out", setting->out, "The JSON file")->type_name("FILE.json")->capture_default_str();
-  sub->add_flag(
-      "--quick", setting->quick,
-      "A small version, which only shows that it runs: on a small canvas, few cases where none are asked for");
-  sub->add_option("--devices", setting->devices, "OpenCL devices, as the job key devices.use")
-      ->type_name("USE")
-      ->capture_default_str();
-  sub->callback([setting, benchmark = std::move(benchmark), &selected] {
-    selected.run = [setting, benchmark] { return run(*setting, benchmark); };
-  });
-  return sub;
-}
-
-void add_library_option(CLI::App& sub, std::string& library) {
-  sub.add_option("--library", library, "The library file")->required()->type_name("LIB.h5");
-}
-
-void add_pairs(CLI::App& bench, Command& selected) {
-  const auto options = std::make_shared<bench::PairsOptions>();
-  CLI::App* sub =
-      add_benchmark(bench, selected, "pairs",
-                    "Pairs by the index and by a scan; pair tests a second, beside what the machine can do at most",
-                    [options](const bench::Setting& s) { return bench::bench_pairs(s, *options); });
-  sub->add_option("--library", options->library, "The library file; default: blobs made from formulas")
-      ->type_name("LIB.h5");
-  sub->add_option("--shapes", options->shapes,
-                  "How many; default: the library's, or 1,000 blobs. More than it has: mirrored and stretched ones")
-      ->type_name("N");
-}
-
-void add_table2(CLI::App& bench, Command& selected) {
-  const auto options = std::make_shared<bench::Table2Options>();
-  CLI::App* sub = add_benchmark(bench, selected, "table2", "Jobs of the sizes of the paper's Table 2",
-                                [options](const bench::Setting& s) { return bench::bench_table2(s, *options); });
-  add_library_option(*sub, options->library);
-  add_list_option(*sub, "--rows", options->rows, "Figures of the paper: 1,13a,13b,13c,16,17,18,19,21,22; default: all",
-                  {.type_name = "ROW,.."});
-}
-
-void add_square_job_options(CLI::App& sub, bench::SquareJob& job) {
-  add_library_option(sub, job.library);
-  const auto take_sizes = [&job](const std::vector<float>& given) { job.scale_px = {given[0], given[1]}; };
-  add_list_option<float>(sub, "--scale-px", take_sizes, "Sizes of the smallest and the largest piece, px",
-                         {.type_name = "MIN,MAX", .count = 2})
-      ->default_str(significant(double(job.scale_px[0]), 6) + "," + significant(double(job.scale_px[1]), 6));
-  sub.add_option("--size", job.size_px, "Sides of the canvas, px")->type_name("PX")->capture_default_str();
-  sub.add_option("--seed", job.seed, "Start of the random numbers")->type_name("N")->capture_default_str();
-}
-
-void add_alternatives(CLI::App& bench, Command& selected) {
-  const auto job = std::make_shared<bench::SquareJob>();
-  CLI::App* sub =
-      add_benchmark(bench, selected, "alternatives", "This engine beside what could be done instead, on one job",
-                    [job](const bench::Setting& s) { return bench::bench_alternatives(s, *job); });
-  add_square_job_options(*sub, *job);
-}
-
-void add_quality(CLI::App& bench, Command& selected) {
-  const auto job = std::make_shared<bench::SquareJob>();
-  const auto seconds = std::make_shared<int>(32);
-  CLI::App* sub = add_benchmark(bench, selected, "quality", "What longer improving brings, on one job",
-                                [=](const bench::Setting& s) { return bench::bench_quality(s, *job, *seconds); });
-  add_square_job_options(*sub, *job);
-  sub->add_option("--seconds", *seconds, "For each of two runs; seen after 1, 2, 4 s and so on")
-      ->type_name("S")
-      ->capture_default_str();
-}
-
-void add_replacing(CLI::App& bench, Command& selected) {
-  const auto job = std::make_shared<bench::SquareJob>();
-  job->scale_px = {60, 120};
-  job->size_px = 10000;
-  CLI::App* sub = add_benchmark(bench, selected, "replacing",
-                                "A batch of replacement trials on a large canvas: the master's part, and the workers'",
-                                [job](const bench::Setting& s) { return bench::bench_replacing(s, *job); });
-  add_square_job_options(*sub, *job);
-}
-
-void add_models_option(CLI::App& sub, std::string& folder) {
-  sub.add_option("--models", folder,
-                 "Folder for files of the shapes' models, 27 KB a shape, which are read as a large library's; default: "
-                 "models are made each time, and held in memory")
-      ->type_name("FOLDER")
-      ->check(CLI::ExistingDirectory);
-}
-
-void add_sizes_option(CLI::App& sub, std::vector<std::uint32_t>& sizes, const std::string& otherwise) {
-  add_list_option(sub, "--sizes", sizes, "Numbers of shapes; beyond the library's, mirrored and stretched ones",
-                  {.type_name = "N,.."})
-      ->default_str(otherwise);
-}
-
-void add_library(CLI::App& bench, Command& selected) {
-  const auto options = std::make_shared<bench::LibraryOptions>();
-  CLI::App* sub = add_benchmark(bench, selected, "library", "Time and memory as the library grows",
-                                [options](const bench::Setting& s) { return bench::bench_library(s, *options); });
-  add_library_option(*sub, options->library);
-  add_sizes_option(*sub, options->sizes, "100,1000,10000,100000");
-  add_models_option(*sub, options->models);
-}
-
-void add_variety(CLI::App& bench, Command& selected) {
-  const auto job = std::make_shared<bench::SquareJob>();
-  job->size_px = 600;
-  const auto options = std::make_shared<bench::VarietyOptions>();
-  CLI::App* sub =
-      add_benchmark(bench, selected, "variety", "What more shapes, and more pairs docked, bring to a collage",
-                    [=](const bench::Setting& s) { return bench::bench_variety(s, *job, *options); });
-  add_square_job_options(*sub, *job);
-  add_sizes_option(*sub, options->sizes, "100,1000,10000");
-  add_list_option(*sub, "--pairs", options->pairs,
-                  "Pairs docked for a target sample; 0: none, as the job key match.top_percent = 0",
-                  {.type_name = "N,.."})
-      ->default_str("0,25,50,100,200,400");
-  sub->add_option("--seeds", options->seeds, "Collages of each kind, whose means are told")
-      ->type_name("N")
-      ->default_str("4");
-  add_models_option(*sub, options->models);
-}
-
-void add_mosaic(CLI::App& bench, Command& selected) {
-  const auto options = std::make_shared<bench::MosaicOptions>();
-  CLI::App* sub = add_benchmark(bench, selected, "mosaic",
-                                "tessera mosaic beside metapixel, on the same drawings: what is seen from afar",
-                                [options](const bench::Setting& s) {
-                                  options->program = own_program();
-                                  return bench::bench_mosaic(s, *options);
-                                });
-  add_library_option(*sub, options->library);
-  sub->add_option("--image", options->images, "What the mosaics show, JPEG, PNG, TIFF, WebP or BMP; may be repeated")
-      ->required()
-      ->type_name("FILE")
-      ->allow_extra_args(false)
-      ->take_all();
-  sub->add_option("--pieces", options->pieces, "About so many pieces; metapixel gets as many tiles as we lay")
-      ->type_name("N")
-      ->capture_default_str();
-  add_list_option(*sub, "--grounds", options->grounds, "What metapixel's tiles are laid on, a mosaic for each",
-                  {.type_name = "#RRGGBB,.."})
-      ->default_str("#f3f0ec,#404040");
-  sub->add_option("--set", options->settings, "A key of our jobs, as of tessera mosaic; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false)
-      ->take_all();
-}
-
-void add_scaling(CLI::App& bench, Command& selected) {
-  const auto options = std::make_shared<bench::ScalingOptions>();
-  CLI::App* sub = add_benchmark(bench, selected, "scaling", "Speed-up with more workers; starts mpirun itself",
-                                [options](const bench::Setting& s) {
-                                  options->program = own_program();
-                                  return bench::bench_scaling(s, *options);
-                                });
-  add_library_option(*sub, options->library);
-  sub->add_option("--shapes", options->shapes,
-                  "Shapes for the most workers; default: the library's. More than it has: "
-                  "mirrored and stretched ones")
-      ->type_name("N");
-  add_list_option(*sub, "--ranks", options->ranks, "Numbers of ranks, one of them the master", {.type_name = "N,.."})
-      ->default_str("2,3");
-  sub->add_option("--pieces", options->pieces, "Pieces to place")->type_name("N")->capture_default_str();
-  sub->add_option("--size", options->size_px, "Sides of the canvas, px")->type_name("PX")->capture_default_str();
-  sub->add_option("--repeats", options->repeats, "Loops of each case; the median counts")
-      ->type_name("N")
-      ->capture_default_str();
-  sub->add_option("--launcher", options->launcher, "What starts ranks, given -n N PROGRAM")
-      ->type_name("COMMAND")
-      ->capture_default_str();
-}
+constexpr const char* kBench = "bench";
 
 }  // namespace
 
-void add_bench_command(CLI::App& app, Command& selected) {
-  CLI::App* bench = app.add_subcommand("bench", "Measure this machine against the paper and the alternatives");
-  bench->footer(kBenchExamples);
-  bench->require_subcommand(1);
-  add_pairs(*bench, selected);
-  add_benchmark(*bench, selected, "headline", "Two shapes with 25,000,000 docking positions", bench::bench_headline);
-  add_table2(*bench, selected);
-  add_alternatives(*bench, selected);
-  add_quality(*bench, selected);
-  add_replacing(*bench, selected);
-  add_library(*bench, selected);
-  add_variety(*bench, selected);
-  add_mosaic(*bench, selected);
-  add_scaling(*bench, selected);
+void add_bench_command(CLI::App& app) {
+  app.add_subcommand(kBench, "Measure this machine against the paper and the alternatives")
+      ->footer("tessera bench --help names the benchmarks.");
+}
+
+bool asks_for_bench(int argc, char** argv) { return argc > 1 && std::string_view(argv[1]) == kBench; }
+
+void become_bench(char** argv) {
+  const std::string program = program_beside_own("tessera-bench");
+  argv[1] = const_cast<char*>(program.c_str());  // execv changes nothing
+  ::execv(program.c_str(), argv + 1);
+  if (errno == ENOENT)
+    throw EnvironmentError("the program tessera-bench, which measures, is missing: looked for " + program +
+                           "; scripts/build.sh tessera-bench builds it");
+  throw EnvironmentError("cannot start " + program + ": " + std::generic_category().message(errno));
 }
 
 }  // namespace tessera::cli

@@ -3,22 +3,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include <functional>
-#include <optional>
-#include <string>
-
-#include "comm/communicator.h"
+#include "program/command.h"
 
 namespace tessera::cli {
-
-/// What the chosen sub-command runs: one of the two. Both return the exit code and throw InputError and
-/// EnvironmentError.
-struct Command {
-  std::function<int()> run = {};  // on rank 0 alone
-  std::function<int(comm::Communicator&)> run_on_all_ranks = {};
-  /// The value of --time-limit, where it is given: MPI's start must keep to it before the command runs.
-  std::optional<std::string> time_limit = {};
-};
 
 void add_library_command(CLI::App& app, Command& selected);
 void add_collage_command(CLI::App& app, Command& selected);
@@ -32,6 +19,12 @@ void add_plan_command(CLI::App& app, Command& selected);
 void add_rank_command(CLI::App& app, Command& selected);
 void add_card_command(CLI::App& app, Command& selected);
 void add_devices_command(CLI::App& app, Command& selected);
-void add_bench_command(CLI::App& app, Command& selected);
+
+/// For help alone: "tessera bench ..." is the command line of another program, tessera-bench.
+void add_bench_command(CLI::App& app);
+bool asks_for_bench(int argc, char** argv);
+/// Replaces this program by tessera-bench, which lies beside it, with the arguments after "bench". Throws
+/// EnvironmentError where it cannot be started.
+[[noreturn]] void become_bench(char** argv);
 
 }  // namespace tessera::cli

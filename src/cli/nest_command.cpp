@@ -1,7 +1,7 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "cli/list_option.h"
+#include "program/list_option.h"
 #include "run/nesting/nest_run.h"
 
 namespace tessera::cli {

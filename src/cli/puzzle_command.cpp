@@ -12,7 +12,6 @@
 
 #include "cli/collage_options.h"
 #include "cli/commands.h"
-#include "cli/list_option.h"
 #include "comm/stop_signals.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
@@ -21,6 +20,7 @@
 #include "products/puzzle/puzzle_making.h"
 #include "products/puzzle/puzzle_solver.h"
 #include "products/puzzle/puzzle_solving.h"
+#include "program/list_option.h"
 #include "run/job_output.h"
 #include "run/messages/collage_warnings.h"
 #include "run/time_limit.h"

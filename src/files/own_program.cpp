@@ -16,4 +16,8 @@ std::string own_program() {
   return path.string();
 }
 
+std::string program_beside_own(const std::string& name) {
+  return (std::filesystem::path(own_program()).parent_path() / name).string();
+}
+
 }  // namespace tessera

@@ -30,7 +30,13 @@ bare() {
     ${OCL_ICD_VENDORS:+"OCL_ICD_VENDORS=$OCL_ICD_VENDORS"} "$@"
 }
 bare tessera --version >output || fail "--version"
-readelf -d "$prefix/bin/tessera" | grep -qiE 'R(UN)?PATH' && fail "the program looks for libraries in fixed folders"
+for program in tessera tessera-bench; do
+  readelf -d "$prefix/bin/$program" >output || fail "not installed: $program"
+  grep -qiE 'R(UN)?PATH' output && fail "$program looks for libraries in fixed folders"
+done
+bare tessera bench pairs --quick >output 2>errors || fail "tessera bench"
+[[ -s out/bench_pairs.json ]] || fail "no report of tessera bench"
+rm -r out
 make_drawings drawings
 bare tessera library build drawings -o own.h5 >output 2>errors || fail "library build"
 # One of the jobs that came with it, whose canvas lies beside it.

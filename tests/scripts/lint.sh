@@ -9,7 +9,7 @@ for script in "${scripts[@]}"; do
 done
 shellcheck --external-sources --severity=warning "${scripts[@]}"
 # All of tessera prints through terminal/terminal.h, which escapes names and finds what is lost; progress redraws itself.
-if grep -nE '\b(printf|fprintf|puts|fputs|fputc|putchar)\(|std::(cout|cerr|clog)\b' src/cli/*.cpp src/bench/*.cpp |
+if grep -nE '\b(printf|fprintf|puts|fputs|fputc|putchar)\(|std::(cout|cerr|clog)\b' src/cli/*.cpp src/bench/*.cpp src/program/*.cpp |
   grep -vE '^src/cli/(terminal|progress_bar)\.cpp|fputc\(.\\n., stderr\)'; then
   echo "print by print_line, print_lines, print_cells, print_message or print_warning (src/cli/terminal.h)"
   exit 1

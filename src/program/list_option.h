@@ -13,7 +13,7 @@
 
 #include "core/base/split_text.h"
 
-namespace tessera::cli {
+namespace tessera {
 
 struct ListOption {
   std::string type_name;      // as help shows it, and what is allowed: "W,H"
@@ -58,4 +58,4 @@ CLI::Option* add_list_option(CLI::App& app, const std::string& name, std::vector
       app, name, [&values](std::vector<Value> given) { values = std::move(given); }, meaning, kind);
 }
 
-}  // namespace tessera::cli
+}  // namespace tessera
