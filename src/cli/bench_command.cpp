@@ -29,7 +29,7 @@ void become_bench(char** argv) {
   ::execv(program.c_str(), argv + 1);
   if (errno == ENOENT)
     throw EnvironmentError("the program tessera-bench, which measures, is missing: looked for " + program +
-                           "; scripts/build.sh tessera-bench builds it");
+                           "; scripts/build.sh --without-tests tessera-bench builds it, cmake --install installs it");
   throw EnvironmentError("cannot start " + program + ": " + std::generic_category().message(errno));
 }
 

@@ -18,7 +18,7 @@ for arguments in "" "pairs --quick" "--help"; do
   # shellcheck disable=SC2086  # words
   run 1 bench $arguments
   expect_word "tessera-bench, which measures, is missing: looked for $folder/bin/tessera-bench; "
-  expect_word 'scripts/build.sh tessera-bench builds it'
+  expect_word 'scripts/build.sh --without-tests tessera-bench builds it'
   [[ $(wc -l <errors) == 1 ]] || fail "more than one line"
 done
 run_on_ranks 2 1 bench pairs
