@@ -1,5 +1,5 @@
 // This kernel computes single operations, and gives the bits of their results, which the host compares with those that
-// IEEE 754 demands (src/worker/arithmetic_probe.h).
+// IEEE 754 demands (src/worker/devices/arithmetic_probe.h).
 // It stands in the program of the other kernels: what the device's compiler does to them, it does to this one.
 
 kernel void probe_arithmetic(uint count, global const ProbeRecord* probes, global uint* results) {

@@ -1,6 +1,6 @@
 // What host and kernels exchange, included by both, so that they cannot drift: plain structs of 4-byte members (8-byte
 // ones first), without padding. The host takes the constants from the headers of core; the kernels get the same names
-// as build options (src/worker/kernel_options.cpp).
+// as build options (src/worker/devices/kernel_options.cpp).
 #ifndef TESSERA_KERNELS_RECORDS_H
 #define TESSERA_KERNELS_RECORDS_H
 

@@ -7,20 +7,20 @@
 #include <string>
 #include <vector>
 
+#include "artwork/drawers/drawers.h"
 #include "cli/build_summary.h"
-#include "run/messages/collage_warnings.h"
 #include "cli/library_output.h"
-#include "terminal/progress_bar.h"
-#include "terminal/terminal.h"
 #include "comm/stop_signals.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "files/atomic_file.h"
 #include "files/available_cores.h"
-#include "artwork/drawers/drawers.h"
+#include "files/output_lock.h"
 #include "library/left_out_list.h"
 #include "library/library_builder.h"
-#include "files/output_lock.h"
+#include "run/messages/collage_warnings.h"
+#include "terminal/progress_bar.h"
+#include "terminal/terminal.h"
 
 namespace tessera::cli {
 namespace {
@@ -48,8 +48,8 @@ LibraryBuildReport build_with_progress(const BuildArguments& arguments, const Ar
     bar.update(done, count_text(shapes, "shape"));
   };
   Drawers drawers({.processes = arguments.settings.files_at_a_time});
-  const LibraryBuildReport report = build_library(
-      files, arguments.output, arguments.settings, artwork_loader(drawers, arguments.settings.tracing), progress);
+  const LibraryBuildReport report = build_library(files, arguments.output, arguments.settings,
+                                                  artwork_loader(drawers, arguments.settings.tracing), progress);
   if (any_failed(drawers.layers())) print_warning(layers_note(drawers.layers()));
   return report;
 }

@@ -6,14 +6,14 @@
 #include <cstdint>
 #include <map>
 
-#include "core/base/error.h"
 #include "artwork/artwork_render.h"
 #include "artwork/images/sha256.h"
-#include "library/storage/library_file.h"
+#include "core/base/error.h"
+#include "files/work_in_order.h"
 #include "library/library_names.h"
 #include "library/same_colour.h"
 #include "library/skip_reason_text.h"
-#include "files/work_in_order.h"
+#include "library/storage/library_file.h"
 
 namespace tessera {
 namespace {

@@ -9,9 +9,9 @@
 #include <variant>
 #include <vector>
 
-#include "core/shape/outline.h"
 #include "artwork/artwork_shape.h"
 #include "artwork/drawers/drawers.h"
+#include "core/shape/outline.h"
 #include "library/artwork_files.h"
 
 namespace tessera {

@@ -6,8 +6,8 @@
 
 #include <map>
 
-#include "artwork/images/image_decoding.h"
 #include "artwork/images/formats/orientation.h"
+#include "artwork/images/image_decoding.h"
 #include "core/base/error.h"
 #include "support/images.h"
 

@@ -7,20 +7,20 @@
 #include <stdexcept>
 #include <thread>
 
-#include "support/artwork_samples.h"
-#include "core/base/error.h"
 #include "artwork/protocol/shape_codec.h"
+#include "core/base/error.h"
 #include "files/leftover_file.h"
 #include "library/contact_sheet.h"
 #include "library/left_out_list.h"
 #include "library/library_builder.h"
-#include "library/storage/library_file.h"
 #include "library/library_names.h"
 #include "library/skip_reason_text.h"
-#include "text/utf8_text.h"
+#include "library/storage/library_file.h"
+#include "support/artwork_samples.h"
+#include "support/images.h"
 #include "support/random_shape.h"
 #include "support/scratch_folder.h"
-#include "support/images.h"
+#include "text/utf8_text.h"
 
 namespace tessera {
 namespace test_library_builder {

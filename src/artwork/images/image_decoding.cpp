@@ -10,7 +10,7 @@
 namespace tessera {
 namespace {
 
-/// For what has none of the formats' first bytes.
+/// Says what a file is that begins as none of the formats does, as far as its first bytes tell.
 [[noreturn]] void refuse_format(std::span<const std::uint8_t> bytes) {
   if (looks_like_svg(bytes)) {
     throw UnreadableImage(

@@ -1,5 +1,5 @@
-// Reads the format and the size of an image from its header, so that a small file that claims a huge picture is refused before its
-// decoder asks for the memory.
+// Reads the format and the size of an image from its header. A small file that claims a huge picture is so refused
+// before its decoder asks for memory.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace tessera {
 
 enum class ImageFormat { none, png, jpeg, webp, tiff, bmp };
 
-/// By the first bytes.
+/// The format that the first bytes tell.
 ImageFormat image_format(std::span<const std::uint8_t> bytes);
 
 /// The size of a PNG, BMP, JPEG, WebP or TIFF (its first picture). Nothing where it is none of these or too damaged to

@@ -2,8 +2,8 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "artwork/images/image_decoding.h"
 #include "artwork/images/formats/orientation.h"
+#include "artwork/images/image_decoding.h"
 #include "artwork/images/reduced_picture.h"
 #include "core/base/error.h"
 

@@ -1,4 +1,4 @@
-// Writes PNGs through libpng, row by row: to a file (result/png_stream.h) or to memory.
+// Writes PNGs through libpng, row by row: to a file (render/png_stream.h) or to memory.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +12,15 @@ namespace tessera {
 
 /// How libpng's filter and zlib pack the rows.
 enum class PngPacking {
-  small,   // of drawings
-  labels,  // small, of areas of one value
-  fast
+  small,   // the smallest file, for drawings
+  labels,  // the smallest file, for areas of one value each
+  fast     // the shortest time
 };
 
 struct PngFormat {
-  cv::Size size;            // px
-  int type = CV_8UC4;       // of the rows: 8 or 16 bits; grey, BGR or straight BGRA
-  cv::Size2d size_mm = {};  // on paper, said in the file; 0 x 0: nothing is said
+  cv::Size size;            // in px
+  int type = CV_8UC4;       // OpenCV's type of the rows: 8 or 16 bits; grey, BGR or straight BGRA
+  cv::Size2d size_mm = {};  // the size on paper, which the file tells; 0 x 0: it tells none
   PngPacking packing = PngPacking::fast;
 };
 

@@ -4,8 +4,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "artwork/images/alpha.h"
-#include "artwork/images/image_header.h"
 #include "artwork/images/formats/image_readers.h"
+#include "artwork/images/image_header.h"
 #include "core/base/error.h"
 
 namespace tessera {

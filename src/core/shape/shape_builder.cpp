@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/shape/outline.h"
 #include "core/geometry/closed_curve.h"
 #include "core/geometry/polygon.h"
 #include "core/shape/level_curve.h"
+#include "core/shape/outline.h"
 #include "core/shape/shape_field.h"
 
 namespace tessera {

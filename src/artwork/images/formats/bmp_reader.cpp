@@ -11,25 +11,25 @@ namespace tessera {
 namespace {
 
 constexpr std::size_t kFileHeader_bytes = 14;
-constexpr std::uint32_t kOldHeader_bytes = 12;  // OS/2's
-constexpr std::uint32_t kHeader_bytes = 40;     // the least of all others
+constexpr std::uint32_t kOldHeader_bytes = 12;  // the header of OS/2
+constexpr std::uint32_t kHeader_bytes = 40;     // every other header has as many or more
 enum Compression : std::uint32_t { kNone = 0, kRle8 = 1, kRle4 = 2, kMasks = 3 };
 
-using Masks = std::array<std::uint32_t, 4>;  // of blue, green, red and alpha
+using Masks = std::array<std::uint32_t, 4>;  // which bits of a pixel are blue, green, red and alpha
 
 struct Header {
-  std::uint32_t bytes = 0;  // of the header that follows the file's
+  std::uint32_t bytes = 0;  // length of this header, which follows the header of the file
   std::size_t pixels_at = 0;
   int width_px = 0, height_px = 0;
   bool from_top = false;
-  std::uint32_t bits = 0;  // of a pixel
+  std::uint32_t bits = 0;  // bits of a pixel
   std::uint32_t compression = kNone;
-  std::uint32_t colours = 0;  // of the palette
+  std::uint32_t colours = 0;  // number of colours in the palette
 
   bool is_encoded() const { return compression == kRle8 || compression == kRle4; }
   std::size_t row_bytes() const { return (std::size_t(width_px) * bits + 7) / 8; }
   std::size_t stride_bytes() const { return (row_bytes() + 3) / 4 * 4; }
-  /// In the picture, of the row that is stored as number `i`.
+  /// The row of the picture that the file stores as its row number `i`: files begin with the lowest row or the highest.
   int row(int i) const { return from_top ? i : height_px - 1 - i; }
 };
 
@@ -96,7 +96,7 @@ class BmpReader {
     return pixels;
   }
 
-  /// Of the row that is stored as number `i`; room() has looked that it is there.
+  /// The bytes of the row that the file stores as number `i`. room() has checked that the file holds all rows.
   const std::uint8_t* stored_row(int i) const {
     return bytes_.data() + header_.pixels_at + header_.stride_bytes() * std::size_t(i);
   }
@@ -140,7 +140,8 @@ class BmpReader {
     }
   }
 
-  /// What the runs skip has the palette's first colour.
+  /// Fills `indices` from run-length encoded rows. Pixels that the runs skip get index 0, the first colour of the
+  /// palette.
   void decode_runs(cv::Mat& indices) const {
     constexpr std::uint32_t kEndOfRow = 0, kEndOfPicture = 1, kSkip = 2;
     const bool nibbles = header_.compression == kRle4;
@@ -198,7 +199,7 @@ class BmpReader {
             with_alpha ? number(kMasksAt + 12, 4) : 0};
   }
 
-  /// The highest of 8 bits is the mask's highest.
+  /// The value of one channel as 8 bits. A mask of more bits loses its lowest, a mask of fewer leaves the lowest 0.
   static std::uint8_t channel(std::uint32_t pixel, std::uint32_t mask) {
     const int shift = std::bit_width(mask) - 8;
     return std::uint8_t(shift >= 0 ? (pixel & mask) >> shift : (pixel & mask) << -shift);

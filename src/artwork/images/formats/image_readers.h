@@ -8,10 +8,10 @@
 
 namespace tessera {
 
-/// Of each channel.
+/// How many bits the decoded pixels have in each channel.
 enum class PixelBits {
-  as_stored,  // 8 or 16
-  eight
+  as_stored,  // 8 or 16, as in the file
+  eight       // always 8
 };
 
 struct ReadingRules {
@@ -24,26 +24,27 @@ struct DecodedImage {
   int orientation = 1;  // orientation.h, as EXIF data say; `pixels` are not turned yet
 };
 
-/// What is wrong with a picture, without its path.
+/// A picture that cannot be decoded. The message says what is wrong and leaves the path to the caller.
 class UnreadableImage : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-// `bytes` begin as a file of the format does. All of them throw UnreadableImage where the file is damaged or ends before
-// its last pixel, where it is of a kind that is not read, or breaks the rules.
+// The caller has checked that `bytes` begin as a file of the format does (image_header.h). Every reader throws
+// UnreadableImage where the file is damaged, ends before its last pixel, breaks the rules, or is of a kind of its
+// format that is not read.
 
 DecodedImage read_png(std::span<const std::uint8_t> bytes, const ReadingRules& rules);
 /// CMYK is taken as Adobe's programs write it: inverted.
 DecodedImage read_jpeg(std::span<const std::uint8_t> bytes, const ReadingRules& rules);
 DecodedImage read_webp(std::span<const std::uint8_t> bytes, const ReadingRules& rules);
-/// The first picture of the file, turned as its orientation says. Tiles, strips and all compressions of libtiff; 10 to 14
-/// bits become 16.
+/// The first picture of the file, turned as its orientation says. Tiles, strips and all compressions of libtiff; 10 to
+/// 14 bits become 16.
 DecodedImage read_tiff(std::span<const std::uint8_t> bytes, const ReadingRules& rules);
-/// 1 to 32 bits a pixel, run-length encoded or not.
+/// All BMPs of 1 to 32 bits a pixel, run-length encoded or not.
 DecodedImage read_bmp(std::span<const std::uint8_t> bytes, const ReadingRules& rules);
 
-// For the readers.
+// What the readers have in common.
 
 [[noreturn]] void throw_damaged();
 [[noreturn]] void throw_ends_early();
@@ -51,7 +52,7 @@ DecodedImage read_bmp(std::span<const std::uint8_t> bytes, const ReadingRules& r
 /// Throws UnreadableImage where a side is 0 or too long, or where pixels are too many.
 void check_size(double width_px, double height_px, const ReadingRules& rules);
 
-/// Room for the pixels, after check_size.
+/// An image of this size whose pixels are still to be filled in. Throws as check_size, before it takes memory.
 cv::Mat room_for_pixels(double width_px, double height_px, int type, const ReadingRules& rules);
 
 }  // namespace tessera

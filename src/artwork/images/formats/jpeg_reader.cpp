@@ -32,7 +32,8 @@ class JpegReader {
   JpegReader(const JpegReader&) = delete;
   JpegReader& operator=(const JpegReader&) = delete;
 
-  /// What comes before the pixels. All bool members are false where the file is damaged.
+  /// Reads everything before the pixels. This function and the other bool members return false where the file is
+  /// damaged.
   bool read_header(std::span<const std::uint8_t> bytes) {
     if (setjmp(leave_)) return false;
     jpeg_create_decompress(&info_);
@@ -59,8 +60,8 @@ class JpegReader {
     return jpeg_read_scanlines(&info_, &row, 1) == 1;
   }
 
-  /// Pixels were made up for data that are missing or damaged. Where all of them come in one scan, a missing mark at the
-  /// end of the file alone is no loss.
+  /// Pixels were made up for data that are missing or damaged. Where all of them come in one scan, a missing mark at
+  /// the end of the file alone is no loss.
   bool lost_pixels() { return lost_data_ || (ended_early_ && (jpeg_has_multiple_scans(&info_) || info_.arith_code)); }
   bool ended_early() const { return ended_early_; }
 

@@ -23,7 +23,8 @@ class PngReader {
   PngReader(const PngReader&) = delete;
   PngReader& operator=(const PngReader&) = delete;
 
-  /// The chunks before the pixels. All bool members are false where the file is damaged.
+  /// Reads the chunks before the pixels. This function and the other bool members return false where the file is
+  /// damaged.
   bool read_header() {
     if (!png_ || !info_ || setjmp(png_jmpbuf(png_))) return false;
     png_set_read_fn(png_, this, hand_out);
@@ -34,8 +35,8 @@ class PngReader {
   double width_px() const { return png_get_image_width(png_, info_); }
   double height_px() const { return png_get_image_height(png_, info_); }
 
-  /// Rows come as grey, BGR or straight BGRA. A palette becomes colours, grey with alpha BGRA. A grey that stands for
-  /// "transparent" stays grey.
+  /// Asks libpng for rows of grey, BGR or straight BGRA. A palette becomes colours, grey with alpha BGRA. A grey that
+  /// stands for "transparent" stays grey.
   bool choose_rows(PixelBits bits) {
     if (setjmp(png_jmpbuf(png_))) return false;
     const int kind = png_get_color_type(png_, info_);
@@ -52,7 +53,7 @@ class PngReader {
     return true;
   }
 
-  /// Of the rows chosen.
+  /// OpenCV's type of the rows that choose_rows() asked for.
   int type() const {
     return CV_MAKETYPE(png_get_bit_depth(png_, info_) == 16 ? CV_16U : CV_8U, png_get_channels(png_, info_));
   }

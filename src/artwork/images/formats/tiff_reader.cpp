@@ -13,7 +13,7 @@
 namespace tessera {
 namespace {
 
-/// What libtiff reads from.
+/// The file in memory, and the place in it, as the functions below give it to libtiff.
 struct MemoryFile {
   std::span<const std::uint8_t> bytes;
   std::size_t at = 0;
@@ -39,7 +39,7 @@ toff_t seek_memory(thandle_t handle, toff_t offset, int whence) {
 int close_nothing(thandle_t) { return 0; }
 toff_t size_of_memory(thandle_t handle) { return static_cast<MemoryFile*>(handle)->bytes.size(); }
 
-/// Messages go nowhere: what fails says so by its result.
+/// Takes libtiff's messages and drops them: functions that fail say so by their result.
 int ignore(TIFF*, void*, const char*, const char*, va_list) { return 1; }
 
 struct CloseTiff {
@@ -65,7 +65,7 @@ Value field(TIFF* tiff, std::uint32_t tag, Value otherwise) {
   return TIFFGetFieldDefaulted(tiff, tag, &value) ? value : otherwise;
 }
 
-/// Tiles and strips alike: what is packed as one.
+/// A TIFF packs its pixels in blocks, which are tiles or strips: their size.
 struct Blocks {
   bool are_tiles;
   std::uint32_t width_px, height_px;
@@ -100,7 +100,8 @@ Layout layout_of(TIFF* tiff) {
   return layout;
 }
 
-/// A block may be larger than a picture of few pixels, not larger than the largest picture.
+/// Refuses blocks larger than the picture and larger than the largest picture allowed. A small picture may lie in a
+/// larger block.
 void check_blocks(const Layout& layout, const ReadingRules& rules) {
   const double pixels = double(layout.blocks.width_px) * layout.blocks.height_px;
   if (pixels < 1 || pixels > std::max(rules.most_pixels, layout.pixels())) throw_damaged();
@@ -114,7 +115,7 @@ bool has_deep_pixels(const Layout& layout) {
   return known_bits && known_channels && layout.has_one_plane && layout.is_unsigned;
 }
 
-/// Numbers of 10 to 14 bits, packed from the highest bit on, as numbers of 16.
+/// Unpacks numbers of 10 to 16 bits, which follow one another highest bit first, into the highest bits of 16.
 void widen(const std::uint8_t* packed, int bits, std::span<std::uint16_t> to) {
   std::uint32_t window = 0;
   int held = 0;
@@ -125,7 +126,7 @@ void widen(const std::uint8_t* packed, int bits, std::span<std::uint16_t> to) {
   }
 }
 
-/// 16 bits a channel, in the file's order of rows and columns.
+/// Reads pictures of 10 to 16 bits a channel. Rows and columns stay in the order of the file.
 class DeepReader {
  public:
   DeepReader(TIFF* tiff, const Layout& layout)
@@ -177,7 +178,7 @@ class DeepReader {
   cv::Mat row_;
 };
 
-/// libtiff's own way to 8 bits: any kind of colours, bits and planes.
+/// Reads all other pictures as 8 bits a channel: libtiff converts any kind of colours, bits and planes.
 class RgbaReader {
  public:
   explicit RgbaReader(TIFF* tiff) {
@@ -191,7 +192,7 @@ class RgbaReader {
   RgbaReader(const RgbaReader&) = delete;
   RgbaReader& operator=(const RgbaReader&) = delete;
 
-  /// `pixels`: grey, BGR or BGRA.
+  /// Fills `pixels`, which are grey, BGR or BGRA, in bands of so many rows.
   void read(std::uint32_t rows_at_once, cv::Mat& pixels) {
     cv::Mat band(int(std::min(rows_at_once, std::uint32_t(pixels.rows))), pixels.cols, CV_8UC4);
     for (int y = 0; y < pixels.rows; y += band.rows) {

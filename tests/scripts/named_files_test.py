@@ -1,0 +1,54 @@
+#!/usr/bin/env python3
+"""Every source file that a comment or a page names is there: one that was moved or renamed leaves no wrong name behind.
+
+Looked at are names with a folder: "core/pad/pad.h" anywhere, and in pages also `core/pad/pad.*` and `core/{a,b}.*`."""
+
+import glob
+import os
+import re
+import sys
+
+ROOTS = ("", "src/", "tests/", "kernels/")
+# (?<!...): a part of a longer path, of a URL or of an include is none.
+FILE = re.compile(r"(?<![\w/.<\"$}{-])((?:[a-z_]+/)+[a-z_0-9]+\.(?:h|cpp|cl))\b")
+PATTERN = re.compile(r"`((?:src/)?(?:core|files|text|artwork|library|job|layers|checkpoint|result|render|products|comm|worker"
+                     r"|master|terminal|run|plan|program|bench|cli|kernels)/[\w/{},*]+(?:\.\*)?)`")
+
+
+def texts():
+    """Pages, sources and scripts; not what this test and the test of rooms make up."""
+    made_up = ("tests/scripts/rooms_refusals_test.sh", "tests/scripts/named_files_test.py")
+    for root in ("src", "tests", "kernels", "bench", "scripts", "slurm", "docs", "."):
+        for folder, folders, files in os.walk(root):
+            if root == ".":
+                folders.clear()
+            for file in files:
+                path = os.path.normpath(os.path.join(folder, file))
+                if path.endswith((".h", ".cpp", ".cl", ".sh", ".md")) and path not in made_up:
+                    yield path
+
+
+def alternatives(name):
+    """core/{a,b}.* is core/a.* and core/b.*."""
+    found = re.search(r"\{([\w,]+)\}", name)
+    if not found:
+        return [name]
+    return [name.replace(found.group(0), part) for part in found.group(1).split(",")]
+
+
+def is_there(name):
+    return any(glob.glob(root + name) or glob.glob(root + name + ".*") for root in ROOTS)
+
+
+missing = 0
+for path in texts():
+    with open(path, encoding="utf-8") as file:
+        for number, line in enumerate(file, 1):
+            names = FILE.findall(line)
+            if path.endswith(".md"):
+                names += [name for pattern in PATTERN.findall(line) for name in alternatives(pattern)]
+            for name in names:
+                if not is_there(name):
+                    print(f"{path}:{number}: {name} is not there", file=sys.stderr)
+                    missing += 1
+sys.exit(missing > 0)
