@@ -8,6 +8,7 @@
 #include "bench/inputs/varied_shapes.h"
 #include "bench/library_matcher.h"
 #include "bench/process_memory.h"
+#include "core/base/stop.h"
 #include "core/base/stopwatch.h"
 #include "master/collage_loop.h"
 #include "text/number_text.h"
@@ -50,7 +51,7 @@ class FirstPiece : public master::Observer {
   void progressed(const master::Progress& progress) override {
     if (!seconds_ && progress.pieces > 0) seconds_ = watch_.seconds() - shapes_.making_s();
   }
-  const char* stop_requested() override { return nullptr; }
+  std::optional<StopReason> stop_requested() override { return std::nullopt; }
   double seconds() const { return seconds_.value_or(0); }
 
  private:

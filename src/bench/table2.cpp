@@ -6,6 +6,7 @@
 #include "bench/library_matcher.h"
 #include "bench/table2_rows.h"
 #include "core/base/error.h"
+#include "core/base/stop.h"
 #include "core/field/canvas.h"
 #include "core/matching/matcher.h"
 #include "library/library_shapes.h"
@@ -45,7 +46,7 @@ SizedRun run_row(const Table2Row& row, const LibraryFile& library, const Canvas&
     LibraryShapes shapes(library);
     master::SilentObserver silent;
     run.result = master::make_collage(canvas, settings, *matcher, shapes, silent);
-  } while (run.result.statistics.stopped_by != "pieces" && run.tries < kMostTries);
+  } while (run.result.statistics.stopped_by != StopReason::pieces && run.tries < kMostTries);
   run.pieces = settings.pieces;
   return run;
 }
@@ -112,7 +113,7 @@ Json run_json(const SizedRun& run, const Canvas& canvas) {
           {"merge_share_percent", rounded(share.merge)},
           {"scale_px", {rounded(run.pieces.min_scale_px), rounded(run.pieces.max_scale_px)}},
           {"tries", run.tries},
-          {"stopped_by", s.stopped_by},
+          {"stopped_by", stop_word(s.stopped_by.value())},
           {"filled_fraction", rounded(filled_fraction(run, canvas))}};
 }
 
@@ -138,7 +139,7 @@ std::string remarks(const Table2Row& row, const SizedRun& run) {
     text += figure + "the library has " + std::to_string(run.candidates) + " shapes of " +
             std::to_string(row.candidates) + ".\n";
   }
-  if (run.result.statistics.stopped_by != "pieces") {
+  if (run.result.statistics.stopped_by != StopReason::pieces) {
     text += figure + "no range of scales was found that gives " + std::to_string(row.iterations) + " pieces.\n";
   }
   return text;

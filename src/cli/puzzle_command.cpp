@@ -15,7 +15,7 @@
 #include "comm/stop_signals.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
-#include "core/base/interrupted.h"
+#include "core/base/stop.h"
 #include "files/new_folder.h"
 #include "products/puzzle/puzzle_making.h"
 #include "products/puzzle/puzzle_solver.h"
@@ -87,9 +87,11 @@ int make(MakeArguments arguments) {
   NewFolder new_folder(out);
   Drawers drawers(photo_drawer_settings(1));
   const MadePuzzle made = make_puzzle(request, drawers);
-  {
+  try {
     const comm::StopDelay delay;  // before, a signal ends the command at once
-    if (!new_folder.write(made.files, comm::stop_signalled)) return kUnfinishedExitCode;
+    new_folder.write(made.files, stop_check(comm::asked_by_signal));
+  } catch (const Interrupted&) {
+    return kUnfinishedExitCode;
   }
   const std::string folder = printable_utf8(out);
   print_line("%s: %s of a picture of %d x %d px", folder.c_str(), count_text(std::size_t(made.pieces), "piece").c_str(),
@@ -209,8 +211,8 @@ class SolvingWatch {
 
   /// Throws Interrupted.
   void look(const PuzzleProgress& at) {
-    if (comm::stop_signalled()) throw Interrupted{"signal"};
-    if (limit_.round_over(leaving_s_)) throw Interrupted{"time_limit"};
+    if (comm::stop_signalled()) throw Interrupted{StopReason::signal};
+    if (limit_.round_over(leaving_s_)) throw Interrupted{StopReason::time_limit};
     if (quiet_) return;
     if (!bar_ || at.laying != laying_) bar_.emplace(at.laying ? "laying" : "matching", at.of);
     laying_ = at.laying;

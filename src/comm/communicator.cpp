@@ -7,7 +7,7 @@
 #include "comm/encode.h"
 #include "comm/idle_wait.h"
 #include "comm/messages.h"
-#include "core/base/interrupted.h"
+#include "core/base/stop.h"
 #include "core/base/stopwatch.h"
 
 namespace tessera::comm {
@@ -61,15 +61,15 @@ void Communicator::watch_workers(double silence_s, std::function<void(const std:
 }
 
 void Communicator::throw_if_interrupted() {
-  const char* reason = stop_reason_ ? stop_reason_() : nullptr;
+  const std::optional<StopReason> reason = shall_stop_ ? shall_stop_() : std::nullopt;
   // A rank that is heard of again later has been told to be lost: nobody waits for it any more.
   if (const auto lost = watch_ && !lost_a_worker_ ? watch_->lost() : std::nullopt) {
     lost_a_worker_ = true;
     report_lost_(lost->rank > 0 ? place_of(lost->rank) + " " + lost->what : lost->what);
   }
-  gave_up_waiting_ |= reason != nullptr || lost_a_worker_;
-  if (reason) throw Interrupted{reason};
-  if (lost_a_worker_) throw Interrupted{"lost_rank"};
+  gave_up_waiting_ |= reason || lost_a_worker_;
+  if (reason) throw Interrupted{*reason};
+  if (lost_a_worker_) throw Interrupted{StopReason::lost_rank};
 }
 
 template <class Done>

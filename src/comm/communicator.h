@@ -21,6 +21,7 @@
 #include "comm/rank_watch.h"
 #include "comm/traffic.h"
 #include "core/base/processor_time.h"
+#include "core/base/stop.h"
 
 namespace tessera::comm {
 
@@ -73,9 +74,9 @@ class Communicator {
   /// Takes in what has arrived and throws as a wait does: for whoever computes for long.
   void look();
 
-  /// From now on a wait for which `stop_reason` gives a reason, not null, throws Interrupted with it. The replies that
+  /// From now on a wait for which `shall_stop` gives a reason throws Interrupted with it. The replies that
   /// were waited for may still come; the only thing left to do is to end the job.
-  void interrupt_waits_when(std::function<const char*()> stop_reason) { stop_reason_ = std::move(stop_reason); }
+  void interrupt_waits_when(StopQuestion shall_stop) { shall_stop_ = std::move(shall_stop); }
   /// Rank 0, whose workers all have a Heart with the same `silence_s`: from now on a wait that finds one of them lost
   /// (rank_watch.h) calls `report` with a line that names it and throws Interrupted. So does every later wait, without
   /// another report.
@@ -143,7 +144,7 @@ class Communicator {
   std::optional<Ending> end_;       // others: as told by rank 0
   int byes_ = 0;
   bool may_leave_ = false;
-  std::function<const char*()> stop_reason_;
+  StopQuestion shall_stop_;
   std::optional<RankWatch> watch_;  // rank 0, with workers
   std::function<void(const std::string& line)> report_lost_;
   bool gave_up_waiting_ = false;

@@ -13,6 +13,8 @@
 #include <cstring>
 #include <string_view>
 
+#include "core/base/stop.h"
+
 namespace tessera::comm {
 namespace {
 
@@ -135,6 +137,10 @@ void install_stop_handlers() {
 }
 
 bool stop_signalled() { return signalled.load(std::memory_order_relaxed) != 0; }
+
+std::optional<StopReason> asked_by_signal() {
+  return stop_signalled() ? std::optional(StopReason::signal) : std::nullopt;
+}
 
 double seconds_since_stop() {
   const std::int64_t at_ns = first_ns;

@@ -15,6 +15,8 @@
 
 #include <memory>
 
+#include "core/base/stop.h"
+
 namespace tessera::comm {
 
 /// To be called once on each rank. Rank 0: mpirun's SIGCONT raises SIGTERM, and mpirun's own SIGTERM follows a second
@@ -37,6 +39,8 @@ void install_stop_handlers();
 
 /// Whether a signal has come since.
 bool stop_signalled();
+/// StopReason::signal where one has.
+std::optional<StopReason> asked_by_signal();
 
 /// Since the first of them; 0 where none has come.
 double seconds_since_stop();

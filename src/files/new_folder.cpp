@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/stop.h"
 #include "files/atomic_file.h"
 
 namespace tessera {
@@ -44,10 +45,10 @@ NewFolder::NewFolder(const std::string& folder)
     throw InputError(folder + ": is there already, and holds something; allowed: a new folder (--out DIR)");
 }
 
-bool NewFolder::write(const std::vector<NewFile>& files, const std::function<bool()>& stopped) {
+void NewFolder::write(const std::vector<NewFile>& files, const StopCheck& check_stop) {
   Unfinished unfinished;
   for (const NewFile& file : files) {
-    if (stopped()) return false;
+    check_stop();
     const fs::path path = fs::path(folder_) / file.name;
     std::error_code error;
     if (fs::create_directory(path.parent_path(), error)) unfinished.add(path.parent_path());
@@ -56,7 +57,6 @@ bool NewFolder::write(const std::vector<NewFile>& files, const std::function<boo
     write_file_atomically(path.string(), file.bytes);
   }
   unfinished.finish();
-  return true;
 }
 
 }  // namespace tessera

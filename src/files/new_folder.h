@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/stop.h"
 #include "files/output_folder.h"
 #include "files/output_lock.h"
 
@@ -23,9 +24,8 @@ class NewFolder {
   /// Throws InputError where the folder holds something or another run is at work in it; EnvironmentError.
   explicit NewFolder(const std::string& folder);
 
-  /// All of them, as long as `stopped`, asked before each, says no; false: it did, and none is there. Throws
-  /// EnvironmentError; then none is there either.
-  bool write(const std::vector<NewFile>& files, const std::function<bool()>& stopped);
+  /// All of them, or none: then what `check_stop`, which is called before each, has thrown, or EnvironmentError.
+  void write(const std::vector<NewFile>& files, const StopCheck& check_stop);
 
  private:
   std::string folder_;

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/stop.h"
 #include "core/collage/checkpoint_state.h"
 #include "core/collage/placed_outlines.h"
 #include "core/collage/placement.h"
@@ -77,13 +78,12 @@ class Collage {
   bool leaves_wide_gap(const Window& window);
   /// Finds a piece for such a gap by going through its nodes and rotations, where dockings find none; its size is the
   /// smallest, and what it grows. False where it finds none.
-  bool choose_in_gap(Candidate& best, const Window& window, const std::function<void()>& look);
+  bool choose_in_gap(Candidate& best, const Window& window, const StopCheck& check_stop);
 
   /// Finds the candidate of the pool that is worth most after the finalists were checked exactly, made clear of their
-  /// neighbours and grown. False where the pool is dry. `look` is called again and again and may throw: what has
+  /// neighbours and grown. False where the pool is dry. `check_stop` is called again and again and may throw: what has
   /// changed then would have changed anyway, and the next call finds what this one would have found.
-  bool choose(
-      Candidate& best, const std::function<void()>& look = [] {});
+  bool choose(Candidate& best, const StopCheck& check_stop = never_stop);
 
   /// Merge: takes the piece out of the free region and brings the target curve up to date. Returns the nodes within
   /// which candidates have to be measured anew.
@@ -130,14 +130,14 @@ class Collage {
   };
 
   std::vector<Pool::Ranked> finalists();
-  std::vector<Finalist> checked_finalists(const std::function<void()>& look);
-  bool settle_best(std::vector<Finalist>& finalists, Candidate& best, const std::function<void()>& look);
+  std::vector<Finalist> checked_finalists(const StopCheck& check_stop);
+  bool settle_best(std::vector<Finalist>& finalists, Candidate& best, const StopCheck& check_stop);
   void keep_checks(std::vector<Finalist>& finalists);
   const HullRoom& room_of(ShapeId shape);
   std::vector<ShapeId> shapes_for_gap(float gap_px);
   std::vector<ShapeId> shapes_for_gap_in(const Window& window);
   bool needs_first_piece() const;
-  bool choose_first(Candidate& first, const std::function<void()>& look);
+  bool choose_first(Candidate& first, const StopCheck& check_stop);
   bool may_dock(SampleId id) const;
   float score(const Candidate& candidate) const;
   ExactAreas check_exactly(Candidate& candidate);

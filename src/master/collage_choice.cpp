@@ -3,6 +3,7 @@
 #include <set>
 
 #include "core/base/portable_math.h"
+#include "core/base/stop.h"
 #include "core/settings/tuning.h"
 #include "master/collage.h"
 
@@ -98,7 +99,7 @@ bool Collage::leaves_wide_gap(const Window& window) { return !shapes_for_gap_in(
 
 /// Of a few shapes, other ones each time, the first that is found to fit and touches as much as any piece must. Where
 /// there is none the one that touches most: tips of rays are too small a part of their boundary.
-bool Collage::choose_in_gap(Candidate& best, const Window& window, const std::function<void()>& look) {
+bool Collage::choose_in_gap(Candidate& best, const Window& window, const StopCheck& check_stop) {
   if (growth_) return false;
   const std::vector<ShapeId> shapes = shapes_for_gap_in(window);
   int attempts = kGapAttempts;
@@ -110,7 +111,7 @@ bool Collage::choose_in_gap(Candidate& best, const Window& window, const std::fu
     const StanceList& list = context_.stances.list(id);
     for (std::uint32_t s = 0; s < list.count && attempts > 0; ++s) {
       const auto settles = [&](const Similarity& pose) {
-        look();
+        check_stop();
         Candidate candidate;
         candidate.shape = id;
         candidate.stance = list.first + s;
@@ -126,7 +127,7 @@ bool Collage::choose_in_gap(Candidate& best, const Window& window, const std::fu
         return settled == Settled::fit || --attempts == 0;
       };
       const PoseRange& poses = context_.stances[list.first + s].poses;
-      if (any_pose_in_gap(model, room, poses, free_, window, look, settles) && attempts > 0) return true;
+      if (any_pose_in_gap(model, room, poses, free_, window, check_stop, settles) && attempts > 0) return true;
     }
   }
   return most_matched >= 0;
@@ -141,14 +142,14 @@ bool Collage::needs_first_piece() const {
 }
 
 /// Any shape, large and as upright as it may be, in the middle.
-bool Collage::choose_first(Candidate& first, const std::function<void()>& look) {
+bool Collage::choose_first(Candidate& first, const StopCheck& check_stop) {
   const Window& nodes = free_.grid().one_period();
   Vec2 middle_px = free_.field().origin + Vec2{0.5f * float(nodes.x0 + nodes.x1), 0.5f * float(nodes.y0 + nodes.y1)};
   if (growth_) middle_px = growth_->first_piece_px();
   const StanceTable& stances = context_.stances;
   float scale_px = context_.max_scale_px;
   for (std::uint64_t draw = 0; draw < kFirstPieceDraws && stances.open_shapes() > 0; ++draw) {
-    look();
+    check_stop();
     const std::uint64_t random = mix_bits(settings_.seed ^ mix_bits(kFirstPiece ^ (draw << 32)));
     first = {};
     first.shape = stances.open_shape(std::uint32_t(((random >> 32) * stances.open_shapes()) >> 32));
@@ -164,10 +165,10 @@ bool Collage::choose_first(Candidate& first, const std::function<void()>& look) 
 }
 
 /// Best first.
-std::vector<Collage::Finalist> Collage::checked_finalists(const std::function<void()>& look) {
+std::vector<Collage::Finalist> Collage::checked_finalists(const StopCheck& check_stop) {
   std::vector<Finalist> checked;
   for (const Pool::Ranked& ranked : finalists()) {
-    look();
+    check_stop();
     Finalist finalist{ranked, pool_.at(ranked)};
     if (!finalist.candidate.exact) check_exactly(finalist.candidate);
     finalist.ranked.value = finalist.candidate.score * scoring_.preference(finalist.candidate);
@@ -178,11 +179,11 @@ std::vector<Collage::Finalist> Collage::checked_finalists(const std::function<vo
 }
 
 /// Settling may cost a candidate its place: it is the best only if no other is worth more before its own.
-bool Collage::settle_best(std::vector<Finalist>& finalists, Candidate& best, const std::function<void()>& look) {
+bool Collage::settle_best(std::vector<Finalist>& finalists, Candidate& best, const StopCheck& check_stop) {
   float best_value = -1;
   for (Finalist& finalist : finalists) {
     if (best_value >= finalist.ranked.value) break;
-    look();
+    check_stop();
     Candidate settled = finalist.candidate;
     if (settle(settled) != Settled::fit) {
       finalist.given_up = true;
@@ -211,14 +212,14 @@ void Collage::keep_checks(std::vector<Finalist>& finalists) {
 
 /// Where nothing fits any more all of the pool is given up, eight at a time. The pool changes only where eight are
 /// through: from there on a run that goes on does the same.
-bool Collage::choose(Candidate& best, const std::function<void()>& look) {
-  if (needs_first_piece()) return choose_first(best, look);
+bool Collage::choose(Candidate& best, const StopCheck& check_stop) {
+  if (needs_first_piece()) return choose_first(best, check_stop);
   for (;;) {
-    std::vector<Finalist> finalists = checked_finalists(look);
+    std::vector<Finalist> finalists = checked_finalists(check_stop);
     if (finalists.empty()) return false;
     bool found = true;
     if (settings_.settle) {
-      found = settle_best(finalists, best, look);
+      found = settle_best(finalists, best, check_stop);
     } else {
       best = finalists.front().candidate;
     }

@@ -11,8 +11,8 @@
 #include "core/base/count_text.h"
 #include "core/base/digest.h"
 #include "core/base/error.h"
-#include "core/base/interrupted.h"
 #include "core/base/processor_time.h"
+#include "core/base/stop.h"
 #include "core/base/stopwatch.h"
 #include "core/matching/sized_settings.h"
 #include "core/replacing/own_replacer.h"
@@ -46,10 +46,10 @@ struct StoppedBetween : Interrupted {};
 /// A region of the canvas, while it is filled, at the sizes of one attempt.
 struct Part {
   Part(const Canvas& region, const CollageSettings& settings, const MatchingContext& context, float size_factor,
-       Matcher& matcher, ShapeSource& shapes, RunStatistics& statistics, std::function<void()> look)
+       Matcher& matcher, ShapeSource& shapes, RunStatistics& statistics, StopCheck check_stop)
       : sized(with_sizes_times(double(size_factor), settings)),
         collage(region, sized, context, shapes, size_factor),
-        filling(collage, context, sized, matcher, statistics, std::move(look)) {}
+        filling(collage, context, sized, matcher, statistics, std::move(check_stop)) {}
 
   CollageSettings sized;
   Collage collage;
@@ -79,7 +79,7 @@ class Run {
         sizes_(settings.pieces),
         given_(canvas, settings.wishes, shapes),
         budget_(canvas, settings),
-        own_replacer_(shapes, 1, [this] { look(); }),
+        own_replacer_(shapes, 1, [this] { check_stop(); }),
         replacer_(replacer ? *replacer : own_replacer_) {
     if (checkpoints.from) {
       restore(*checkpoints.from);
@@ -112,14 +112,14 @@ class Run {
   /// With the sizes of this attempt.
   const CollageSettings& sized() const { return part_->sized; }
 
-  void look() const {
-    if (const char* reason = observer_.stop_requested()) throw StoppedBetween{{reason}};
+  void check_stop() const {
+    if (const auto reason = observer_.stop_requested()) throw StoppedBetween{{*reason}};
   }
 
   void begin(std::uint32_t region, StandingPieces standing) {
     const Canvas part = region_of(canvas_, region);
     part_ = std::make_unique<Part>(part, settings_, context_, sizes_.factor(), matcher_, shapes_, statistics_,
-                                   [this] { look(); });
+                                   [this] { check_stop(); });
     if (settings_.start.grow_outward) collage().grow_by(OutwardGrowth(part, sized().pieces, standing.pieces, shapes_));
     collage().begin(std::move(standing.pieces), standing.given, region);
     improving_ = false;
@@ -239,7 +239,7 @@ class Run {
     state.empty_passes = improving_ ? 0 : filling().empty_passes();
     state.statistics = statistics_;
     state.statistics.total_s = seconds();
-    state.statistics.stopped_by.clear();
+    state.statistics.stopped_by.reset();
     sizes_.save(state);
     state.begun_with = begun_with();
     state.moving = moving_;
@@ -316,7 +316,7 @@ class Run {
                         replacer_);
     ReplacementProgress progress{replaced_, all};
     const Stopwatch asked;
-    moving_ = replacing.batch(moving_, collage().given(), progress, [this] { look(); });
+    moving_ = replacing.batch(moving_, collage().given(), progress, [this] { check_stop(); });
     trial_work_.replace_s += asked.seconds();
     statistics_.trials += progress.done / kReplacementsPerTrial - replaced_ / kReplacementsPerTrial;
     statistics_.improve_s = improve_clock_.seconds();
@@ -353,7 +353,7 @@ class Run {
 
   bool should_stop() {
     if (has_all_pieces(collage().placements().size())) {
-      statistics_.stopped_by = "pieces";
+      statistics_.stopped_by = StopReason::pieces;
       over_ = true;
       return true;
     }
@@ -369,9 +369,9 @@ class Run {
 
   bool improves() const { return settings_.improve.trials > 0 || settings_.improve.seconds > 0; }
 
-  const char* why_filled() const {
-    if (moves_given_pieces_only()) return "pieces";
-    return collage().may_go_on() ? "full" : "used_up";
+  StopReason why_filled() const {
+    if (moves_given_pieces_only()) return StopReason::pieces;
+    return collage().may_go_on() ? StopReason::full : StopReason::used_up;
   }
 
   bool is_covered() const { return collage().covered_px2() >= double(settings_.stop.coverage) * canvas_.area_px2; }
@@ -380,19 +380,19 @@ class Run {
   bool reached_limit() {
     const bool covered = is_covered();
     const bool late = settings_.stop.seconds > 0 && seconds() >= settings_.stop.seconds;
-    if (covered || late) statistics_.stopped_by = late ? "seconds" : "coverage";
+    if (covered || late) statistics_.stopped_by = late ? StopReason::seconds : StopReason::coverage;
     over_ = over_ || covered || late;
     return covered || late;
   }
 
   bool interrupted() {
-    const char* reason = observer_.stop_requested();
+    const std::optional<StopReason> reason = observer_.stop_requested();
     if (!reason) return false;
-    stop_unfinished(reason);
+    stop_unfinished(*reason);
     return true;
   }
 
-  void stop_unfinished(const char* reason) {
+  void stop_unfinished(StopReason reason) {
     statistics_.stopped_by = reason;
     unfinished_ = true;
   }

@@ -3,8 +3,8 @@
 #include <optional>
 #include <utility>
 
-#include "core/base/interrupted.h"
 #include "core/base/processor_time.h"
+#include "core/base/stop.h"
 #include "core/base/stopwatch.h"
 #include "core/settings/tuning.h"
 
@@ -19,11 +19,11 @@ constexpr int kFirstDrawnPasses = 1;
 }  // namespace
 
 Filling::Filling(Collage& collage, const MatchingContext& context, const CollageSettings& settings, Matcher& matcher,
-                 RunStatistics& statistics, std::function<void()> look)
+                 RunStatistics& statistics, StopCheck check_stop)
     : collage_(collage),
       matcher_(matcher),
       statistics_(&statistics),
-      look_(std::move(look)),
+      check_stop_(std::move(check_stop)),
       most_empty_passes_(settings.match.tangent_dockings > 0 ? kEmptyPasses + kFirstDrawnPasses : 0) {
   statistics_->shapes = context.library_shapes;
   statistics_->pads_per_shape = double(pads_per_shape(context));
@@ -99,14 +99,14 @@ void Filling::check_ahead() {
 
 bool Filling::choose_in_gap(Candidate& best) {
   Stopwatch watch;
-  const bool found = most_empty_passes_ > 0 && collage_.choose_in_gap(best, region_, look_);
+  const bool found = most_empty_passes_ > 0 && collage_.choose_in_gap(best, region_, check_stop_);
   statistics_->objective_s += watch.lap();
   return found;
 }
 
 bool Filling::choose(Candidate& best) {
   Stopwatch watch;
-  const bool found = collage_.choose(best, look_);
+  const bool found = collage_.choose(best, check_stop_);
   statistics_->objective_s += watch.lap();
   return found;
 }

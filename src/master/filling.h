@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "core/base/stop.h"
 #include "core/matching/matcher.h"
 #include "master/collage.h"
 
@@ -10,11 +11,10 @@ namespace tessera::master {
 
 class Filling {
  public:
-  /// Adds to the counters and times of `statistics`. `look` is called while the master computes by itself, and may
+  /// Adds to the counters and times of `statistics`. `check_stop` is called while the master computes by itself, and may
   /// throw what it likes to end that.
-  Filling(
-      Collage& collage, const MatchingContext& context, const CollageSettings& settings, Matcher& matcher,
-      RunStatistics& statistics, std::function<void()> look = [] {});
+  Filling(Collage& collage, const MatchingContext& context, const CollageSettings& settings, Matcher& matcher,
+          RunStatistics& statistics, StopCheck check_stop = never_stop);
 
   /// Pieces are wanted at these nodes from now on; at first that is the whole canvas.
   void start(const Window& region);
@@ -22,7 +22,7 @@ class Filling {
   /// Places the best piece. Where the pool is dry, the region's samples are matched again with other random dockings,
   /// where a gap is left that is wide enough for a piece with whichever come first, and such gaps are searched for a pose
   /// that holds a piece of the smallest size; false when that finds nothing either. Throws Interrupted where the matcher does: the question is undone or its
-  /// piece is placed to the end, so that the collage can be saved. So it can where `look` throws.
+  /// piece is placed to the end, so that the collage can be saved. So it can where `check_stop` throws.
   bool place_one();
 
   /// How often the region's samples were matched again since the last piece. Saved and restored with the collage: an
@@ -47,7 +47,7 @@ class Filling {
   Collage& collage_;
   Matcher& matcher_;
   RunStatistics* statistics_;
-  std::function<void()> look_;
+  StopCheck check_stop_;
   std::uint64_t library_pads_ = 0;
   MatchPlan usual_plan_;
   int most_empty_passes_;  // none without tangent dockings: PADs alone would give what they gave before

@@ -5,8 +5,8 @@
 #include <limits>
 #include <utility>
 
-#include "core/base/interrupted.h"
 #include "core/base/portable_math.h"
+#include "core/base/stop.h"
 #include "core/collage/objective.h"
 #include "core/relax/schedules.h"
 #include "core/replacing/repetition.h"
@@ -113,8 +113,8 @@ std::vector<Placement> Improving::ruined(std::uint64_t random) {
   return left;
 }
 
-void Improving::fill(const Look& look) {
-  do look();
+void Improving::fill(const StopCheck& check_stop) {
+  do check_stop();
   while (collage_.placements().size() < most_pieces_ && filling_.place_one());
 }
 
@@ -144,47 +144,48 @@ std::int64_t Improving::dwarfs_256ths_px2() const {
   return sum;
 }
 
-void Improving::recreate(std::uint32_t trial, const Look& look) {
+void Improving::recreate(std::uint32_t trial, const StopCheck& check_stop) {
   std::vector<Placement> rest = ruined(mix_bits(seed_ ^ mix_bits(kRuin ^ (std::uint64_t(trial) << 32))));
   if (rest.size() == collage_.placements().size()) return;
   filling_.start(collage_.replace_placements(std::move(rest)));
   collage_.set_first_pass(kPassesPerTrial * trial);
-  fill(look);
+  fill(check_stop);
 }
 
 void Improving::relax_all(const std::vector<Placement>& from, std::span<const RelaxationSchedule> schedules,
-                          std::uint32_t trial, const Look& look) {
-  filling_.start(collage_.replace_placements(relaxing_.relaxed(from, collage_.given(), schedules, look)));
+                          std::uint32_t trial, const StopCheck& check_stop) {
+  filling_.start(collage_.replace_placements(relaxing_.relaxed(from, collage_.given(), schedules, check_stop)));
   collage_.set_first_pass(kPassesPerTrial * trial);
-  fill(look);
+  fill(check_stop);
 }
 
-Trial Improving::try_once(std::uint32_t trial, const std::function<bool()>& stopped, std::uint32_t earlier) {
+Trial Improving::try_once(std::uint32_t trial, const StopQuestion& stopped, std::uint32_t earlier) {
   return try_with(
-      [&](const Look& look) {
+      [&](const StopCheck& check_stop) {
         if (relax_ && (trial - earlier) % trials_per_relaxation_ == 0) {
-          relax_all(collage_.placements(), kRelaxCollage, trial, look);
+          relax_all(collage_.placements(), kRelaxCollage, trial, check_stop);
         } else {
-          recreate(trial, look);
+          recreate(trial, check_stop);
         }
       },
       stopped);
 }
 
-Trial Improving::settle(std::vector<Placement> placements, std::uint32_t trial, const std::function<bool()>& stopped) {
-  return try_with([&](const Look& look) { relax_all(placements, kSettleCollage, trial, look); }, stopped);
+Trial Improving::settle(std::vector<Placement> placements, std::uint32_t trial, const StopQuestion& stopped) {
+  return try_with([&](const StopCheck& check_stop) { relax_all(placements, kSettleCollage, trial, check_stop); },
+                  stopped);
 }
 
-Trial Improving::try_with(const std::function<void(const Look&)>& change, const std::function<bool()>& stopped) {
+Trial Improving::try_with(const std::function<void(const StopCheck&)>& change, const StopQuestion& stopped) {
   const std::vector<Placement> before = collage_.placements();
   const std::int64_t loss_before = loss_256ths_px2();
   const std::uint64_t missing_before = collage_.shortage().pieces;
-  const auto look = [&] {
+  const auto check_stop = [&] {
     if (stopped()) throw Stopped{};
   };
   try {
-    change(look);
-    look();
+    change(check_stop);
+    check_stop();
   } catch (const Stopped&) {
     collage_.replace_placements(before);
     return Trial::interrupted;

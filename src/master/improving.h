@@ -7,6 +7,7 @@
 #include <functional>
 #include <span>
 
+#include "core/base/stop.h"
 #include "core/replacing/replacement.h"
 #include "master/collage.h"
 #include "master/filling.h"
@@ -25,24 +26,23 @@ class Improving {
   /// Trial number `trial`, of which `earlier` were before the region was begun: its outcome follows from these numbers
   /// and the placements alone. `stopped` is asked before every piece and while pieces move; an interrupted trial, also
   /// where the matcher throws Interrupted, leaves the placements as they were.
-  Trial try_once(std::uint32_t trial, const std::function<bool()>& stopped, std::uint32_t earlier = 0);
+  Trial try_once(std::uint32_t trial, const StopQuestion& stopped, std::uint32_t earlier = 0);
 
   /// A trial that takes these placements instead of those that stand, and lets their pieces come to rest: they may lie
   /// in each other.
-  Trial settle(std::vector<Placement> placements, std::uint32_t trial, const std::function<bool()>& stopped);
+  Trial settle(std::vector<Placement> placements, std::uint32_t trial, const StopQuestion& stopped);
 
  private:
   struct Stopped {};
-  using Look = std::function<void()>;
 
   std::vector<std::size_t> pieces_near(Vec2 gap_px) const;
   /// The placements without a few beside a gap; all of them where there is no gap, or no small piece.
   std::vector<Placement> ruined(std::uint64_t random);
-  void recreate(std::uint32_t trial, const Look& look);
+  void recreate(std::uint32_t trial, const StopCheck& check_stop);
   void relax_all(const std::vector<Placement>& from, std::span<const RelaxationSchedule> schedules, std::uint32_t trial,
-                 const Look& look);
-  Trial try_with(const std::function<void(const Look&)>& change, const std::function<bool()>& stopped);
-  void fill(const Look& look);
+                 const StopCheck& check_stop);
+  Trial try_with(const std::function<void(const StopCheck&)>& change, const StopQuestion& stopped);
+  void fill(const StopCheck& check_stop);
   std::int64_t loss_256ths_px2();
   std::int64_t dwarfs_256ths_px2() const;
   std::int64_t repeated_256ths_px2() const;

@@ -3,6 +3,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+
+#include "core/base/stop.h"
 
 namespace tessera::master {
 
@@ -21,15 +24,15 @@ class Observer {
  public:
   virtual ~Observer() = default;
   virtual void progressed(const Progress& progress) = 0;
-  /// Asked before every round and trial, and while a piece is chosen. What asks to stop ("signal", "time_limit") ends
-  /// the loop with what is placed; null: go on.
-  virtual const char* stop_requested() = 0;
+  /// Asked before every round and trial, and while a piece is chosen. A reason ends
+  /// the loop with what is placed.
+  virtual std::optional<StopReason> stop_requested() = 0;
 };
 
 class SilentObserver : public Observer {
  public:
   void progressed(const Progress&) override {}
-  const char* stop_requested() override { return nullptr; }
+  std::optional<StopReason> stop_requested() override { return std::nullopt; }
 };
 
 }  // namespace tessera::master

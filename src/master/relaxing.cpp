@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/base/stop.h"
 #include "core/collage/clearing.h"
 #include "core/matching/stances.h"
 #include "core/relax/schedules.h"
@@ -48,12 +49,11 @@ Relaxing::Relaxing(const FreeField& free, const CollageSettings& settings, Shape
       relaxation_(free, contact_distances(settings.pieces)) {}
 
 std::vector<Placement> Relaxing::relaxed(const std::vector<Placement>& placements, std::size_t given,
-                                         std::span<const RelaxationSchedule> schedules,
-                                         const std::function<void()>& look) {
+                                         std::span<const RelaxationSchedule> schedules, const StopCheck& check_stop) {
   std::map<ShapeId, ContactShape> contact_shapes;  // 80 KB each: of those that stand, and not kept
   std::vector<RelaxedPiece> pieces;
   for (const Placement& p : placements) {
-    look();
+    check_stop();
     auto found = contact_shapes.find(p.shape);
     if (found == contact_shapes.end())
       found = contact_shapes.emplace(p.shape, make_contact_shape(shapes_.shape(p.shape))).first;
@@ -62,8 +62,8 @@ std::vector<Placement> Relaxing::relaxed(const std::vector<Placement>& placement
   }
   std::vector<std::size_t> moving(placements.size() - given);
   std::iota(moving.begin(), moving.end(), given);
-  for (const RelaxationSchedule& schedule : schedules) relaxation_.relax(pieces, moving, schedule, look);
-  const std::vector<std::size_t> lost = make_clear(pieces, moving, free_, settings_.pieces, look);
+  for (const RelaxationSchedule& schedule : schedules) relaxation_.relax(pieces, moving, schedule, check_stop);
+  const std::vector<std::size_t> lost = make_clear(pieces, moving, free_, settings_.pieces, check_stop);
   std::vector<Placement> result = placements;
   for (const std::size_t i : moving) result[i].canvas_from_shape = pieces[i].canvas_from_shape;
   for (auto i = lost.rbegin(); i != lost.rend(); ++i) result.erase(result.begin() + std::ptrdiff_t(*i));

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/stop.h"
 #include "core/collage/placement.h"
 #include "core/field/free_field.h"
 #include "core/matching/pose_range.h"
@@ -45,9 +46,9 @@ class Relaxing {
   Relaxing(const FreeField& free, const CollageSettings& settings, ShapeSource& shapes, PosesOf poses_of);
 
   /// `placements` after all but the first `given` have moved, without those that found no place or came too near to
-  /// their like. What `look` throws leaves nothing changed.
+  /// their like. What `check_stop` throws leaves nothing changed.
   std::vector<Placement> relaxed(const std::vector<Placement>& placements, std::size_t given,
-                                 std::span<const RelaxationSchedule> schedules, const std::function<void()>& look);
+                                 std::span<const RelaxationSchedule> schedules, const StopCheck& check_stop);
 
  private:
   const FreeField& free_;

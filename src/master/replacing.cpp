@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "core/base/stop.h"
 #include "core/matching/use_limits.h"
 #include "core/relax/schedules.h"
 #include "core/replacing/draws.h"
@@ -117,10 +118,10 @@ Replacing::Replacing(const FreeField& free, const StanceTable& stances, const Co
       replacer_(replacer) {}
 
 std::vector<Replacing::Lying> Replacing::lying(const std::vector<Placement>& placements,
-                                               const std::function<void()>& look) const {
+                                               const StopCheck& check_stop) const {
   std::vector<Lying> all;
   for (const Placement& p : placements) {
-    look();
+    check_stop();
     std::vector<Vec2> points;
     for (const Vec2 point : shapes_.model(p.shape).boundary) points.push_back(p.canvas_from_shape.apply(point));
     all.push_back({{p.shape, shapes_.silhouette(p.shape), p.canvas_from_shape, poses_of_(p)}, bounding_box(points)});
@@ -248,14 +249,14 @@ Replacing::Cut Replacing::cut(const Box& box, const std::vector<Lying>& all, std
 }
 
 std::vector<Replacing::Cut> Replacing::cut_all(const std::vector<Lying>& all, std::size_t given, std::uint64_t key,
-                                               const std::function<void()>& look) const {
+                                               const StopCheck& check_stop) const {
   Draws draws(key);
   const float part_x = draws.unit();
   const float part_y = draws.unit();
   std::vector<Cut> cuts;
   for (const Box& box :
        cut_into_windows(canvas_box(free_), free_.grid().period(), least_window_px(settings_.pieces), part_x, part_y)) {
-    look();
+    check_stop();
     Cut made = cut(box, all, given);
     if (made.moving.empty()) continue;
     made.window.random = mix_bits(key ^ cuts.size());
@@ -290,13 +291,13 @@ void Replacing::plan(std::vector<Cut>& cuts, ReplacementProgress& progress) cons
 }
 
 std::vector<Placement> Replacing::batch(const std::vector<Placement>& placements, std::size_t given,
-                                        ReplacementProgress& progress, const std::function<void()>& look) {
+                                        ReplacementProgress& progress, const StopCheck& check_stop) {
   const std::uint64_t key = mix_bits(settings_.seed ^ mix_bits(kReplace ^ (progress.done << 24)));
-  const std::vector<Lying> all = lying(placements, look);
-  std::vector<Cut> cuts = cut_all(all, given, key, look);
+  const std::vector<Lying> all = lying(placements, check_stop);
+  std::vector<Cut> cuts = cut_all(all, given, key, check_stop);
   ReplacementProgress after = progress;
   plan(cuts, after);
-  const std::vector<ReplacementOutcome> outcomes = asked(cuts, all, drawn_shapes(key), look);
+  const std::vector<ReplacementOutcome> outcomes = asked(cuts, all, drawn_shapes(key), check_stop);
   progress = after;
   return joined(placements, cuts, outcomes);
 }
@@ -304,7 +305,7 @@ std::vector<Placement> Replacing::batch(const std::vector<Placement>& placements
 /// A few windows for each that is worked on at a time: no question lasts long, or needs the memory of all windows.
 std::vector<ReplacementOutcome> Replacing::asked(std::vector<Cut>& cuts, const std::vector<Lying>& all,
                                                  const std::vector<IncomingShape>& incoming,
-                                                 const std::function<void()>& look) {
+                                                 const StopCheck& check_stop) {
   std::map<ShapeId, double> covered_px2;
   for (const Lying& l : all) {
     const double scale_px = double(l.piece.canvas_from_shape.scale());
@@ -315,7 +316,7 @@ std::vector<ReplacementOutcome> Replacing::asked(std::vector<Cut>& cuts, const s
   while (outcomes.size() < cuts.size()) {
     std::vector<ReplacementWindow> windows;
     for (std::size_t i = outcomes.size(); i < cuts.size() && windows.size() < most; ++i) {
-      look();
+      check_stop();
       ReplacementWindow window = std::move(cuts[i].window);
       complete(window);
       window.incoming = let_into(window.box, incoming);

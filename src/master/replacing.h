@@ -8,6 +8,7 @@
 #include <map>
 #include <vector>
 
+#include "core/base/stop.h"
 #include "core/collage/placement.h"
 #include "core/field/free_field.h"
 #include "core/matching/stances.h"
@@ -54,10 +55,9 @@ class Replacing {
 
   /// `placements` after one more batch of trials, about two for each piece; all but the first `given` may be gone. Adds
   /// to `progress.done`. What follows from the arguments and the settings is the same whoever works on it.
-  /// `look` is called now and then while this rank computes; what it throws leaves nothing changed.
-  std::vector<Placement> batch(
-      const std::vector<Placement>& placements, std::size_t given, ReplacementProgress& progress,
-      const std::function<void()>& look = [] {});
+  /// `check_stop` is called now and then while this rank computes; what it throws leaves nothing changed.
+  std::vector<Placement> batch(const std::vector<Placement>& placements, std::size_t given,
+                               ReplacementProgress& progress, const StopCheck& check_stop = never_stop);
 
  private:
   /// A piece as it lies, and the box of its outline, nearly.
@@ -70,15 +70,15 @@ class Replacing {
     std::vector<std::size_t> moving;  // the placements that move in it
   };
 
-  std::vector<Lying> lying(const std::vector<Placement>& placements, const std::function<void()>& look) const;
+  std::vector<Lying> lying(const std::vector<Placement>& placements, const StopCheck& check_stop) const;
   std::vector<Cut> cut_all(const std::vector<Lying>& all, std::size_t given, std::uint64_t key,
-                           const std::function<void()>& look) const;
+                           const StopCheck& check_stop) const;
   Cut cut(const Box& box, const std::vector<Lying>& all, std::size_t given) const;
   std::vector<PlacedDrawing> copies_around(const Box& box, const std::vector<Lying>& all,
                                            const std::vector<std::size_t>& but) const;
   void complete(ReplacementWindow& window) const;
   std::vector<ReplacementOutcome> asked(std::vector<Cut>& cuts, const std::vector<Lying>& all,
-                                        const std::vector<IncomingShape>& incoming, const std::function<void()>& look);
+                                        const std::vector<IncomingShape>& incoming, const StopCheck& check_stop);
   EdgeField edge_around(const Box& box) const;
   std::vector<IncomingShape> drawn_shapes(std::uint64_t random) const;
   std::vector<IncomingShape> let_into(const Box& box, const std::vector<IncomingShape>& incoming) const;

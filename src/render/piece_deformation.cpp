@@ -7,6 +7,7 @@
 
 #include "core/base/count_text.h"
 #include "core/base/error.h"
+#include "core/base/stop.h"
 #include "core/base/stopwatch.h"
 #include "core/collage/placed_outlines.h"
 #include "core/collage/quality.h"
@@ -198,7 +199,7 @@ void deform_pieces(CollageReport& report) {
   give_shapes(report, std::move(outlines), std::move(warps), figures);
 }
 
-void take_up_deformed_pieces(const std::string& dir, CollageReport& report, const std::function<void()>& look) {
+void take_up_deformed_pieces(const std::string& dir, CollageReport& report, const StopCheck& check_stop) {
   const std::vector<Outline> written = written_outlines(dir);
   const std::size_t count = report.placements.size();
   if (written.size() != count) {
@@ -208,7 +209,7 @@ void take_up_deformed_pieces(const std::string& dir, CollageReport& report, cons
   std::vector<Outline> outlines(count);
   std::vector<Warp> warps(count);
   parallel_for(count, [&](std::size_t i) {
-    look();
+    check_stop();
     const Placement& placement = report.placements[i];
     const Shape& shape = shape_of(report, placement);
     try {

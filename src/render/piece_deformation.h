@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "core/base/stop.h"
 #include "result/collage_files.h"
 
 namespace tessera {
@@ -16,8 +17,7 @@ bool deforms(const Job& job);
 void deform_pieces(CollageReport& report);
 
 /// The same from what pieces.geojson in `dir` says, whose polygons are those of the placements' shapes, point by point.
-/// Throws InputError where they are not. Before each piece `look` is called, from any thread, and may throw.
-void take_up_deformed_pieces(
-    const std::string& dir, CollageReport& report, const std::function<void()>& look = [] {});
+/// Throws InputError where they are not. Before each piece `check_stop` is called, from any thread, and may throw.
+void take_up_deformed_pieces(const std::string& dir, CollageReport& report, const StopCheck& check_stop = never_stop);
 
 }  // namespace tessera

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/base/stop.h"
 #include "files/atomic_file.h"
 #include "render/collage_sheet.h"
 #include "result/finished_result.h"
@@ -141,7 +142,7 @@ nlohmann::ordered_json result_json(const RankedResult& result) {
     json[measure.name] = measure.value ? nlohmann::ordered_json(*measure.value) : nlohmann::ordered_json();
   }
   json["total_s"] = result.card.total_s;
-  json["stopped_by"] = result.card.stopped_by;
+  json["stopped_by"] = stop_word(result.card.stopped_by);
   return json;
 }
 
@@ -282,7 +283,7 @@ std::string ranking_csv(const std::vector<RankedResult>& results) {
     for (const PictureMeasure& measure : picture_measures(card)) {
       text += "," + (measure.value ? fixed(*measure.value, measure.decimals) : std::string());
     }
-    text += "," + fixed(card.total_s, 3) + "," + csv_text_cell(card.stopped_by) + "\n";
+    text += "," + fixed(card.total_s, 3) + "," + csv_text_cell(std::string(stop_word(card.stopped_by))) + "\n";
   }
   return text;
 }

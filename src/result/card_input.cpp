@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/base/stop.h"
 #include "result/card_bounds.h"
 #include "result/result_file.h"
 #include "text/number_text.h"
@@ -93,11 +94,18 @@ std::string text(const json& card, const std::string& path, const char* section,
   return value.get<std::string>();
 }
 
+StopReason stop_reason(const json& card, const std::string& path) {
+  const std::string word = text(card, path, "run", "stopped_by");
+  if (const auto reason = stop_reason_of(word)) return *reason;
+  std::string allowed;
+  for (const StopReason reason : kStopReasons)
+    allowed += (allowed.empty() ? "" : ", ") + std::string(stop_word(reason));
+  throw InputError(path + ": run.stopped_by: found " + json(word).dump().substr(0, 60) + ", allowed: " + allowed);
+}
+
 }  // namespace
 
-bool is_unfinished(const ResultCard& card) {
-  return card.stopped_by == "signal" || card.stopped_by == "time_limit" || card.stopped_by == "lost_rank";
-}
+bool is_unfinished(const ResultCard& card) { return is_interruption(card.stopped_by); }
 
 ResultCard read_card(const std::string& folder) {
   const std::string path = path_in_result(folder, "card.json");
@@ -121,7 +129,7 @@ ResultCard read_card(const std::string& folder) {
   }
   result.afar = read_afar(card, path);
   result.total_s = number(card, path, "run", "total_s", kMostTime_s);
-  result.stopped_by = text(card, path, "run", "stopped_by");
+  result.stopped_by = stop_reason(card, path);
   return result;
 }
 

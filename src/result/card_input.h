@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/stop.h"
 #include "core/collage/quality.h"
 #include "core/colour/seen_from_afar.h"
 
@@ -22,7 +23,7 @@ struct ResultCard {
   CardAge age = CardAge::variety;
   std::optional<SeenFromAfar> afar;  // without it no picture in pixels was measured against a colour.image
   double total_s = 0;
-  std::string stopped_by;
+  StopReason stopped_by = StopReason::full;
 };
 
 /// Whether a signal, a time limit or a lost rank ended it: its pieces are not all that there will be.

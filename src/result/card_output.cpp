@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/count_text.h"
+#include "core/base/stop.h"
 #include "result/card_lines.h"
 #include "result/deformation_table.h"
 #include "result/rank_table.h"
@@ -59,6 +60,9 @@ Json quality_json(const Quality& q) {
           {"style_distance", q.style_distance ? Json(rounded(*q.style_distance, 3)) : Json()}};
 }
 
+/// Empty while the run goes on.
+std::string end_word(const RunStatistics& run) { return run.stopped_by ? std::string(stop_word(*run.stopped_by)) : ""; }
+
 Json run_json(const RunStatistics& run, const ImproveSettings& improve) {
   const StageShares share = stage_shares(run);
   const auto seconds = [](double v) { return rounded(v, 3); };
@@ -86,7 +90,7 @@ Json run_json(const RunStatistics& run, const ImproveSettings& improve) {
           {"dock_share_percent", percent(share.dock)},
           {"objective_share_percent", percent(share.objective)},
           {"merge_share_percent", percent(share.merge)},
-          {"stopped_by", run.stopped_by}};
+          {"stopped_by", end_word(run)}};
 }
 
 Json provenance_json(const RunRecord& record) {
@@ -197,11 +201,11 @@ std::string improvement_text(const RunStatistics& run) {
 
 /// "full", "full, then 12 of 12 trials" or "coverage after 3 of 12 trials": improving begins when the canvas is full.
 std::string end_text(const RunStatistics& run, const ImproveSettings& improve) {
-  if (run.trials == 0) return run.stopped_by;
+  if (run.trials == 0) return end_word(run);
   const std::uint64_t most = improve.trials > 0 ? std::uint64_t(improve.trials) : run.trials;
   const std::string limit = improve.trials > 0 ? " of " + grouped(most) : "";
-  const bool then = run.stopped_by == "full" || run.stopped_by == "used_up";
-  return run.stopped_by + (then ? ", then " : " after ") + grouped(run.trials) + limit +
+  const bool then = run.stopped_by == StopReason::full || run.stopped_by == StopReason::used_up;
+  return end_word(run) + (then ? ", then " : " after ") + grouped(run.trials) + limit +
          by_count(most, " trial", " trials");
 }
 

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/base/stop.h"
+
 namespace tessera {
 
 void PlacedShapes::add(ShapeId id, Shape shape) {
@@ -38,12 +40,12 @@ std::size_t PlacedShapes::slot_of_drawing(std::size_t slot) const {
 }
 
 PlacedShapes read_placed_shapes(const ShapeLibrary& library, const std::vector<Placement>& placements,
-                                const LibraryParts& parts, const std::function<void()>& look) {
+                                const LibraryParts& parts, const StopCheck& check_stop) {
   std::set<ShapeId> placed;
   for (const Placement& placement : placements) placed.insert(placement.shape);
   PlacedShapes shapes;
   for (const ShapeId id : placed) {
-    look();
+    check_stop();
     const std::uint32_t index = index_of(id);
     shapes.add(id, std::move(library.read(index, index + 1, parts).front()));
   }

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/base/stop.h"
 #include "core/collage/placement.h"
 #include "core/shape/shape.h"
 #include "core/shape/shape_id.h"
@@ -39,10 +40,9 @@ class PlacedShapes {
   std::unordered_map<std::string, std::size_t> slot_as_drawn_;  // by name, of shapes that are no mirror images
 };
 
-/// Those parts of the shapes, one after the other, by their place in the library; before each `look` is called and may
+/// Those parts of the shapes, one after the other, by their place in the library; before each `check_stop` is called and may
 /// throw.
-PlacedShapes read_placed_shapes(
-    const ShapeLibrary& library, const std::vector<Placement>& placements, const LibraryParts& parts,
-    const std::function<void()>& look = [] {});
+PlacedShapes read_placed_shapes(const ShapeLibrary& library, const std::vector<Placement>& placements,
+                                const LibraryParts& parts, const StopCheck& check_stop = never_stop);
 
 }  // namespace tessera

@@ -39,9 +39,9 @@ void CollageJournal::keep_warning(const std::string& warning) {
   log_.warning(warning);
 }
 
-const RunRecord& CollageJournal::ended(const std::string& stopped_by, std::size_t pieces) {
+const RunRecord& CollageJournal::ended(StopReason stopped_by, std::size_t pieces) {
   record_.ended_utc = utc_now();
-  log_.info("end: stopped by " + stopped_by + ", " + count_text(pieces, "piece"));
+  log_.info("end: stopped by " + std::string(stop_word(stopped_by)) + ", " + count_text(pieces, "piece"));
   return record_;
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/interrupted.h"
+#include "core/base/stop.h"
 #include "core/collage/checkpoint_state.h"
 #include "result/run_log.h"
 #include "result/run_record.h"
@@ -26,7 +26,7 @@ class CollageJournal {
   /// The same for what stands on stderr already.
   void keep_warning(const std::string& warning);
   /// The placements are complete as far as they go. Returns the record for the card.
-  const RunRecord& ended(const std::string& stopped_by, std::size_t pieces);
+  const RunRecord& ended(StopReason stopped_by, std::size_t pieces);
 
   /// Does `work` and returns what it gives; an error that ends it is written down before it is passed on.
   template <class Work>
@@ -34,7 +34,7 @@ class CollageJournal {
     try {
       return work();
     } catch (const Interrupted& interrupted) {
-      log_.info(std::string("end: stopped by ") + interrupted.reason + " before the first round");
+      log_.info("end: stopped by " + std::string(stop_word(interrupted.reason)) + " before the first round");
       throw;
     } catch (const std::exception& error) {
       log_.error(error.what());

@@ -4,6 +4,7 @@
 
 #include "comm/stop_signals.h"
 #include "core/base/count_text.h"
+#include "core/base/stop.h"
 
 namespace tessera {
 namespace {
@@ -26,9 +27,9 @@ void CollageProgress::progressed(const master::Progress& progress) {
   bar_->update(std::size_t(kBarTotal * share), progress_note(progress), left_s);
 }
 
-const char* CollageProgress::stop_requested() {
-  if (comm::stop_signalled()) return "signal";
-  return limit_.near() ? "time_limit" : nullptr;
+std::optional<StopReason> CollageProgress::stop_requested() {
+  if (comm::stop_signalled()) return StopReason::signal;
+  return limit_.near() ? std::optional(StopReason::time_limit) : std::nullopt;
 }
 
 std::string progress_note(const master::Progress& progress) {

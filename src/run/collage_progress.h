@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "core/base/stop.h"
 #include "core/settings/settings.h"
 #include "master/progress.h"
 #include "run/coverage_history.h"
@@ -18,7 +19,7 @@ class CollageProgress : public master::Observer {
   CollageProgress(const CollageSettings& settings, bool quiet, const TimeLimit& limit = TimeLimit());
 
   void progressed(const master::Progress& progress) override;
-  const char* stop_requested() override;
+  std::optional<StopReason> stop_requested() override;
 
   const CoverageHistory& history() const { return history_; }
 

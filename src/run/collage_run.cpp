@@ -13,7 +13,7 @@
 #include "comm/worker_team.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
-#include "core/base/interrupted.h"
+#include "core/base/stop.h"
 #include "core/base/version.h"
 #include "job/pieces/job_library.h"
 #include "library/library_shapes.h"
@@ -68,18 +68,18 @@ RunRecord record_of(const CollageInput& input) {
 double leaving_s(const comm::Communicator& ranks) { return ranks.size() > 1 ? 4 : 0; }
 
 /// Signals and the time limit hold from here on, whatever this rank waits for; so does the watch over the workers.
-StopReason watch_waits(comm::Communicator& ranks, const Job& job, const TimeLimit& limit,
-                       const std::shared_ptr<CollageJournal>& journal) {
+StopQuestion watch_waits(comm::Communicator& ranks, const Job& job, const TimeLimit& limit,
+                         const std::shared_ptr<CollageJournal>& journal) {
   comm::install_stop_handlers();
-  const StopReason stop_reason = [limit, leaving_s = leaving_s(ranks)]() -> const char* {
-    if (comm::stop_signalled()) return "signal";
-    return limit.round_over(leaving_s) ? "time_limit" : nullptr;
+  const StopQuestion shall_stop = [limit, leaving_s = leaving_s(ranks)]() -> std::optional<StopReason> {
+    if (comm::stop_signalled()) return StopReason::signal;
+    return limit.round_over(leaving_s) ? std::optional(StopReason::time_limit) : std::nullopt;
   };
-  ranks.interrupt_waits_when(stop_reason);
+  ranks.interrupt_waits_when(shall_stop);
   ranks.watch_workers(job.comm.silence_s, [journal](const std::string& line) {
     journal->warn(line + " (comm.silence_s): the run ends here");
   });
-  return stop_reason;
+  return shall_stop;
 }
 
 master::CollageResult run_loop(const CollageArguments& arguments, const CollageInput& input, const TimeLimit& limit,
@@ -144,12 +144,12 @@ CollageEnd compute(const CollageArguments& arguments, const CollageInput& input,
   if (relaxes(arguments)) journal->warn(idle_relaxing_warning(job));
   journal->warn(short_limit_warning(limit.seconds(), leaving_s(ranks)));
   if (input.from) journal->resumed(*input.from);
-  const StopReason stop_reason = watch_waits(ranks, job, limit, journal);
+  const StopQuestion shall_stop = watch_waits(ranks, job, limit, journal);
   announce_problem(ranks, program_identity(), problem, input.origin.library_digest);
-  const SitedMatcher matching = ranks.size() > 1 ? workers_matcher(ranks) : own_matcher(problem, stop_reason);
+  const SitedMatcher matching = ranks.size() > 1 ? workers_matcher(ranks) : own_matcher(problem, shall_stop);
   LibraryShapes shapes(problem.library());
   const std::unique_ptr<Replacer> replacer =
-      ranks.size() > 1 ? comm::gather_replacers(ranks) : own_replacer(shapes, stop_reason);
+      ranks.size() > 1 ? comm::gather_replacers(ranks) : own_replacer(shapes, shall_stop);
   // Over those that LLVM brings with the first kernel: they reset themselves when they are called, and a second signal
   // at that moment, as timeout(1) sends it, would end the process.
   comm::install_stop_handlers();
@@ -170,7 +170,7 @@ CollageEnd compute(const CollageArguments& arguments, const CollageInput& input,
   if (!job.start.removed.empty())
     journal->warn(come_back_warning(job, problem.canvas(), result, problem.library().variant_of()));
   journal->keep_warning(checkpoints.warning());
-  const RunRecord& record = journal->ended(result.statistics.stopped_by, result.placements.size());
+  const RunRecord& record = journal->ended(result.statistics.stopped_by.value(), result.placements.size());
   if (leaves_older_result(input, result)) {
     checkpoints.require_one();
     return CollageEnd::nothing_placed;
@@ -189,8 +189,10 @@ bool draw_pictures(const CollageArguments& arguments, const CollageInput& input,
   pictures.svg = pictures.png = true;
   pictures.library = library_paths(input.problem.job());
   try {
-    const bool drawn = draw(input.folder, pictures, arguments.quiet,
-                            [&] { return comm::stop_signalled() || limit.drawing_over(leaving_s(ranks)); });
+    const bool drawn = draw(input.folder, pictures, arguments.quiet, [&]() -> std::optional<StopReason> {
+      if (comm::stop_signalled()) return StopReason::signal;
+      return limit.drawing_over(leaving_s(ranks)) ? std::optional(StopReason::time_limit) : std::nullopt;
+    });
     if (!drawn) ranks.hurry();
     return drawn;
   } catch (const EnvironmentError& error) {

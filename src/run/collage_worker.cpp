@@ -11,7 +11,7 @@
 #include "comm/node_turn.h"
 #include "comm/rank_sites.h"
 #include "comm/worker_team.h"
-#include "core/base/interrupted.h"
+#include "core/base/stop.h"
 #include "core/matching/matching_context.h"
 #include "core/ranks/partition.h"
 #include "core/replacing/own_replacer.h"
@@ -42,12 +42,6 @@ worker::DeviceNeeds needs_of(const Job& job, const ModelSource& models) {
   return {.reads_models = models.reads_singly(), .field_nodes = double(job.canvas.width_px) * job.canvas.height_px};
 }
 
-std::function<void()> give_up_when(const StopReason& stop_reason) {
-  return [stop_reason] {
-    if (const char* reason = stop_reason()) throw Interrupted{reason};
-  };
-}
-
 std::string host_name() {
   char name[256] = "";
   gethostname(name, sizeof name - 1);
@@ -68,33 +62,33 @@ void run_collage_worker(comm::Communicator& ranks) {
   const int cores = cores_of(share);
   worker::limit_cpu_threads(cores);
   comm::first_worker_of_node_first(ranks, [&] { worker::compile_kernels(job.devices, context); });
-  const auto look = [&ranks] { ranks.look(); };
+  const StopCheck check_stop = [&ranks] { ranks.look(); };
   const auto models = models_of(library, context);
   const std::vector<worker::DevicePart> parts =
-      worker::device_parts(job.devices, context, part, needs_of(job, *models), share, look);
+      worker::device_parts(job.devices, context, part, needs_of(job, *models), share, check_stop);
   comm::tell_site(ranks, {host_name(), worker::describe(parts)});
   LibraryShapes shapes(library);
-  comm::serve(ranks, worker::make_device_matcher(parts, context, models, look),
-              std::make_unique<OwnReplacer>(shapes, cores, look));
+  comm::serve(ranks, worker::make_device_matcher(parts, context, models, check_stop),
+              std::make_unique<OwnReplacer>(shapes, cores, check_stop));
 }
 
-SitedMatcher own_matcher(const CollageProblem& problem, const StopReason& stop_reason) {
+SitedMatcher own_matcher(const CollageProblem& problem, const StopQuestion& shall_stop) {
   const Job& job = problem.job();
   const LibraryView& library = problem.library();
   const MatchingContext context = context_of(problem);
   const ShapeRange all = even_range(library.size(), 0, 1);
-  const auto give_up = give_up_when(stop_reason);
+  const StopCheck check_stop = stop_check(shall_stop);
   const auto models = models_of(library, context);
-  const std::vector<worker::DevicePart> parts = worker::device_parts(job.devices, context, all, needs_of(job, *models),
-                                                                     {.per_worker = job.devices_per_worker}, give_up);
+  const std::vector<worker::DevicePart> parts = worker::device_parts(
+      job.devices, context, all, needs_of(job, *models), {.per_worker = job.devices_per_worker}, check_stop);
   take_abort_again();
-  return {worker::make_device_matcher(parts, context, models, give_up), {host_name(), worker::describe(parts)}};
+  return {worker::make_device_matcher(parts, context, models, check_stop), {host_name(), worker::describe(parts)}};
 }
 
 SitedMatcher workers_matcher(comm::Communicator& ranks) { return {comm::gather_workers(ranks), {host_name(), {}}}; }
 
-std::unique_ptr<Replacer> own_replacer(ShapeSource& shapes, const StopReason& stop_reason) {
-  return std::make_unique<OwnReplacer>(shapes, available_cores(), give_up_when(stop_reason));
+std::unique_ptr<Replacer> own_replacer(ShapeSource& shapes, const StopQuestion& shall_stop) {
+  return std::make_unique<OwnReplacer>(shapes, available_cores(), stop_check(shall_stop));
 }
 
 }  // namespace tessera

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "comm/communicator.h"
+#include "core/base/stop.h"
 #include "core/matching/matcher.h"
 #include "core/ranks/rank_site.h"
 #include "core/replacing/replacer.h"
@@ -17,9 +18,6 @@ namespace tessera {
 /// A worker's life, from the master's job on. Leaves by JobEnded; throws InputError and EnvironmentError.
 [[noreturn]] void run_collage_worker(comm::Communicator& ranks);
 
-/// The reason to stop within a round, or null.
-using StopReason = std::function<const char*()>;
-
 /// Rank 0's matcher, and where that rank runs.
 struct SitedMatcher {
   std::unique_ptr<Matcher> matcher;
@@ -28,13 +26,13 @@ struct SitedMatcher {
 
 /// Of a run without workers: the whole library on this rank's devices. What asks to stop ends a question by
 /// Interrupted.
-SitedMatcher own_matcher(const CollageProblem& problem, const StopReason& stop_reason);
+SitedMatcher own_matcher(const CollageProblem& problem, const StopQuestion& shall_stop);
 
 /// Of a run with workers, which do the matching: rank 0 has no devices then.
 SitedMatcher workers_matcher(comm::Communicator& ranks);
 
 /// The replacer of a run without workers: on all cores of this rank. What asks to stop ends a question by Interrupted.
 /// The shapes outlive it.
-std::unique_ptr<Replacer> own_replacer(ShapeSource& shapes, const StopReason& stop_reason);
+std::unique_ptr<Replacer> own_replacer(ShapeSource& shapes, const StopQuestion& shall_stop);
 
 }  // namespace tessera

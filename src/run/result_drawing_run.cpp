@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "artwork/drawers/drawers.h"
+#include "core/base/stop.h"
 #include "result/run_log.h"
 #include "run/messages/collage_warnings.h"
 #include "terminal/progress_bar.h"
@@ -14,7 +15,7 @@ namespace {
 
 class DrawingProgress : public DrawingObserver {
  public:
-  DrawingProgress(bool quiet, std::function<bool()> stop) : quiet_(quiet), stop_(std::move(stop)) {}
+  DrawingProgress(bool quiet, StopQuestion shall_stop) : quiet_(quiet), shall_stop_(std::move(shall_stop)) {}
 
   /// A bar for each picture.
   void progressed(const char* picture, std::size_t done, std::size_t total) override {
@@ -23,11 +24,11 @@ class DrawingProgress : public DrawingObserver {
     bar_->update(done);
   }
 
-  bool stop_requested() override { return stop_(); }
+  std::optional<StopReason> stop_requested() override { return shall_stop_(); }
 
  private:
   bool quiet_;
-  std::function<bool()> stop_;
+  StopQuestion shall_stop_;
   std::string picture_;
   std::optional<ProgressBar> bar_;
 };
@@ -47,8 +48,8 @@ void tell_layers(const std::string& folder, const DrawerLayers& layers, RunLog& 
   if (!note.empty()) log.info(note);
 }
 
-bool draw(const std::string& folder, const PictureRequest& request, bool quiet, std::function<bool()> stop) {
-  DrawingProgress progress(quiet, std::move(stop));
+bool draw(const std::string& folder, const PictureRequest& request, bool quiet, StopQuestion shall_stop) {
+  DrawingProgress progress(quiet, std::move(shall_stop));
   const std::string& pictures = request.to.empty() ? folder : request.to;
   RunLog log(pictures);
   try {

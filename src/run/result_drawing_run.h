@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "core/base/stop.h"
 #include "render/result_drawing.h"
 #include "result/run_log.h"
 
@@ -15,6 +16,6 @@ void tell_layers(const std::string& folder, const DrawerLayers& layers, RunLog& 
 /// Draws what the result in `folder` is to have, with a line in the run.log beside the pictures. Prints how well the
 /// pieces show colour.image from afar, unless `quiet`; a line on stderr counts the pieces that are not drawn from their
 /// originals. False where `stop` ended it (asked from any thread): drawing again goes on. Errors as draw_result.
-bool draw(const std::string& folder, const PictureRequest& request, bool quiet, std::function<bool()> stop);
+bool draw(const std::string& folder, const PictureRequest& request, bool quiet, StopQuestion shall_stop);
 
 }  // namespace tessera

@@ -75,7 +75,7 @@ std::vector<std::string> what_to_try(const CanvasProblem& problem, const std::ve
 std::string empty_warning(const CanvasProblem& problem, const std::string& folder,
                           const master::CollageResult& result) {
   const std::vector<ShapeId> shapes = all_that_may_stand(problem);
-  const bool is_full = !shapes.empty() && !limit_that_ended(result.statistics);
+  const bool is_full = !shapes.empty() && limit_that_ended(result.statistics).empty();
   return empty_result_warning(folder, problem.job(), result,
                               is_full ? what_to_try(problem, shapes) : std::vector<std::string>());
 }
@@ -93,10 +93,10 @@ std::string missing_warning(const CanvasProblem& problem, const master::CollageR
   const std::uint64_t pieces = pieces_of(missing);
   const std::string what =
       count_text(pieces, "piece is", "pieces are") + " missing: " + missing_text(missing, kNamesTold) + "; ";
-  if (const char* limit = limit_that_ended(result.statistics)) {
+  if (const std::string limit = limit_that_ended(result.statistics); !limit.empty()) {
     if (keeps_number_of_pieces(job, refined, limit))
       return what + refined->folder + " lacks them, too, and refining it so lets no piece more come in";
-    return what + with_value(job, "stop", limit) + " ended the collage before they found a place";
+    return what + with_value(job, "stop", limit.c_str()) + " ended the collage before they found a place";
   }
   std::vector<ShapeId> shapes;
   for (const MissingShape& shape : missing) shapes.push_back(shape.id);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "checkpoint/checkpoint_file.h"
+#include "core/base/stop.h"
 #include "forged_checkpoint.h"
 #include "job/job_file.h"
 #include "master/collage_loop.h"
@@ -19,7 +20,9 @@ class StopAfter : public master::SilentObserver {
  public:
   explicit StopAfter(std::size_t steps) : left_(steps) {}
   void progressed(const master::Progress&) override { --left_; }
-  const char* stop_requested() override { return left_ == 0 ? "signal" : nullptr; }
+  std::optional<StopReason> stop_requested() override {
+    return left_ == 0 ? std::optional(StopReason::signal) : std::nullopt;
+  }
 
  private:
   std::size_t left_;

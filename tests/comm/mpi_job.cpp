@@ -10,7 +10,7 @@
 
 #include "comm/mpi_guard.h"
 #include "core/base/error.h"
-#include "core/base/interrupted.h"
+#include "core/base/stop.h"
 
 namespace {
 
@@ -25,7 +25,7 @@ int lead(Communicator& ranks, const std::string& how, const std::string& file) {
   if (how == "rank_0_environment_error") throw tessera::EnvironmentError("disk full");
   if (how == "interrupted") {
     std::signal(SIGTERM, [](int) { stopped = 1; });
-    ranks.interrupt_waits_when([] { return stopped ? "signal" : nullptr; });
+    ranks.interrupt_waits_when([] { return stopped ? std::optional(tessera::StopReason::signal) : std::nullopt; });
     std::printf("running\n");
     std::fflush(stdout);
   }

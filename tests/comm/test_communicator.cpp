@@ -7,7 +7,7 @@
 
 #include "comm/node_turn.h"
 #include "core/base/error.h"
-#include "core/base/interrupted.h"
+#include "core/base/stop.h"
 #include "on_all_ranks.h"
 
 namespace tessera::comm {
@@ -137,7 +137,7 @@ TEST(Communicator, CountsTraffic) {
 TEST(Communicator, AWaitCanBeInterrupted) {
   on_all_ranks([](Communicator& ranks) {
     int looks = 0;
-    ranks.interrupt_waits_when([&looks] { return ++looks > 3 ? "signal" : nullptr; });
+    ranks.interrupt_waits_when([&looks] { return ++looks > 3 ? std::optional(StopReason::signal) : std::nullopt; });
     EXPECT_THROW(ranks.receive(ranks.rank(), Tag::turn), Interrupted);
     ranks.interrupt_waits_when(nullptr);
     ranks.barrier();

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "comm/in_process_communicator.h"
-#include "core/base/interrupted.h"
+#include "core/base/stop.h"
 
 namespace tessera::comm {
 namespace test_lost_worker {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/base/interrupted.h"
+#include "core/base/stop.h"
 #include "job_fixture.h"
 #include "on_all_ranks.h"
 
@@ -116,7 +116,7 @@ TEST(RankProgram, AnInterruptedWaitLeavesTheJobToRankZero) {
     const JobOutcome outcome = run_job(
         ranks,
         [](Communicator& c) {
-          c.interrupt_waits_when([] { return "signal"; });
+          c.interrupt_waits_when([] { return StopReason::signal; });
           EXPECT_THROW(c.receive(1, Tag::dock_reply), Interrupted);
           return 5;
         },

@@ -1,4 +1,5 @@
 // Replacement trials in a window.
+#include "core/base/stop.h"
 #include "core/replacing/window_trials.h"
 
 #include <gtest/gtest.h>
@@ -24,10 +25,9 @@ using relaxed_pieces::kDiscRadius;
 using relaxed_pieces::pose;
 
 /// Nobody helps.
-ReplacementOutcome outcome_of(
-    const ReplacementWindow& window, const std::function<void()>& look = [] {}) {
+ReplacementOutcome outcome_of(const ReplacementWindow& window, const StopCheck& check_stop = never_stop) {
   SharedTasks alone;
-  return replaced(window, shapes_by_id(), look, alone);
+  return replaced(window, shapes_by_id(), check_stop, alone);
 }
 
 /// Pieces in disorder, some of which stand still, and some across the edges of the window.

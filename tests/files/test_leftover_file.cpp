@@ -115,15 +115,17 @@ const std::vector<NewFile> kTwo = {{"pieces/one", {1}}, {"two", {2}}};
 
 TEST_F(NewFolders, HoldWhatIsWritten) {
   NewFolder folder(folder_.path("out/new"));
-  EXPECT_TRUE(folder.write(kTwo, [] { return false; }));
+  folder.write(kTwo, never_stop);
   EXPECT_TRUE(is_there("out/new/pieces/one") && is_there("out/new/two"));
 }
 
 TEST_F(NewFolders, HoldNothingWhereWritingStops) {
   {
     NewFolder folder(folder_.path("out/new"));
-    int asked = 0;
-    EXPECT_FALSE(folder.write(kTwo, [&] { return ++asked == 2; }));
+    const auto stop_at_second = [asked = 0]() mutable {
+      if (++asked == 2) throw Interrupted{StopReason::signal};
+    };
+    EXPECT_THROW(folder.write(kTwo, stop_at_second), Interrupted);
     EXPECT_FALSE(is_there("out/new/pieces"));
   }
   EXPECT_FALSE(is_there("out"));
@@ -132,7 +134,7 @@ TEST_F(NewFolders, HoldNothingWhereWritingStops) {
 TEST_F(NewFolders, HoldNothingWhereAFileCannotBeWritten) {
   {
     NewFolder folder(folder_.path("new"));
-    EXPECT_THROW(folder.write({{"pieces/one", {1}}, {"pieces/one/two", {2}}}, [] { return false; }), EnvironmentError);
+    EXPECT_THROW(folder.write({{"pieces/one", {1}}, {"pieces/one/two", {2}}}, never_stop), EnvironmentError);
   }
   EXPECT_FALSE(is_there("new"));
 }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/stop.h"
 #include "core/replacing/replacer.h"
 #include "core/replacing/window_trials.h"
 #include "support/synthetic_library.h"
@@ -48,15 +49,14 @@ class AskedReplacer : public Replacer {
 };
 
 /// Tries what it is asked to, with shapes of `library`, which outlives it.
-inline AskedReplacer::Answer real_trials(
-    const std::vector<Shape>& library, const std::function<void()>& look = [] {}) {
+inline AskedReplacer::Answer real_trials(const std::vector<Shape>& library, const StopCheck& check_stop = never_stop) {
   const auto made = std::make_shared<std::vector<HoleShape>>();
   HoleShapes shapes;
   for (const Shape& shape : library) made->push_back(make_hole_shape(shape));
   for (std::uint32_t i = 0; i < made->size(); ++i) shapes[ShapeId{i}] = &(*made)[i];
-  return [made, shapes, look](const ReplacementWindow& window) {
+  return [made, shapes, check_stop](const ReplacementWindow& window) {
     SharedTasks alone;
-    return replaced(window, shapes, look, alone);
+    return replaced(window, shapes, check_stop, alone);
   };
 }
 

@@ -1,6 +1,7 @@
 // A small collage that is stopped on its way, and the state that it leaves.
 #pragma once
 
+#include "core/base/stop.h"
 #include "master/collage_loop.h"
 #include "support/divided_matcher.h"
 
@@ -46,7 +47,9 @@ class StopAfter : public SilentObserver {
  public:
   explicit StopAfter(std::size_t steps) : left_(steps) {}
   void progressed(const Progress&) override { --left_; }
-  const char* stop_requested() override { return left_ == 0 ? "signal" : nullptr; }
+  std::optional<StopReason> stop_requested() override {
+    return left_ == 0 ? std::optional(StopReason::signal) : std::nullopt;
+  }
 
  private:
   std::size_t left_;

@@ -1,6 +1,7 @@
 // Whole collages: the region is filled, the settings hold, and the library's division changes nothing.
 #include <gtest/gtest.h>
 
+#include "core/base/stop.h"
 #include "core/field/free_field.h"
 #include "whole_collage.h"
 
@@ -17,7 +18,7 @@ TEST(Collage, FillsTheCanvasWithoutOverlap) {
   EXPECT_LT(q.overlap, 0.006);
   EXPECT_LT(q.outside, 0.001);
   EXPECT_GT(q.shared_boundary, 0.4);
-  EXPECT_EQ(result.statistics.stopped_by, "full");
+  EXPECT_EQ(result.statistics.stopped_by, StopReason::full);
   for (const Placement& p : result.placements) {
     EXPECT_GE(p.canvas_from_shape.scale(), 20.f);
     EXPECT_LE(p.canvas_from_shape.scale(), 90.1f);
@@ -73,7 +74,7 @@ TEST(Collage, RespectsUsesRotationAndPieces) {
   s.stop.pieces = 3;
   const CollageResult three = run(canvas, s);
   EXPECT_EQ(three.placements.size(), 3u);
-  EXPECT_EQ(three.statistics.stopped_by, "pieces");
+  EXPECT_EQ(three.statistics.stopped_by, StopReason::pieces);
 }
 
 /// One angle for all: the search must be easier, not empty.
@@ -108,7 +109,7 @@ TEST(Collage, WithoutTangentDockingsHasNone) {
   const CollageResult result = run(canvas, s);
   const RunStatistics& statistics = result.statistics;
   EXPECT_GT(result.placements.size(), 2u);
-  EXPECT_EQ(statistics.stopped_by, "full");
+  EXPECT_EQ(statistics.stopped_by, StopReason::full);
   EXPECT_EQ(statistics.docking_choices,
             statistics.target_samples * statistics.shapes * std::uint64_t(statistics.pads_per_shape));
 }
@@ -130,13 +131,15 @@ TEST(Collage, StopsWhenAsked) {
   class StopAfter : public SilentObserver {
    public:
     void progressed(const Progress& progress) override { pieces = progress.pieces; }
-    const char* stop_requested() override { return pieces >= 4 ? "signal" : nullptr; }
+    std::optional<StopReason> stop_requested() override {
+      return pieces >= 4 ? std::optional(StopReason::signal) : std::nullopt;
+    }
     std::size_t pieces = 0;
   };
   StopAfter observer;
   const CollageResult result = run(make_rectangle_canvas(240, 160), settings(), {}, observer);
   EXPECT_EQ(result.placements.size(), 4u);
-  EXPECT_EQ(result.statistics.stopped_by, "signal");
+  EXPECT_EQ(result.statistics.stopped_by, StopReason::signal);
   EXPECT_TRUE(result.unfinished);
 }
 

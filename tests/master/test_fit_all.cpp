@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/base/stop.h"
 #include "core/collage/missing_pieces.h"
 #include "core/matching/sized_settings.h"
 #include "core/settings/tuning.h"
@@ -209,7 +210,7 @@ TEST(FitAll, ALimitOfPiecesEndsTheSearch) {
   Attempts attempts;
   const CollageResult result = stopped_collage::run(s, {}, attempts, {}, canvas, blobs());
   EXPECT_EQ(result.placements.size(), 5u);
-  EXPECT_EQ(result.statistics.stopped_by, "pieces");
+  EXPECT_EQ(result.statistics.stopped_by, StopReason::pieces);
   EXPECT_EQ(attempts.most, 1);
 }
 
@@ -253,7 +254,9 @@ class ForeignSearch : public test::ForeignStateTest {
     KeepLatest keeper;
     struct UntilSecondAttempt : SilentObserver {
       void progressed(const Progress& progress) override { attempt = progress.attempt; }
-      const char* stop_requested() override { return attempt > 1 ? "signal" : nullptr; }
+      std::optional<StopReason> stop_requested() override {
+        return attempt > 1 ? std::optional(StopReason::signal) : std::nullopt;
+      }
       int attempt = 0;
     } observer;
     stopped_collage::run(settings_, {}, observer, {nullptr, &keeper}, canvas_, blobs());

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "core/base/interrupted.h"
+#include "core/base/stop.h"
 #include "stopped_collage.h"
 
 namespace tessera::master {
@@ -45,7 +45,7 @@ class InterruptedMatcher : public Matcher {
  private:
   Matcher& call() {
     if (left_ == 0) throw std::logic_error("asked again after an interruption");
-    if (--left_ == 0) throw Interrupted{"signal"};
+    if (--left_ == 0) throw Interrupted{StopReason::signal};
     return matcher_;
   }
 
@@ -79,7 +79,7 @@ void check_given_up_questions(const CollageSettings& s) {
     std::size_t calls = 1 + (all_calls - 1) * i / (kInterruptions - 1) - i % 3 * (i < kInterruptions - 1 && i > 0);
     const CollageResult interrupted = run_until_call(s, calls, {nullptr, &keeper});
     EXPECT_TRUE(interrupted.unfinished && interrupted.gave_up_question) << i;
-    EXPECT_EQ(interrupted.statistics.stopped_by, "signal");
+    EXPECT_EQ(interrupted.statistics.stopped_by, StopReason::signal);
     const CheckpointState first = keeper.latest;
     calls = 2 + i;  // and soon once more
     if (!run_until_call(s, calls, {&first, &keeper}).unfinished) continue;

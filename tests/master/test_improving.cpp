@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "core/base/stop.h"
 #include "whole_collage.h"
 
 namespace tessera::master {
@@ -95,7 +96,7 @@ TEST(Improving, KeepsToTheLimitsOfStop) {
   s = improved(60);
   s.stop.coverage = float(quality(canvas, greedy).coverage) + 0.001f;
   const CollageResult covered = run(canvas, s);
-  EXPECT_EQ(covered.statistics.stopped_by, "coverage");
+  EXPECT_EQ(covered.statistics.stopped_by, StopReason::coverage);
   EXPECT_LT(covered.statistics.trials, 60u);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/stop.h"
 #include "core/collage/placed_outlines.h"
 #include "core/collage/wide_gap.h"
 #include "core/shape/shape_field.h"
@@ -80,7 +81,7 @@ TEST(LineArtCollage, FillsTheCanvas) {
   const std::vector<Shape> spectacles = {line_art().front()};
   const CollageSettings s = line_art_settings();
   const CollageResult result = run_line_art(s, spectacles);
-  EXPECT_EQ(result.statistics.stopped_by, "full");
+  EXPECT_EQ(result.statistics.stopped_by, StopReason::full);
   EXPECT_GT(whole_collage::quality_of(line_art_canvas(), result.placements, spectacles).coverage, 0.2);
   EXPECT_EQ(poses_that_fit(result, s, spectacles), 0);
   EXPECT_EQ(crossings(result.placements, spectacles), 0);
@@ -152,7 +153,7 @@ TEST(LineArtCollage, CountsWhatIsPaintedAlone) {
    public:
     explicit Latest(double& covered) : covered_(covered) {}
     void progressed(const Progress& progress) override { covered_ = progress.coverage; }
-    const char* stop_requested() override { return nullptr; }
+    std::optional<StopReason> stop_requested() override { return std::nullopt; }
 
    private:
     double& covered_;

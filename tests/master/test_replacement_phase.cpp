@@ -6,7 +6,7 @@
 #include <limits>
 #include <thread>
 
-#include "core/base/interrupted.h"
+#include "core/base/stop.h"
 #include "replacement_phase.h"
 
 namespace tessera::master {
@@ -217,7 +217,7 @@ TEST(ReplacementPhase, EachRegionHasItsOwn) {
   const auto try_it = test::real_trials(library());
   const std::size_t last = trying.batches.size();
   test::AskedReplacer giving_up([&](const ReplacementWindow& window) {
-    if (++asked == last) throw Interrupted{"signal"};
+    if (++asked == last) throw Interrupted{StopReason::signal};
     return try_it(window);
   });
   EXPECT_TRUE(run(canvas, s, &giving_up, silent, {nullptr, &keeper}).unfinished);

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "core/base/interrupted.h"
+#include "core/base/stop.h"
 #include "foreign_state.h"
 #include "replacement_phase.h"
 
@@ -14,7 +14,9 @@ using namespace replacement_phase;
 
 class CountQuestions : public SilentObserver {
  public:
-  const char* stop_requested() override { return ++questions >= stop_at ? "signal" : nullptr; }
+  std::optional<StopReason> stop_requested() override {
+    return ++questions >= stop_at ? std::optional(StopReason::signal) : std::nullopt;
+  }
   std::size_t questions = 0;
   std::size_t stop_at = std::numeric_limits<std::size_t>::max();  // from this question on
 };
@@ -42,7 +44,7 @@ class InterruptedPhase : public testing::Test {
   /// asks goes by time.
   static test::AskedReplacer::Answer looking_trials(CountQuestions& observer) {
     return test::real_trials(library(), [&observer] {
-      if (const char* reason = observer.stop_requested()) throw Interrupted{reason};
+      if (const auto reason = observer.stop_requested()) throw Interrupted{*reason};
     });
   }
 
@@ -78,7 +80,7 @@ TEST_F(InterruptedPhase, GoesOnFromAnyQuestion) {
     test::AskedReplacer looks(looking_trials(observer));
     const CollageResult stopped = run(small_canvas(), settings_, &looks, observer, {nullptr, &keeper});
     ASSERT_TRUE(stopped.unfinished) << k;
-    EXPECT_EQ(stopped.statistics.stopped_by, "signal");
+    EXPECT_EQ(stopped.statistics.stopped_by, StopReason::signal);
     const CheckpointState state = keeper.latest;
     in_phase += !state.moving.empty() && state.replaced < 20;
     settling += !state.moving.empty() && state.replaced == 20;
@@ -107,14 +109,14 @@ TEST_F(InterruptedPhase, AReplacerThatGivesUpLeavesTheStateBeforeTheBatch) {
     KeepLatest keeper;
     std::size_t windows = 0;
     test::AskedReplacer giving_up([&](const ReplacementWindow& window) {
-      if (++windows == batch) throw Interrupted{"lost_rank"};
+      if (++windows == batch) throw Interrupted{StopReason::lost_rank};
       return try_(window);
     });
     SilentObserver silent;
     const CollageResult stopped = run(small_canvas(), settings_, &giving_up, silent, {nullptr, &keeper});
     EXPECT_TRUE(stopped.unfinished);
     EXPECT_TRUE(stopped.gave_up_question);
-    EXPECT_EQ(stopped.statistics.stopped_by, "lost_rank");
+    EXPECT_EQ(stopped.statistics.stopped_by, StopReason::lost_rank);
     EXPECT_EQ(giving_up.batches.size(), batch) << "not asked again";
     EXPECT_FALSE(keeper.latest.moving.empty());
     EXPECT_EQ(keeper.latest.replaced == 0, batch == 1);
@@ -186,7 +188,7 @@ class ForeignPhase : public test::ForeignStateTest {
     KeepLatest keeper;
     std::size_t windows = 0;
     test::AskedReplacer giving_up([&](const ReplacementWindow& window) {
-      if (++windows == 2) throw Interrupted{"signal"};
+      if (++windows == 2) throw Interrupted{StopReason::signal};
       return test::as_it_was(window);
     });
     SilentObserver silent;

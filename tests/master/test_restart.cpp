@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "core/base/stop.h"
 #include "stopped_collage.h"
 
 namespace tessera::master {
@@ -13,9 +14,9 @@ using namespace stopped_collage;
 class StopAtQuestion : public SilentObserver {
  public:
   explicit StopAtQuestion(std::size_t questions) : left_(questions) {}
-  const char* stop_requested() override {
+  std::optional<StopReason> stop_requested() override {
     if (left_ > 0) --left_;
-    return left_ == 0 ? "signal" : nullptr;
+    return left_ == 0 ? std::optional(StopReason::signal) : std::nullopt;
   }
 
  private:
@@ -24,9 +25,9 @@ class StopAtQuestion : public SilentObserver {
 
 class CountQuestions : public SilentObserver {
  public:
-  const char* stop_requested() override {
+  std::optional<StopReason> stop_requested() override {
     ++questions;
-    return nullptr;
+    return std::nullopt;
   }
   std::size_t questions = 0;
 };
@@ -118,7 +119,7 @@ TEST(Restart, InTheMiddleOfATrialGivesTheSameCollage) {
       ++finished;
       return expect_same(interrupted, whole);
     }
-    RC_ASSERT(interrupted.statistics.stopped_by == "signal");
+    RC_ASSERT(interrupted.statistics.stopped_by == StopReason::signal);
     SilentObserver silent;
     expect_same(run(improved(), {4}, silent, {&keeper.latest, nullptr}), whole);
   }));
@@ -168,7 +169,7 @@ TEST(Restart, OfAFinishedFillingGoesOnImproving) {
   StopAfter stop(filling + 3);
   CollageSettings s = improved();
   s.improve.relax = false;  // each step is one trial
-  EXPECT_EQ(run(s, {}, stop, {nullptr, &keeper}).statistics.stopped_by, "signal");
+  EXPECT_EQ(run(s, {}, stop, {nullptr, &keeper}).statistics.stopped_by, StopReason::signal);
   EXPECT_TRUE(keeper.latest.improving);
   EXPECT_EQ(keeper.latest.statistics.trials, 3u);
   EXPECT_GT(keeper.latest.statistics.improve_s, 0);
@@ -185,7 +186,7 @@ TEST(Restart, TimeBeforeTheInterruptionCounts) {
   SilentObserver silent;
   const CollageResult result = run(s, {}, silent, {&keeper.latest, nullptr});
   EXPECT_EQ(result.placements.size(), 3u);
-  EXPECT_EQ(result.statistics.stopped_by, "seconds");
+  EXPECT_EQ(result.statistics.stopped_by, StopReason::seconds);
   EXPECT_FALSE(result.unfinished);
 }
 

@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "core/base/stop.h"
 #include "core/collage/placed_outlines.h"
 #include "core/settings/tuning.h"
 #include "master/filling.h"
@@ -64,7 +65,7 @@ TEST(Seamless, FillsThePeriodAcrossItsEdges) {
     EXPECT_LT(q.overlap, 0.006);
     EXPECT_LT(q.outside, 0.001);
     EXPECT_GT(q.shared_boundary, 0.4);
-    EXPECT_EQ(result.statistics.stopped_by, "full");
+    EXPECT_EQ(result.statistics.stopped_by, StopReason::full);
     EXPECT_GE(crossing_seams(canvas, result.placements), in_x && in_y ? 4u : 2u);
     for (const Placement& p : result.placements) {
       EXPECT_EQ(canvas.period.wrapped(p.canvas_from_shape), p.canvas_from_shape);
@@ -205,7 +206,7 @@ TEST(Seamless, PiecesOnBothSidesOfASeamAreTakenOutTogether) {
       const std::vector<Placement>& left = scene.collage.placements();
       across |= std::find(left.begin(), left.end(), row.front()) == left.end() &&
                 std::find(left.begin(), left.end(), row.back()) == left.end();
-      return true;
+      return StopReason::signal;
     });
   }
   EXPECT_TRUE(across);
@@ -255,7 +256,7 @@ TEST(Seamless, WhereNoPieceFitsTheCollageIsEmpty) {
   s.pieces.min_scale_px = 80;
   const CollageResult result = run(make_seamless_canvas(40, 30, true, true), s);
   EXPECT_TRUE(result.placements.empty());
-  EXPECT_EQ(result.statistics.stopped_by, "full");
+  EXPECT_EQ(result.statistics.stopped_by, StopReason::full);
 }
 
 TEST(Seamless, DoesNotDependOnHowTheLibraryIsDivided) {

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "core/base/stop.h"
 #include "core/field/field_lookup.h"
 #include "core/field/keep_out.h"
 #include "core/matching/sized_settings.h"
@@ -171,7 +172,7 @@ TEST(WarmStart, FreePiecesThatAreEnoughAreImproved) {
   const CollageResult result = run(canvas, s);
   EXPECT_EQ(result.placements.size(), 6u);
   EXPECT_EQ(result.statistics.trials, 3u);
-  EXPECT_EQ(result.statistics.stopped_by, "pieces");
+  EXPECT_EQ(result.statistics.stopped_by, StopReason::pieces);
   EXPECT_GT(quality(canvas, result).coverage, quality(canvas, few).coverage + 0.01);
   s.wishes.given = as_given(few.placements, true);
   EXPECT_EQ(run(canvas, s).statistics.trials, 0u) << "nothing may move";
@@ -374,7 +375,7 @@ TEST(OutwardGrowth, FillsTheCanvasToItsEdge) {
   CollageSettings s = outward(0);
   const Canvas canvas = make_rectangle_canvas(240, 160);
   const CollageResult result = run(canvas, s);
-  EXPECT_EQ(result.statistics.stopped_by, "full");
+  EXPECT_EQ(result.statistics.stopped_by, StopReason::full);
   const Quality q = quality(canvas, result);
   EXPECT_GT(q.coverage, 0.78);
   EXPECT_LT(q.outside, 0.01);

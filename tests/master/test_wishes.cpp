@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "core/base/stop.h"
 #include "core/collage/placed_outlines.h"
 #include "core/geometry/polygon_index.h"
 #include "core/matching/sized_settings.h"
@@ -308,7 +309,7 @@ TEST(Wishes, FitAllFindsSizesAtWhichEveryShapeHasItsPlace) {
   const CollageResult result = run(canvas, sized);
   EXPECT_EQ(uses(result.placements).size(), library().size());
   EXPECT_EQ(result.placements.size(), library().size());
-  EXPECT_EQ(result.statistics.stopped_by, "used_up");
+  EXPECT_EQ(result.statistics.stopped_by, StopReason::used_up);
   EXPECT_GT(quality(canvas, result).coverage, 0.65);
   expect_repeatable(canvas, sized, result);
 }
@@ -445,8 +446,8 @@ TEST(Wishes, ShapesThatAreShutOutEverywhereCostNothing) {
   const CollageResult used_once = run(canvas, once);
   EXPECT_EQ(apart.placements.size(), library().size());
   EXPECT_EQ(uses(apart.placements).size(), library().size());
-  EXPECT_EQ(apart.statistics.stopped_by, "full");
-  EXPECT_EQ(used_once.statistics.stopped_by, "used_up");
+  EXPECT_EQ(apart.statistics.stopped_by, StopReason::full);
+  EXPECT_EQ(used_once.statistics.stopped_by, StopReason::used_up);
   EXPECT_LT(apart.statistics.target_samples, 1.2 * double(used_once.statistics.target_samples));
   expect_repeatable(canvas, s, apart);
 }
@@ -465,7 +466,7 @@ TEST(Wishes, ALibraryThatIsUsedUpIsSaidAsSuch) {
   CollageSettings s = settings();
   s.pieces.uses = 1;
   s.pieces.max_scale_px = 30;
-  EXPECT_EQ(run(make_rectangle_canvas(300, 220), s).statistics.stopped_by, "used_up");
+  EXPECT_EQ(run(make_rectangle_canvas(300, 220), s).statistics.stopped_by, StopReason::used_up);
 }
 
 }  // namespace test_wishes

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 
+#include "core/base/stop.h"
 #include "files/available_cores.h"
 #include "render/pieces/artwork_original.h"
 #include "render/png_stream.h"
@@ -378,7 +379,9 @@ TEST(Png, TheBytesDependNeitherOnBandsNorOnMemoryNorOnThreads) {
 /// Wants to stop as soon as it is told of progress.
 class ImpatientDrawing : public test::SilentDrawing {
  public:
-  bool stop_requested() override { return stop; }
+  std::optional<StopReason> stop_requested() override {
+    return stop ? std::optional(StopReason::signal) : std::nullopt;
+  }
   std::atomic<bool> stop = false;
 };
 

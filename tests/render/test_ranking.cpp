@@ -6,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/base/stop.h"
 #include "render/ranking.h"
 #include "result/card_output.h"
 #include "result/result_manifest.h"
@@ -27,7 +28,7 @@ ResultCard card(const std::string& folder, double coverage, double overlap = 0) 
   result.quality.pieces = 4;
   result.quality.distinct_shapes = 2;
   result.quality.effective_shapes = 1;
-  result.stopped_by = "full";
+  result.stopped_by = StopReason::full;
   return result;
 }
 
@@ -75,14 +76,14 @@ TEST(Ranking, a_wrong_weight_is_named_with_what_is_allowed) {
 
 TEST(Ranking, its_picture_marks_what_is_unfinished) {
   const RankingWeights weights = ranking_weights({});
-  const auto picture = [&](const std::string& stopped_by) {
+  const auto picture = [&](StopReason stopped_by) {
     ResultCard one = card("a", 0.9);
     one.stopped_by = stopped_by;
     return ranking_files(ranked({one}, weights), weights).png;
   };
-  EXPECT_EQ(picture("full"), picture("seconds"));  // a limit of the job
-  EXPECT_NE(picture("full"), picture("time_limit"));
-  EXPECT_EQ(picture("signal"), picture("time_limit"));
+  EXPECT_EQ(picture(StopReason::full), picture(StopReason::seconds));  // a limit of the job
+  EXPECT_NE(picture(StopReason::full), picture(StopReason::time_limit));
+  EXPECT_EQ(picture(StopReason::signal), picture(StopReason::time_limit));
 }
 
 ResultCard seen_card(const std::string& folder, double balance, double dwarfs, double copies_apart, double alone) {
@@ -211,7 +212,7 @@ class ResultFolders : public testing::Test {
     quality.alone = 0.25;
     RunStatistics run;
     run.total_s = 12.5;
-    run.stopped_by = "full";
+    run.stopped_by = StopReason::full;
     scratch_.write(name + "/card.json", card_json(quality, run, {}));
     ResultManifest manifest;
     for (const char* file : {"pieces.geojson", "card.txt"}) scratch_.write(name + "/" + file, "");
@@ -249,7 +250,21 @@ TEST_F(ResultFolders, a_card_is_read_as_it_was_written) {
   EXPECT_FALSE(card.quality.between_px);
   EXPECT_EQ(card.quality.alone, 0.25);
   EXPECT_EQ(card.total_s, 12.5);
-  EXPECT_EQ(card.stopped_by, "full");
+  EXPECT_EQ(card.stopped_by, StopReason::full);
+}
+
+TEST_F(ResultFolders, an_unknown_end_is_named_with_those_that_there_are) {
+  scratch_.write("card.json", R"({"quality": {"coverage_fraction": 0.9, "overlap_fraction": 0, "outside_fraction": 0,
+      "pieces": 3, "distinct_shapes": 2, "shared_boundary_fraction": 0.5, "largest_gap_radius_px": 4},
+      "run": {"total_s": 1, "stopped_by": "Full"}})");
+  try {
+    read_card(scratch_.path(""));
+    FAIL() << "read";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("run.stopped_by: found \"Full\", allowed: full, used_up, pieces"),
+              std::string::npos)
+        << error.what();
+  }
 }
 
 TEST_F(ResultFolders, older_cards_are_read) {

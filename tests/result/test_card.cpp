@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "core/base/stop.h"
 #include "result/card_output.h"
 
 namespace tessera {
@@ -43,7 +44,7 @@ RunStatistics sample_run() {
   r.merge_s = 3;
   r.total_s = 12.5;
   r.last_tenth = 0.0123;
-  r.stopped_by = "full";
+  r.stopped_by = StopReason::full;
   return r;
 }
 
@@ -184,7 +185,7 @@ TEST(Card, TellsWhatEndedFillingAndHowFarImprovingCame) {
   EXPECT_EQ(value_of("stopped by", run, settings), "full, then 1,200 trials") << "improve.seconds alone limits them";
   settings.improve.trials = 1500;
   EXPECT_EQ(value_of("stopped by", run, settings), "full, then 1,200 of 1,500 trials");
-  run.stopped_by = "signal";
+  run.stopped_by = StopReason::signal;
   EXPECT_EQ(value_of("stopped by", run, settings), "signal after 1,200 of 1,500 trials");
   const auto json = nlohmann::json::parse(card_json(sample_quality(), run, settings))["run"];
   EXPECT_EQ(json["stopped_by"], "signal");

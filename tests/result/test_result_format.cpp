@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "core/base/stop.h"
 #include "render/ranking.h"
 #include "result/card_output.h"
 #include "result/drawing_notes.h"
@@ -100,8 +101,9 @@ TEST(ResultFormat, has_every_file) {
 }
 
 TEST(ResultFormat, has_every_reason_for_the_end) {
-  for (const char* reason : {"full", "used_up", "pieces", "coverage", "seconds", "signal", "time_limit"}) {
-    EXPECT_NE(documented_section("### run").find("\n| `" + std::string(reason) + "` | "), std::string::npos) << reason;
+  for (const StopReason reason : kStopReasons) {
+    const std::string word(stop_word(reason));
+    EXPECT_NE(documented_section("### run").find("\n| `" + word + "` | "), std::string::npos) << word;
   }
 }
 

@@ -1,4 +1,5 @@
 // What a run keeps about itself, in the record for the card and in run.log.
+#include "core/base/stop.h"
 #include "run/collage_journal.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +40,7 @@ TEST_F(Journal, keeps_what_happens_in_the_record_and_in_the_log) {
   journal_.resumed(from);
   journal_.warn("");
   journal_.keep_warning("no checkpoint");
-  const RunRecord& record = journal_.ended("full", 7);
+  const RunRecord& record = journal_.ended(StopReason::full, 7);
   EXPECT_EQ(record.ranks.size(), 2u);
   EXPECT_EQ(record.resumed_from, "out/checkpoint.h5");
   EXPECT_EQ(record.resumed_pieces, 3u);
@@ -57,7 +58,7 @@ TEST_F(Journal, writes_down_what_ends_the_work_and_passes_it_on) {
   EXPECT_EQ(journal_.watch([] { return 5; }), 5);
   EXPECT_THROW(journal_.watch([]() -> int { throw EnvironmentError("disk full"); }), EnvironmentError);
   EXPECT_TRUE(log_has("error: disk full"));
-  EXPECT_THROW(journal_.watch([]() -> int { throw Interrupted{"lost_rank"}; }), Interrupted);
+  EXPECT_THROW(journal_.watch([]() -> int { throw Interrupted{StopReason::lost_rank}; }), Interrupted);
   EXPECT_TRUE(log_has("end: stopped by lost_rank before the first round"));
 }
 

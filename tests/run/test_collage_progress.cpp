@@ -24,20 +24,20 @@ TEST(CollageProgress, note_has_pieces_coverage_and_rate) {
 
 TEST(CollageProgress, a_time_limit_ends_the_loop) {
   CollageProgress endless({}, true);
-  EXPECT_EQ(endless.stop_requested(), nullptr);
+  EXPECT_EQ(endless.stop_requested(), std::nullopt);
   CollageProgress ended({}, true, TimeLimit(reserve_s(1)));
-  EXPECT_STREQ(ended.stop_requested(), "time_limit");
+  EXPECT_EQ(ended.stop_requested(), StopReason::time_limit);
 }
 
 TEST(StopSignal, signals_ask_for_the_end_as_often_as_they_come) {
   comm::install_stop_handlers();
   CollageProgress progress({}, true);
-  EXPECT_EQ(progress.stop_requested(), nullptr);
+  EXPECT_EQ(progress.stop_requested(), std::nullopt);
   std::raise(SIGINT);
   std::raise(SIGTERM);
   std::raise(SIGINT);
   std::raise(SIGUSR2);
-  EXPECT_STREQ(progress.stop_requested(), "signal");
+  EXPECT_EQ(progress.stop_requested(), StopReason::signal);
 }
 
 }  // namespace test_collage_progress

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 
+#include "core/base/stop.h"
 #include "core/colour/colour_target.h"
 #include "core/field/keep_out.h"
 #include "run/messages/collage_warnings.h"
@@ -26,7 +27,7 @@ TEST(EmptyResultWarning, names_a_time_that_was_too_short) {
   Job job;
   job.settings.stop.seconds = 0.001;
   master::CollageResult result;
-  result.statistics.stopped_by = "seconds";
+  result.statistics.stopped_by = StopReason::seconds;
   EXPECT_EQ(empty_result_warning("out/a", job, result, {}),
             "out/a: the collage is empty: stop.seconds (now 0.001) ended it before the first piece");
 }
@@ -147,7 +148,7 @@ TEST(CollageWarnings, ALibraryThatIsUsedUpTellsSizesThatWouldFill) {
   job.settings.pieces.min_scale_px = 20;
   job.settings.pieces.max_scale_px = 100;
   master::CollageResult result;
-  result.statistics.stopped_by = "full";
+  result.statistics.stopped_by = StopReason::full;
   result.placements.push_back({ShapeId{0}, {85, 0, 0, 0}, 0, 0});
   const auto canvas_px2 = [](double area_px2) {
     Canvas canvas;
@@ -155,7 +156,7 @@ TEST(CollageWarnings, ALibraryThatIsUsedUpTellsSizesThatWouldFill) {
     return canvas;
   };
   EXPECT_EQ(used_up_warning(job, canvas_px2(34000), result), "");
-  result.statistics.stopped_by = "used_up";
+  result.statistics.stopped_by = StopReason::used_up;
   EXPECT_EQ(used_up_warning(job, canvas_px2(34000), result),
             "the library is used up with 21 % of the canvas covered; pieces 2.0 times as large would fill it: "
             "pieces.scale_px = [40, 200], or pieces.fit = \"all\"; so would more uses (pieces.uses)");

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "artwork/drawers/drawers.h"
+#include "core/base/stop.h"
 #include "render/picture_drawing.h"
 #include "render/pieces/shape_artworks.h"
 #include "render/pieces/stop_watcher.h"
@@ -15,7 +16,7 @@ namespace tessera::test {
 class SilentDrawing : public DrawingObserver {
  public:
   void progressed(const char*, std::size_t, std::size_t) override {}
-  bool stop_requested() override { return false; }
+  std::optional<StopReason> stop_requested() override { return std::nullopt; }
 };
 
 /// The shapes of a report, ready to be drawn.

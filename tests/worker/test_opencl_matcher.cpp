@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <functional>
 
-#include "core/base/interrupted.h"
 #include "core/base/lanes.h"
+#include "core/base/stop.h"
 #include "core/base/stopwatch.h"
 #include "core/matching/pair_limits.h"
 #include "core/pad/pad_index.h"
@@ -319,7 +319,7 @@ TEST(OpenCLMatcher, AQuestionIsGivenUpBetweenLaunches) {
   int left = -1;
   const auto between_launches = [&] {
     ++calls;
-    if (--left == 0) throw Interrupted{"signal"};
+    if (--left == 0) throw Interrupted{StopReason::signal};
   };
   worker::OpenCLMatcher matcher(worker::opencl_devices().front(), scene.context, all_of(scene.models),
                                 given(scene.models), between_launches);

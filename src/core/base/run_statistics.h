@@ -3,7 +3,8 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
+
+#include "core/base/stop.h"
 
 namespace tessera {
 
@@ -24,13 +25,11 @@ struct RunStatistics {
   double replace_s = 0;  // asking for replacement trials, and waiting for their outcomes
   double objective_s = 0;
   double merge_s = 0;
-  double improve_s = 0;              // of total_s; nothing else here counts what trials do
-  double total_s = 0;                // of the loop, without the set-up of canvas and collage
-  std::optional<double> last_tenth;  // covered in the last tenth of total_s, of the canvas; nothing: not known
-  double setup_processor_s = 0;      // of this process, before the loop
-  /// "full", "used_up" (no shape may be placed once more), "pieces", "coverage" or "seconds"; of an unfinished run
-  /// "signal", "time_limit" or "lost_rank".
-  std::string stopped_by;
+  double improve_s = 0;                  // of total_s; nothing else here counts what trials do
+  double total_s = 0;                    // of the loop, without the set-up of canvas and collage
+  std::optional<double> last_tenth;      // covered in the last tenth of total_s, of the canvas; nothing: not known
+  double setup_processor_s = 0;          // of this process, before the loop
+  std::optional<StopReason> stopped_by;  // nothing: the run goes on
 
   double pruned_fraction() const {
     return docking_choices ? 1.0 - double(dockings_evaluated) / double(docking_choices) : 0.0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/stop.h"
 #include "core/relax/contacts.h"
 #include "core/relax/piece_neighbours.h"
 #include "core/relax/schedules.h"
@@ -66,27 +67,27 @@ class Clearing {
     }
   }
 
-  std::vector<std::size_t> run(const std::function<void()>& look) {
+  std::vector<std::size_t> run(const StopCheck& check_stop) {
     for (int pass = 0; pass < kPasses; ++pass) {
-      look();
+      check_stop();
       const bool making_way = pass % kPassesToMakingWay == 0;
-      if (making_way) make_way(look);
+      if (making_way) make_way(check_stop);
       if (making_way && pass >= kPassesToGivingUp) give_up([this](std::size_t i) { return lies_too_deep(i); });
       std::erase_if(unsure_, [&](std::size_t i) { return !gives_way(i, !making_way); });
       if (unsure_.empty()) break;
     }
     give_up([this](std::size_t i) { return !conflicts_of(i).empty(); });
-    grow_again(look);
+    grow_again(check_stop);
     std::sort(lost_.begin(), lost_.end());
     return lost_;
   }
 
  private:
   /// Pieces made way for others that did so, too.
-  void grow_again(const std::function<void()>& look) {
+  void grow_again(const StopCheck& check_stop) {
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       if (!may_move_[i]) continue;
-      look();
+      check_stop();
       float growth = kFirstRegrowth;
       for (int step = 0; step < kRegrowthSteps; ++step) {
         if (!grows(i, 1 + growth)) growth *= 0.5f;
@@ -171,7 +172,7 @@ class Clearing {
   }
 
   /// A conflict is one of both pieces, so that only those that moved need be looked at again.
-  void make_way(const std::function<void()>& look) {
+  void make_way(const StopCheck& check_stop) {
     std::erase_if(unsure_, [&](std::size_t i) { return conflicts_of(i).empty(); });
     const std::vector<std::size_t> movable = with_neighbours(unsure_);
     std::vector<RelaxedPiece> standing;
@@ -183,7 +184,7 @@ class Clearing {
       float& least_px = standing.back().poses.min_scale_px;
       least_px = std::max(least_px, kLeastMakingWay * laid_[i].scale_px);
     }
-    making_way_.relax(standing, active, kMakingWay, look);
+    making_way_.relax(standing, active, kMakingWay, check_stop);
     std::vector<std::size_t> unsure;
     for (std::size_t k = 0; k < movable.size(); ++k) {
       const std::size_t i = movable[k];
@@ -228,9 +229,8 @@ class Clearing {
 }  // namespace
 
 std::vector<std::size_t> make_clear(std::vector<RelaxedPiece>& pieces, const std::vector<std::size_t>& active,
-                                    const FreeField& free, const PieceSettings& settings,
-                                    const std::function<void()>& look) {
-  return Clearing(pieces, active, free, settings).run(look);
+                                    const FreeField& free, const PieceSettings& settings, const StopCheck& check_stop) {
+  return Clearing(pieces, active, free, settings).run(check_stop);
 }
 
 }  // namespace tessera

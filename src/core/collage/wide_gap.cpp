@@ -6,6 +6,7 @@
 #include <numeric>
 #include <vector>
 
+#include "core/base/stop.h"
 #include "core/geometry/convex_hull.h"
 #include "core/shape/shape_field.h"
 
@@ -107,7 +108,7 @@ HullRoom hull_room(const Shape& shape) {
 }
 
 bool any_pose_in_gap(const ShapeModel& shape, const HullRoom& room, const PoseRange& poses, const FreeField& free,
-                     const Window& window, const std::function<void()>& check_stop,
+                     const Window& window, const StopCheck& check_stop,
                      const std::function<bool(const Similarity&)>& attempt) {
   const std::vector<Vec2> middles = places_of_middle(free, window, kLeastDistance * room.radius * poses.min_scale_px);
   const std::vector<Similarity> turned = turned_poses(room, poses);

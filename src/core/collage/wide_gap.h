@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "core/base/stop.h"
 #include "core/field/free_field.h"
 #include "core/matching/pose_range.h"
 #include "core/shape/shape.h"
@@ -36,7 +37,7 @@ HullRoom hull_room(const Shape& shape);
 /// far from anything as the middle of a gap that is wide enough; of 32 rotations there the first is attempted in which the
 /// shape lies free.
 bool any_pose_in_gap(const ShapeModel& shape, const HullRoom& room, const PoseRange& poses, const FreeField& free,
-                     const Window& window, const std::function<void()>& check_stop,
+                     const Window& window, const StopCheck& check_stop,
                      const std::function<bool(const Similarity&)>& attempt);
 
 }  // namespace tessera

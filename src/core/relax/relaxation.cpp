@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/portable_math.h"
+#include "core/base/stop.h"
 #include "core/relax/contacts.h"
 #include "core/relax/piece_neighbours.h"
 #include "core/relax/relaxation_step.h"
@@ -110,14 +111,14 @@ void shuffle(std::vector<std::size_t>& pieces, int sweep) {
 }  // namespace
 
 void Relaxation::relax(std::vector<RelaxedPiece>& pieces, std::vector<std::size_t> active,
-                       const RelaxationSchedule& schedule, const std::function<void()>& look) const {
+                       const RelaxationSchedule& schedule, const StopCheck& check_stop) const {
   std::erase_if(active, [&](std::size_t i) { return pieces[i].fixed; });
   std::vector<LaidPiece> all = laid(pieces);
   std::vector<std::vector<Neighbour>> neighbours(pieces.size());
   const float movement = most_movement(pieces, active);
   float may_have_moved_px = kNeighbourSlack_px;
   for (int sweep = 0; sweep < schedule.sweeps; ++sweep) {
-    look();
+    check_stop();
     const float progress = schedule.sweeps > 1 ? float(sweep) / float(schedule.sweeps - 1) : 1.f;
     const float stiffness = stiffness_at(schedule, progress);
     const float most_step_px = step_at(schedule, progress);

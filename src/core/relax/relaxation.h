@@ -15,6 +15,7 @@
 #include <functional>
 #include <vector>
 
+#include "core/base/stop.h"
 #include "core/matching/pose_range.h"
 #include "core/relax/contact_shape.h"
 #include "core/relax/edge_distance.h"
@@ -56,10 +57,10 @@ class Relaxation {
   Relaxation(const EdgeDistance& edge, const ContactDistances& distances) : edge_(edge), distances_(distances) {}
 
   /// Moves those of `pieces` that `active` (indices, in any order) names and that are not fixed; afterwards their
-  /// centres lie in the one period of a seamless canvas. `look` is called between sweeps; where it throws, the pieces
+  /// centres lie in the one period of a seamless canvas. `check_stop` is called between sweeps; where it throws, the pieces
   /// are left as they are.
   void relax(std::vector<RelaxedPiece>& pieces, std::vector<std::size_t> active, const RelaxationSchedule& schedule,
-             const std::function<void()>& look) const;
+             const StopCheck& check_stop) const;
 
   /// Of all pieces, depths counted from soft_px on, without what is hard.
   double energy_px2(const std::vector<RelaxedPiece>& pieces, float stiffness) const;

@@ -6,6 +6,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/base/stop.h"
 #include "core/replacing/window_queue.h"
 
 namespace tessera {
@@ -30,15 +31,15 @@ void start_threads(WindowQueue& queue, std::size_t wanted, std::vector<std::jthr
 
 }  // namespace
 
-OwnReplacer::OwnReplacer(ShapeSource& shapes, int threads, std::function<void()> look)
+OwnReplacer::OwnReplacer(ShapeSource& shapes, int threads, StopCheck check_stop)
     : shapes_(shapes),
       threads_(std::max(1, threads)),
-      look_(std::move(look)) {}
+      check_stop_(std::move(check_stop)) {}
 
 const HoleShape& OwnReplacer::kept(ShapeId id) {
   auto found = kept_.find(id);
   if (found == kept_.end()) {
-    look_();
+    check_stop_();
     found = kept_.emplace(id, Kept{make_hole_shape(shapes_.shape(id)), 0}).first;
   }
   found->second.used = questions_;
@@ -81,7 +82,7 @@ std::vector<ReplacementOutcome> OwnReplacer::take_replaced() {
       const std::size_t wanted = std::min(kMostThreadsPerWindow * windows.size(), std::size_t(threads_));
       start_threads(queue, wanted, threads);
       if (threads.empty() && wanted > 0) queue.work();
-      while (!queue.wait(kBetweenLooks)) look_();
+      while (!queue.wait(kBetweenLooks)) check_stop_();
     } catch (...) {
       queue.give_up();
       throw;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/stop.h"
 #include "core/replacing/replacer.h"
 #include "core/replacing/window_pieces.h"
 #include "core/shape/shape_source.h"
@@ -15,9 +16,9 @@ namespace tessera {
 
 class OwnReplacer : public Replacer {
  public:
-  /// `shapes`, of the whole library, outlives it; only the thread that asks reads them. That thread calls `look` while
-  /// it reads and again and again while `threads` others (at least 1) work; `look` may throw.
-  OwnReplacer(ShapeSource& shapes, int threads, std::function<void()> look);
+  /// `shapes`, of the whole library, outlives it; only the thread that asks reads them. That thread calls `check_stop` while
+  /// it reads and again and again while `threads` others (at least 1) work; `check_stop` may throw.
+  OwnReplacer(ShapeSource& shapes, int threads, StopCheck check_stop);
 
   int breadth() const override { return threads_; }
   void post_replace(std::vector<ReplacementWindow> windows) override { posted_ = std::move(windows); }
@@ -34,7 +35,7 @@ class OwnReplacer : public Replacer {
 
   ShapeSource& shapes_;
   int threads_;
-  std::function<void()> look_;
+  StopCheck check_stop_;
   std::vector<ReplacementWindow> posted_;
   std::map<ShapeId, Kept> kept_;
   std::uint64_t questions_ = 0;

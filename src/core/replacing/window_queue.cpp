@@ -28,10 +28,10 @@ void WindowQueue::work() noexcept {
   try {
     for (std::size_t k = next_++; k < order_.size() && !given_up_; k = next_++) {
       const std::size_t i = order_[k];
-      const auto look = [this] {
+      const StopCheck check_stop = [this] {
         if (given_up_) throw GivenUp{};
       };
-      outcomes_[i] = replaced(windows_[i], shapes_, look, tasks_);
+      outcomes_[i] = replaced(windows_[i], shapes_, check_stop, tasks_);
       count_done();
     }
     tasks_.help();

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "core/base/portable_math.h"
+#include "core/base/stop.h"
 #include "core/replacing/draws.h"
 #include "core/replacing/hole_candidates.h"
 #include "core/replacing/repetition.h"
@@ -56,10 +57,10 @@ class WindowTrials {
         draws_(window.random),
         middle_px_(middle_px(window)) {}
 
-  ReplacementOutcome run(const std::function<void()>& look) {
+  ReplacementOutcome run(const StopCheck& check_stop) {
     ReplacementOutcome outcome;
     for (std::uint32_t k = 0; k < window_.trials; ++k) {
-      look();
+      check_stop();
       const float progress = float(k) / float(window_.trials);
       temperature_px2_ =
           window_.first_temperature_px2 + (window_.last_temperature_px2 - window_.first_temperature_px2) * progress;
@@ -258,9 +259,9 @@ class WindowTrials {
 
 }  // namespace
 
-ReplacementOutcome replaced(const ReplacementWindow& window, const HoleShapes& shapes,
-                            const std::function<void()>& look, SharedTasks& tasks) {
-  return WindowTrials(window, shapes, tasks).run(look);
+ReplacementOutcome replaced(const ReplacementWindow& window, const HoleShapes& shapes, const StopCheck& check_stop,
+                            SharedTasks& tasks) {
+  return WindowTrials(window, shapes, tasks).run(check_stop);
 }
 
 }  // namespace tessera

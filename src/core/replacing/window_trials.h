@@ -4,15 +4,16 @@
 
 #include <functional>
 
+#include "core/base/stop.h"
 #include "core/replacing/replacement.h"
 #include "core/replacing/shared_tasks.h"
 #include "core/replacing/window_pieces.h"
 
 namespace tessera {
 
-/// `shapes` has those of all pieces of the window and of all that may come in. `look` is called between trials and may
+/// `shapes` has those of all pieces of the window and of all that may come in. `check_stop` is called between trials and may
 /// throw. The same bits on every machine, whoever helps with a trial's candidates.
-ReplacementOutcome replaced(const ReplacementWindow& window, const HoleShapes& shapes,
-                            const std::function<void()>& look, SharedTasks& tasks);
+ReplacementOutcome replaced(const ReplacementWindow& window, const HoleShapes& shapes, const StopCheck& check_stop,
+                            SharedTasks& tasks);
 
 }  // namespace tessera

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "core/base/stop.h"
 #include "text/number_text.h"
 #include "text/utf8_text.h"
 
@@ -57,9 +58,8 @@ int wanted_pieces(const NestRun& run) {
 }
 
 std::string stopped_by_text(const NestRun& run) {
-  const std::string_view reason = run.stopped_by;
-  if (reason == "signal") return "a signal";
-  return reason == "lost_rank" ? "a lost rank" : "the time limit";
+  if (run.stopped_by == StopReason::signal) return "a signal";
+  return run.stopped_by == StopReason::lost_rank ? "a lost rank" : "the time limit";
 }
 
 std::string nest_layout_json(const NestRun& run) {
@@ -74,7 +74,7 @@ std::string nest_layout_json(const NestRun& run) {
   }
   ordered_json layout = {{"program", kNestProgram}, {"name", run.input.name}, {"strip_height", run.problem.height}};
   if (!is_strip(run)) layout["sheet_width"] = run.problem.length;
-  if (run.stopped_by) layout["stopped_by"] = run.stopped_by;
+  if (run.stopped_by) layout["stopped_by"] = stop_word(*run.stopped_by);
   layout["solution"] = {{"strip_width", run.layout.used_length},
                         {"sheets", run.layout.sheets},
                         {"density", density_of(run)},

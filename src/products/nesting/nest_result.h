@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "core/base/stop.h"
 #include "products/nesting/layout/nest_problem.h"
 #include "products/nesting/nest_input.h"
 
@@ -15,7 +16,7 @@ struct NestRun {
   std::string effort;
   std::uint64_t seed = 1;
   double seconds = 0;
-  const char* stopped_by = nullptr;  // as Interrupted::reason, before all of the search was done; null: nothing did
+  std::optional<StopReason> stopped_by;  // before all of the search was done
 };
 
 /// What layout.json and card.txt begin with, so that a folder of tessera nest can be told from others.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/base/stop.h"
+
 namespace tessera {
 namespace {
 
@@ -36,11 +38,11 @@ struct State {
 class Search {
  public:
   Search(const std::vector<PuzzlePiece>& pieces, const std::vector<std::vector<PieceMatch>>& matches,
-         const PuzzleScale& scale, const std::function<void()>& watch)
+         const PuzzleScale& scale, const StopCheck& check_stop)
       : pieces_(pieces),
         matches_(matches),
         scale_(scale),
-        watch_(watch) {}
+        check_stop_(check_stop) {}
 
   std::optional<std::vector<Similarity>> poses() {
     State state;
@@ -125,7 +127,7 @@ class Search {
 
   void lay(const PosedPiece& piece, State& state) {
     ++laid_;
-    watch_();
+    check_stop_();
     state.laid.push_back(piece);
     for (OpenCorner& corner : state.corners) {
       std::erase_if(corner.candidates, [&](const PosedPiece& candidate) {
@@ -157,7 +159,7 @@ class Search {
   const std::vector<PuzzlePiece>& pieces_;
   const std::vector<std::vector<PieceMatch>>& matches_;
   const PuzzleScale& scale_;
-  const std::function<void()>& watch_;
+  const StopCheck& check_stop_;
   int laid_ = 0;
   std::vector<PosedPiece> result_;
 };
@@ -166,9 +168,9 @@ class Search {
 
 std::optional<std::vector<Similarity>> frame_covering(const std::vector<PuzzlePiece>& pieces,
                                                       const std::vector<std::vector<PieceMatch>>& matches,
-                                                      const PuzzleScale& scale, const std::function<void()>& watch) {
+                                                      const PuzzleScale& scale, const StopCheck& check_stop) {
   if (pieces.size() > kMostCoveringPieces + 1) return {};
-  return Search(pieces, matches, scale, watch).poses();
+  return Search(pieces, matches, scale, check_stop).poses();
 }
 
 }  // namespace tessera

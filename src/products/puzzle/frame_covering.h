@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/stop.h"
 #include "products/puzzle/piece_matches.h"
 #include "products/puzzle/puzzle_contact.h"
 
@@ -19,6 +20,6 @@ inline constexpr std::size_t kMostCoveringPieces = 24;
 /// is none the last piece goes back. `watch` is called before each piece.
 std::optional<std::vector<Similarity>> frame_covering(const std::vector<PuzzlePiece>& pieces,
                                                       const std::vector<std::vector<PieceMatch>>& matches,
-                                                      const PuzzleScale& scale, const std::function<void()>& watch);
+                                                      const PuzzleScale& scale, const StopCheck& check_stop);
 
 }  // namespace tessera

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "core/base/stop.h"
 #include "core/geometry/closed_curve.h"
 #include "core/geometry/polygon.h"
 #include "products/puzzle/piece_matches.h"
@@ -42,14 +43,14 @@ std::vector<Vec2> grown_polygon(const std::vector<Vec2>& polygon, float distance
 }
 
 std::optional<float> erosion_of(const std::vector<std::vector<Vec2>>& polygons, const PuzzleScale& scale,
-                                const std::function<void()>& watch) {
+                                const StopCheck& check_stop) {
   const auto length_at = [&](float steps) {
     std::vector<PuzzlePiece> pieces;
     for (const std::vector<Vec2>& polygon : polygons) {
-      watch();
+      check_stop();
       pieces.push_back(puzzle_piece(grown_polygon(polygon, steps * kStep * scale.piece), scale));
     }
-    return matched_length(pieces, kSample, scale, watch);
+    return matched_length(pieces, kSample, scale, check_stop);
   };
   std::vector<double> lengths = {length_at(0)};
   std::size_t best = 0;
@@ -70,8 +71,8 @@ std::optional<float> erosion_of(const std::vector<std::vector<Vec2>>& polygons, 
 }
 
 std::vector<float> likely_erosions(const std::vector<std::vector<Vec2>>& pieces, double frame_area,
-                                   const PuzzleScale& scale, const std::function<void()>& watch) {
-  if (const std::optional<float> told = erosion_of(pieces, scale, watch)) return {*told};
+                                   const PuzzleScale& scale, const StopCheck& check_stop) {
+  if (const std::optional<float> told = erosion_of(pieces, scale, check_stop)) return {*told};
   double area = 0, length = 0;
   for (const std::vector<Vec2>& polygon : pieces) {
     area += signed_area(polygon);

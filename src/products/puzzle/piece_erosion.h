@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/stop.h"
 #include "core/geometry/vec2.h"
 #include "products/puzzle/puzzle_piece.h"
 
@@ -18,12 +19,12 @@ std::vector<Vec2> grown_polygon(const std::vector<Vec2>& polygon, float distance
 /// fit as they are. Nothing where boundaries do not tell, as those of polygons: grown a little more or less, a straight
 /// side is as long as some other one. `watch` is called often; what it throws ends the search.
 std::optional<float> erosion_of(const std::vector<std::vector<Vec2>>& pieces, const PuzzleScale& scale,
-                                const std::function<void()>& watch);
+                                const StopCheck& check_stop);
 
 /// Distances to be tried in this order until the pieces fit: the one that boundaries tell, or else first the one by
 /// which pieces fill the frame, then none, then such as are usual. `frame_area`: of a frame that is known to be as
 /// large as that, in the pieces' unit; 0: there is none.
 std::vector<float> likely_erosions(const std::vector<std::vector<Vec2>>& pieces, double frame_area,
-                                   const PuzzleScale& scale, const std::function<void()>& watch);
+                                   const PuzzleScale& scale, const StopCheck& check_stop);
 
 }  // namespace tessera

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/portable_math.h"
+#include "core/base/stop.h"
 
 namespace tessera {
 namespace {
@@ -82,12 +83,12 @@ class Exchange {
   bool is_feasible() const { return ways_ <= kMostWays; }
 
   /// As long as an exchange or a turn makes the whole agree better.
-  void improve(const std::function<void()>& watch) {
+  void improve(const StopCheck& check_stop) {
     constexpr float kLeastGain = 1e-3f;  // more than sums are rounded by
     for (bool better = true; better;) {
       better = false;
       for (int a = 0; a < count(); ++a) {
-        watch();
+        check_stop();
         for (const int b : alike_from(a)) {
           const Change change = best_change(a, b);
           if (!change.a.way || change.gain < kLeastGain) continue;
@@ -99,14 +100,14 @@ class Exchange {
   }
 
   /// Chains of exchanges that are allowed to make it worse at first; the best end of all.
-  void anneal(const std::function<void()>& watch) {
+  void anneal(const StopCheck& check_stop) {
     const std::vector<Filling> start = fillings_;
     std::vector<Filling> best = fillings_;
     float most = agreement();
     for (int chain = 0; chain < kChains; ++chain) {
       fillings_ = start;
-      follow_chain(chain, watch);
-      improve(watch);
+      follow_chain(chain, check_stop);
+      improve(check_stop);
       if (const float now = agreement(); now > most) {
         most = now;
         best = fillings_;
@@ -118,10 +119,10 @@ class Exchange {
   bool has_poor_side() const { return count_of(beside_sides_below(kPoorSide)) > 0; }
 
   /// Pieces that agree about as well after a change, or lie beside strangers.
-  int undecided(const std::function<void()>& watch) const {
+  int undecided(const StopCheck& check_stop) const {
     std::vector<bool> open = beside_sides_below(kStrangers);
     for (int a = 0; a < count(); ++a) {
-      watch();
+      check_stop();
       for (const int b : alike_from(a)) {
         const Change change = best_change(a, b);
         const float points = float(slot(a).ends.size() + (a == b ? 0 : slot(b).ends.size()));
@@ -316,11 +317,11 @@ class Exchange {
     fillings_[std::size_t(b)] = change.b;
   }
 
-  void follow_chain(int chain, const std::function<void()>& watch) {
+  void follow_chain(int chain, const StopCheck& check_stop) {
     const float side = 2 * float(contacts_.size()) / float(count()) / 4;
     const int steps = kStepsOfPiece * count();
     for (int step = 0; step < steps; ++step) {
-      if (step % count() == 0) watch();
+      if (step % count() == 0) check_stop();
       const std::uint64_t bits = mix_bits((std::uint64_t(chain) << 32) + std::uint64_t(step));
       const int a = int((bits & 0xffff) % std::uint64_t(count())),
                 b = int((bits >> 16 & 0xffff) % std::uint64_t(count()));
@@ -340,19 +341,18 @@ class Exchange {
 
 }  // namespace
 
-ExchangedPieces exchanged(const std::vector<PosedPiece>& laid, const PuzzleScale& scale,
-                          const std::function<void()>& watch) {
+ExchangedPieces exchanged(const std::vector<PosedPiece>& laid, const PuzzleScale& scale, const StopCheck& check_stop) {
   ExchangedPieces all;
   for (const PosedPiece& piece : laid) all.poses.push_back(piece.pose);
   if (scale.contrast <= 0) return all;
   Exchange exchange(laid, scale);
   all.undecided = int(laid.size());
   if (!exchange.is_feasible()) return all;
-  exchange.improve(watch);
-  all.undecided = exchange.undecided(watch);
+  exchange.improve(check_stop);
+  all.undecided = exchange.undecided(check_stop);
   if (all.undecided > 0 || exchange.has_poor_side()) {
-    exchange.anneal(watch);
-    all.undecided = exchange.undecided(watch);
+    exchange.anneal(check_stop);
+    all.undecided = exchange.undecided(check_stop);
   }
   all.poses = exchange.poses();
   return all;

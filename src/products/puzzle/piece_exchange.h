@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "core/base/stop.h"
 #include "products/puzzle/puzzle_contact.h"
 
 namespace tessera {
@@ -17,7 +18,6 @@ struct ExchangedPieces {
 /// Exchanges two pieces of one outline, or turns one of them on its place, as long as the pictures on both sides of the
 /// cuts agree better then. `laid`: all pieces, without the frame. Without pictures nothing moves, and nothing is said to
 /// be undecided. `watch` is called often; what it throws ends it.
-ExchangedPieces exchanged(const std::vector<PosedPiece>& laid, const PuzzleScale& scale,
-                          const std::function<void()>& watch);
+ExchangedPieces exchanged(const std::vector<PosedPiece>& laid, const PuzzleScale& scale, const StopCheck& check_stop);
 
 }  // namespace tessera

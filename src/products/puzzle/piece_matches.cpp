@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/base/stop.h"
 #include "products/puzzle/puzzle_contact.h"
 
 namespace tessera {
@@ -176,14 +177,14 @@ Matches piece_matches(const std::vector<PuzzlePiece>& pieces, const PuzzleScale&
 }
 
 double matched_length(const std::vector<PuzzlePiece>& pieces, std::size_t sample, const PuzzleScale& scale,
-                      const std::function<void()>& watch) {
+                      const StopCheck& check_stop) {
   const std::size_t count = std::min(sample, pieces.size());
   Matches matches(pieces.size());
   double length = 0;
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = k * pieces.size() / count;
     for (std::size_t c = 0; c < pieces[i].corners.size(); ++c) {
-      watch();
+      check_stop();
       matches[i].clear();
       add_matches(pieces, i, c, 0, scale, matches);
       float longest = 0;

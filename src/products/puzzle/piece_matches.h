@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "core/base/stop.h"
 #include "core/geometry/similarity.h"
 #include "products/puzzle/puzzle_piece.h"
 
@@ -28,7 +29,7 @@ std::vector<std::vector<PieceMatch>> piece_matches(const std::vector<PuzzlePiece
 /// is a whole side, a length that counts less the farther apart they are, summed up. `watch` is called before each
 /// corner.
 double matched_length(const std::vector<PuzzlePiece>& pieces, std::size_t sample, const PuzzleScale& scale,
-                      const std::function<void()>& watch);
+                      const StopCheck& check_stop);
 
 /// The matches with the last piece, a frame, once more, as another frame stands there now.
 void match_frame_anew(const std::vector<PuzzlePiece>& pieces, const PuzzleScale& scale,

@@ -14,7 +14,7 @@ constexpr std::chrono::milliseconds kPause{20};
 StopWatcher::StopWatcher(DrawingObserver& observer, Drawers& drawers)
     : observer_(observer),
       drawers_(drawers),
-      stopped_(observer.stop_requested()) {
+      stopped_(observer.stop_requested().has_value()) {
   try {
     thread_ = std::jthread([this](std::stop_token done) { watch(std::move(done)); });
   } catch (const std::system_error&) {  // no further thread: check() still asks, between two pieces

@@ -3,9 +3,11 @@
 
 #include <atomic>
 #include <cstddef>
+#include <optional>
 #include <thread>
 
 #include "artwork/drawers/drawers.h"
+#include "core/base/stop.h"
 
 namespace tessera {
 
@@ -15,8 +17,8 @@ class DrawingObserver {
   virtual ~DrawingObserver() = default;
   /// Called from the thread that draws; `total` is what `done` reaches at the end of this picture.
   virtual void progressed(const char* picture, std::size_t done, std::size_t total) = 0;
-  /// Asked again and again, from any thread: true ends the drawing with DrawingStopped (drawers.h).
-  virtual bool stop_requested() = 0;
+  /// Asked again and again, from any thread: a reason ends the drawing with DrawingStopped.
+  virtual std::optional<StopReason> stop_requested() = 0;
 };
 
 /// While it lives it asks the observer 50 times a second. Once that wants to stop, it stops the drawers, so that nobody

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/base/count_text.h"
+#include "core/base/stop.h"
 #include "core/collage/former_pieces.h"
 #include "core/collage/standing_check.h"
 #include "job/canvas/canvas_enclosure.h"
@@ -87,19 +88,18 @@ std::string replaced_result_warning(const EarlierResult& earlier, const Job& job
          differences + "; another --out keeps it";
 }
 
-const char* limit_that_ended(const RunStatistics& run) {
-  for (const char* key : {"seconds", "pieces", "coverage"}) {
-    if (run.stopped_by == key) return key;
-  }
-  return nullptr;
+std::string limit_that_ended(const RunStatistics& run) {
+  const auto by = run.stopped_by;
+  const bool is_limit = by == StopReason::seconds || by == StopReason::pieces || by == StopReason::coverage;
+  return is_limit ? std::string(stop_word(*by)) : "";
 }
 
 std::string empty_result_warning(const std::string& folder, const Job& job, const master::CollageResult& result,
                                  const std::vector<std::string>& what_to_try) {
   if (result.unfinished || !result.placements.empty()) return "";
   const std::string text = folder + ": the collage is empty: ";
-  if (const char* limit = limit_that_ended(result.statistics)) {
-    return text + with_value(job, "stop", limit) + " ended it before the first piece";
+  if (const std::string limit = limit_that_ended(result.statistics); !limit.empty()) {
+    return text + with_value(job, "stop", limit.c_str()) + " ended it before the first piece";
   }
   if (what_to_try.empty()) {
     return text +
@@ -117,7 +117,7 @@ std::string incomplete_warning(const std::string& folder, const ResultManifest& 
 std::string used_up_warning(const Job& job, const Canvas& canvas, const master::CollageResult& result) {
   constexpr double kFilled = 0.85;  // of the canvas, by a library that fits it
   const double covered = covered_fraction(canvas, result);
-  if (result.statistics.stopped_by != "used_up" || job.settings.pieces.fit_all) return "";
+  if (result.statistics.stopped_by != StopReason::used_up || job.settings.pieces.fit_all) return "";
   if (covered <= 0 || covered >= kFilled - 0.1) return "";
   const double factor = std::sqrt(kFilled / covered);
   const PieceSettings& pieces = job.settings.pieces;

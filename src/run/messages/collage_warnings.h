@@ -17,8 +17,8 @@ namespace tessera {
 /// Empty where the folder holds no result, an unfinished one, or the finished one of the same job.
 std::string replaced_result_warning(const EarlierResult& earlier, const Job& job);
 
-/// The key of [stop] that ended the run; null where none did.
-const char* limit_that_ended(const RunStatistics& run);
+/// The key of [stop] that ended the run; empty where none did.
+std::string limit_that_ended(const RunStatistics& run);
 
 /// Empty where there are pieces, or where the run may still go on to some. `what_to_try` lets pieces in
 /// (place_advice.h); empty where no shape may stand at all.

@@ -8,7 +8,7 @@
 #include "comm/encode.h"
 #include "comm/heartbeat.h"
 #include "comm/rank_watch.h"
-#include "core/base/interrupted.h"
+#include "core/base/stop.h"
 #include "core/base/stopwatch.h"
 #include "files/parallel_for.h"
 #include "products/nesting/layout/column_layout.h"
@@ -210,21 +210,21 @@ void search_and_tell(const Search& search, comm::Communicator& ranks, double sil
 }  // namespace
 
 NestOutcome best_nesting(comm::Communicator& ranks, const NestProblem& problem, const NestEffort& effort,
-                         std::uint64_t seed, const NestProgress& progress,
-                         const std::function<const char*()>& stop_reason) {
-  ranks.interrupt_waits_when(stop_reason);
+                         std::uint64_t seed, const NestProgress& progress, const StopQuestion& shall_stop) {
+  ranks.interrupt_waits_when(shall_stop);
+  const StopCheck check_stop = stop_check(shall_stop);
   const int workers = std::min(ranks.size(), effort.chains) - 1;
   Findings findings(chains_of(ranks, effort), [&](double done, const NestLayout& best) {
     ranks.look();
     progress(done, best);
-    if (const char* reason = stop_reason()) throw Interrupted{reason};
+    check_stop();
   });
   findings.add(ColumnLayout(problem).all());
   try {
     ranks.broadcast(comm::encode(numbers_of(problem, effort, seed)));
     std::vector<NestLayout> of_ranks{best_of({problem, effort, seed}, ranks, findings)};
     for (int worker = 1; worker <= workers; ++worker) of_ranks.push_back(last_of(ranks, worker));
-    return {best_layout(of_ranks), nullptr};
+    return {best_layout(of_ranks), std::nullopt};
   } catch (const Interrupted& stop) {
     for (int worker = 1; worker <= workers; ++worker) add_arrived(ranks, worker, findings);
     return {findings.best(), stop.reason};

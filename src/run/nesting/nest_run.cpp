@@ -10,7 +10,7 @@
 #include "comm/stop_signals.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
-#include "core/base/interrupted.h"
+#include "core/base/stop.h"
 #include "core/base/stopwatch.h"
 #include "products/nesting/layout/nest_check.h"
 #include "products/nesting/nest_folder.h"
@@ -89,8 +89,8 @@ class SearchProgress {
 };
 
 /// Throws Interrupted where there is a reason to.
-void end_if(const char* reason) {
-  if (reason) throw Interrupted{reason};
+void end_if(std::optional<StopReason> reason) {
+  if (reason) throw Interrupted{*reason};
 }
 
 /// Shows how many files there are.
@@ -178,8 +178,8 @@ int draw(const NestArguments& arguments, const NestRun& run, NestStop& stop, Nes
 }
 
 /// Whether that end is one that the user did not ask for.
-bool interrupts(const char* stopped_by, const NestStop& stop) {
-  return stopped_by && !(stopped_by == std::string_view("time_limit") && stop.was_asked_for());
+bool interrupts(std::optional<StopReason> stopped_by, const NestStop& stop) {
+  return stopped_by && !(stopped_by == StopReason::time_limit && stop.was_asked_for());
 }
 
 void check(const NestRun& run, NestStop& stop) {
@@ -222,7 +222,7 @@ int nest(NestArguments& arguments, comm::Communicator& ranks) {
   run.seconds = watch.seconds();
   if (run.stopped_by) ranks.hurry();
   if (!run.layout.pieces.empty()) return write(arguments, run, stop, folder);
-  if (run.stopped_by) throw Interrupted{run.stopped_by};
+  if (run.stopped_by) throw Interrupted{*run.stopped_by};
   throw InputError(printable_utf8(arguments.input) + ": none of its pieces fits onto " +
                    (arguments.sheet_mm.empty() ? "the strip" : "the sheet") + " at the angles allowed");
 }

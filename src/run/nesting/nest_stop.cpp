@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "comm/stop_signals.h"
+#include "core/base/stop.h"
 
 namespace tessera {
 namespace {
@@ -29,16 +30,18 @@ void NestStop::leave_time_for(double writing_s, double drawing_s) {
                      std::min(writing_s + drawing_s, kMostOfBoth * limit_.seconds()));
 }
 
-const char* NestStop::search_over() {
-  if (comm::stop_signalled()) return "signal";
-  return limit_.round_over(leaving_s_ + left_s_) ? "time_limit" : nullptr;
+std::optional<StopReason> NestStop::search_over() {
+  if (comm::stop_signalled()) return StopReason::signal;
+  return limit_.round_over(leaving_s_ + left_s_) ? std::optional(StopReason::time_limit) : std::nullopt;
 }
 
-const char* NestStop::writing_over() { return comm::stop_signalled_again() ? "signal" : nullptr; }
+std::optional<StopReason> NestStop::writing_over() {
+  return comm::stop_signalled_again() ? std::optional(StopReason::signal) : std::nullopt;
+}
 
-const char* NestStop::drawing_over(std::size_t drawn) {
-  if (comm::seconds_since_stop() > kDrawingAfterSignal_s) return "signal";
-  return drawn > 0 && limit_.drawing_over(leaving_s_) ? "time_limit" : nullptr;
+std::optional<StopReason> NestStop::drawing_over(std::size_t drawn) {
+  if (comm::seconds_since_stop() > kDrawingAfterSignal_s) return StopReason::signal;
+  return drawn > 0 && limit_.drawing_over(leaving_s_) ? std::optional(StopReason::time_limit) : std::nullopt;
 }
 
 double NestStop::search_left_s() const {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/stop.h"
 #include "run/time_limit.h"
 
 namespace tessera {
@@ -19,14 +20,14 @@ class NestStop {
   /// limit at most, and to draw its pictures, too, where both fit into a quarter.
   void leave_time_for(double writing_s, double drawing_s);
 
-  /// Whether the search is to end, so that its best can be written; null: no. By any thread.
-  const char* search_over();
-  /// Whether writing the layout is to end, and what was searched is to be thrown away; null: no. Only a second signal
+  /// Whether the search is to end, so that its best can be written. By any thread.
+  std::optional<StopReason> search_over();
+  /// Whether writing the layout is to end, and what was searched is to be thrown away. Only a second signal
   /// asks for it (stop_signalled_again).
-  const char* writing_over();
-  /// Whether drawing pictures, of which so many are done, is to end; null: no. The limit does not end the first one,
+  std::optional<StopReason> writing_over();
+  /// Whether drawing pictures, of which so many are done, is to end. The limit does not end the first one,
   /// which most layouts have alone.
-  const char* drawing_over(std::size_t drawn);
+  std::optional<StopReason> drawing_over(std::size_t drawn);
   /// Until a search ends by the limit; infinite without one.
   double search_left_s() const;
   /// Whether the user said how long it may take: then the end of that time is no interruption.

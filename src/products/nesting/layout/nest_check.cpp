@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/base/stop.h"
 #include "products/nesting/layout/nest_poles.h"
 #include "products/nesting/layout/ring_rows.h"
 
@@ -115,13 +116,13 @@ class PlacedPieces {
     return "";
   }
 
-  std::string too_near(double tolerance, const std::function<void()>& check_stop) {
+  std::string too_near(double tolerance, const StopCheck& check_stop) {
     for (std::size_t i = 0; i < rings_.size(); ++i) {
       const std::vector<std::size_t> others = near_before(i);
       if (others.empty()) continue;
       const RingRows here(rings_[i]);
       for (const std::size_t j : others) {
-        if (check_stop) check_stop();
+        check_stop();
         const RingRows there(rings_[j]);
         const std::string both = "pieces " + std::to_string(j) + " and " + std::to_string(i);
         if (lie_deeper(here, middle(i), there, middle(j), tolerance)) return both + " overlap";
@@ -168,7 +169,7 @@ bool are_nearer(const NestRing& a, const NestRing& b, double distance) {
   return are_nearer(RingRows(a), RingRows(b), distance);
 }
 
-std::string nest_fault(const NestProblem& problem, const NestLayout& layout, const std::function<void()>& check_stop) {
+std::string nest_fault(const NestProblem& problem, const NestLayout& layout, const StopCheck& check_stop) {
   if (const std::string fault = count_fault(problem, layout); !fault.empty()) return fault;
   const double tolerance = kNestTolerance * problem.height;
   PlacedPieces pieces(problem, layout);

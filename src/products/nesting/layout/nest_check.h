@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "core/base/stop.h"
 #include "products/nesting/layout/nest_problem.h"
 
 namespace tessera {
@@ -15,8 +16,7 @@ inline constexpr double kNestTolerance = 1e-6;
 /// Nothing where all is well; else what is wrong, for a message: pieces that overlap or are too near, stick out, are
 /// missing or too many, or are turned by an angle that they may not have. `check_stop`, if any, is called for each two
 /// pieces that are near each other; what it throws ends the check.
-std::string nest_fault(const NestProblem& problem, const NestLayout& layout,
-                       const std::function<void()>& check_stop = {});
+std::string nest_fault(const NestProblem& problem, const NestLayout& layout, const StopCheck& check_stop = never_stop);
 
 /// Whether a point of one outline's boundary, or its middle, lies inside the other one and farther than `depth` from
 /// the other's boundary.

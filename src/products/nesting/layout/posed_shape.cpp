@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/stop.h"
 #include "products/nesting/layout/nest_tuning.h"
 #include "products/nesting/layout/search_outline.h"
 
@@ -99,10 +100,10 @@ bool boundaries_meet(const PosedShape& a, const PosedShape& b, NestPoint b_shift
 
 }  // namespace
 
-PosedItems posed_items(const NestProblem& problem, const std::function<void()>& check_stop) {
+PosedItems posed_items(const NestProblem& problem, const StopCheck& check_stop) {
   PosedItems items;
   for (const NestItem& item : problem.items) {
-    if (check_stop) check_stop();
+    check_stop();
     const UnposedShape shape = unposed(item, problem.spacing, nest_tuning::kInset * problem.height);
     std::vector<PosedShape>& angles = items.emplace_back();
     for (const double angle_deg : item.angles_deg) angles.push_back(posed(shape, turn_of(angle_deg)));

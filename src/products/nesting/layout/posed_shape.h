@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "core/base/stop.h"
 #include "products/nesting/layout/nest_poles.h"
 #include "products/nesting/layout/nest_problem.h"
 
@@ -25,7 +26,7 @@ struct PosedShape {
 /// Each item's shapes, by angle.
 using PosedItems = std::vector<std::vector<PosedShape>>;
 /// `check_stop`, if any, is called before each item; what it throws ends it.
-PosedItems posed_items(const NestProblem& problem, const std::function<void()>& check_stop = {});
+PosedItems posed_items(const NestProblem& problem, const StopCheck& check_stop = never_stop);
 
 /// How much two shapes overlap whose discs say that they do: about the root of the area that is covered twice, times a
 /// factor for their size; never 0. After sparrow's overlap proxy (Gardeyn, Wauters 2025). `sure` becomes true where a
