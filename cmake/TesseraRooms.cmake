@@ -26,7 +26,8 @@ function(tessera_batches target)
   endif()
 endfunction()
 
-# tessera_reports(TARGET): options, progress and reports, where nothing takes time but compiling.
+# tessera_reports(TARGET): options, job files, cards and reports, where nothing takes time but compiling. It takes a fifth to a
+# third less of it; in the other rooms results are computed.
 function(tessera_reports target)
   if(CMAKE_BUILD_TYPE STREQUAL "Release")
     target_compile_options(${target} PRIVATE -O1)

@@ -177,19 +177,9 @@ std::string csv_of(const std::vector<SeenMosaic>& outcomes) {
   return text;
 }
 
-}  // namespace
-
-Report bench_mosaic(const Setting& setting, const MosaicOptions& asked) {
-  const MosaicOptions options = whole(asked, setting.quick);
-  check(options);
-  const LibraryFile library(options.library);
-  for (const std::string& image : options.images) image_of(image);  // a slip of the pen costs no mosaic
-  const std::string folder = fs::path(setting.out).replace_extension().string();
-  create_output_directory(folder);
-  const std::string csv = folder + ".csv";
-  check_can_be_written(csv);
-  const bool with_peer = has_metapixel();
-
+/// Of each image our mosaic, and the peer's with as many pieces where it is there. Pictures go into `folder`.
+std::vector<SeenMosaic> made_mosaics(const Setting& setting, const MosaicOptions& options, const LibraryFile& library,
+                                     const std::string& folder, bool with_peer) {
   std::vector<SeenMosaic> outcomes;
   for (std::size_t i = 0; i < options.images.size(); ++i) {
     const std::string& image = options.images[i];
@@ -203,6 +193,22 @@ Report bench_mosaic(const Setting& setting, const MosaicOptions& asked) {
       outcomes.push_back(peers_mosaic(library, image, ground, pieces, stem));
     }
   }
+  return outcomes;
+}
+
+}  // namespace
+
+Report bench_mosaic(const Setting& setting, const MosaicOptions& asked) {
+  const MosaicOptions options = whole(asked, setting.quick);
+  check(options);
+  const LibraryFile library(options.library);
+  for (const std::string& image : options.images) image_of(image);  // a slip of the pen costs no mosaic
+  const std::string folder = fs::path(setting.out).replace_extension().string();
+  create_output_directory(folder);
+  const std::string csv = folder + ".csv";
+  check_can_be_written(csv);
+  const bool with_peer = has_metapixel();
+  const std::vector<SeenMosaic> outcomes = made_mosaics(setting, options, library, folder, with_peer);
   write_file_atomically(csv, csv_of(outcomes));
 
   Report report;

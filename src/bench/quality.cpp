@@ -57,6 +57,45 @@ void add_row(const Way& way, const RunStatistics& s, const Quality& q, TextTable
                   {"distinct_shapes", q.distinct_shapes}});
 }
 
+Report empty_report(const Setting& setting, const SquareJob& job, std::size_t shapes, int size_px) {
+  Report report;
+  report.json = report_head("quality", setting);
+  report.json.update({{"library", job.library},
+                      {"shapes", shapes},
+                      {"canvas_px", size_px},
+                      {"scale_px", job.scale_px},
+                      {"seed", job.seed},
+                      {"rows", Json::array()}});
+  return report;
+}
+
+std::string explanation(const SquareJob& job, std::size_t shapes, int size_px) {
+  return "\n" + std::to_string(shapes) + " shapes, " + std::to_string(size_px) + " x " + std::to_string(size_px) +
+         " px, pieces of " + short_number(job.scale_px[0]) + " to " + short_number(job.scale_px[1]) + " px, seed " +
+         std::to_string(job.seed) +
+         "; each row is a run of its own, start-up is not counted.\nPieces move together where the largest is "
+         "at most five times the smallest; elsewhere both are the same.\n";
+}
+
+/// What the rows and the curves show.
+struct Shown {
+  TextTable table{{"improving by", "s", "trials", "coverage %", "overlap %", "balance", "pieces", "shapes"}};
+  Panel open{"What is not covered", "seconds", "% of the canvas", true, 64, {}};
+  Panel balance{"Balance of sizes", "seconds", "1 = even", false, 1, {}};
+
+  void begin(const Way& way) {
+    open.curves.push_back({way.name, {}, false});
+    balance.curves.push_back({way.name, {}, false});
+  }
+
+  void add(const Way& way, const RunStatistics& run, const Quality& q, Json& rows) {
+    add_row(way, run, q, table, rows);
+    const double at_s = std::max(1., run.total_s);
+    open.curves.back().points.emplace_back(at_s, 100 * (1 - q.coverage));
+    balance.curves.back().points.emplace_back(at_s, q.balance ? q.balance->evenness : 0);
+  }
+};
+
 }  // namespace
 
 Report bench_quality(const Setting& setting, const SquareJob& job, int seconds) {
@@ -68,7 +107,6 @@ Report bench_quality(const Setting& setting, const SquareJob& job, int seconds) 
   if (!plot.empty()) check_plot_can_be_written(plot);
   const LibraryFile library(job.library);
   const int size_px = setting.quick ? std::min(job.size_px, 160) : job.size_px;
-  const std::vector<double> marks_s = marks_up_to(setting.quick ? 2 : seconds);
   CollageSettings settings;
   settings.seed = job.seed;
   settings.pieces.min_scale_px = job.scale_px[0];
@@ -76,42 +114,22 @@ Report bench_quality(const Setting& setting, const SquareJob& job, int seconds) 
   LibraryShapes shapes(library);
   const Canvas canvas = make_rectangle_canvas(size_px, size_px);
 
-  TextTable table({"improving by", "s", "trials", "coverage %", "overlap %", "balance", "pieces", "shapes"});
-  Report report;
-  report.json = report_head("quality", setting);
-  report.json.update({{"library", job.library},
-                      {"shapes", library.size()},
-                      {"canvas_px", size_px},
-                      {"scale_px", job.scale_px},
-                      {"seed", job.seed},
-                      {"rows", Json::array()}});
-  Panel open{"What is not covered", "seconds", "% of the canvas", true, 64, {}};
-  Panel balance{"Balance of sizes", "seconds", "1 = even", false, 1, {}};
+  Report report = empty_report(setting, job, library.size(), size_px);
+  Shown shown;
   for (const Way& way : kWays) {
     settings.improve.relax = way.relax;
     const auto matcher = library_matcher(library, library.size(), settings, setting.devices);
-    Curve open_curve{way.name, {}, false};
-    Curve balance_curve{way.name, {}, false};
-    for (const double mark_s : marks_s) {
+    shown.begin(way);
+    for (const double mark_s : marks_up_to(setting.quick ? 2 : seconds)) {
       const master::CollageResult made = improved(canvas, settings, *matcher, shapes, mark_s);
-      const double made_s = made.statistics.total_s;
       const Quality q = measure_quality(
           canvas, made.placements, [&](ShapeId id) -> const Shape& { return shapes.shape(id); },
           SizeRange{job.scale_px[0], job.scale_px[1]});
-      add_row(way, made.statistics, q, table, report.json["rows"]);
-      open_curve.points.emplace_back(std::max(1., made_s), 100 * (1 - q.coverage));
-      balance_curve.points.emplace_back(std::max(1., made_s), q.balance ? q.balance->evenness : 0);
+      shown.add(way, made.statistics, q, report.json["rows"]);
     }
-    open.curves.push_back(open_curve);
-    balance.curves.push_back(balance_curve);
   }
-  if (!plot.empty()) write_plot({open, balance}, plot);
-  report.text = table.text() + "\n" + std::to_string(library.size()) + " shapes, " + std::to_string(size_px) + " x " +
-                std::to_string(size_px) + " px, pieces of " + short_number(job.scale_px[0]) + " to " +
-                short_number(job.scale_px[1]) + " px, seed " + std::to_string(job.seed) +
-                "; each row is a run of its own, start-up is not counted.\nPieces move together where the largest is "
-                "at most five times the "
-                "smallest; elsewhere both are the same.\n";
+  if (!plot.empty()) write_plot({shown.open, shown.balance}, plot);
+  report.text = shown.table.text() + explanation(job, library.size(), size_px);
   return report;
 }
 

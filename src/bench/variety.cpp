@@ -79,6 +79,65 @@ void check(const VarietyOptions& options) {
   }
 }
 
+Report empty_report(const Setting& setting, const SquareJob& job, std::size_t originals, int size_px, int seeds) {
+  Report report;
+  report.json = report_head("variety", setting);
+  report.json.update({{"library", job.library},
+                      {"originals", originals},
+                      {"canvas_px", size_px},
+                      {"scale_px", job.scale_px},
+                      {"first_seed", job.seed},
+                      {"seeds", seeds},
+                      {"rows", Json::array()}});
+  return report;
+}
+
+std::string explanation(const SquareJob& job, std::size_t originals, int size_px, int seeds) {
+  return "\nMeans of " + std::to_string(seeds) + " (--seeds) from seed " + std::to_string(job.seed) + " on; " +
+         std::to_string(size_px) + " x " + std::to_string(size_px) + " px, pieces of " + short_number(job.scale_px[0]) +
+         " to " + short_number(job.scale_px[1]) + " px, not improved. Shapes beyond the\nfile's " +
+         std::to_string(originals) +
+         " are mirrored and stretched ones. Pairs: docked for each target sample, beside random dockings; none: "
+         "random\ndockings alone. Making shapes that the master asks for is left out of the time.\n";
+}
+
+/// What the collages of one benchmark share.
+struct Inputs {
+  const Setting& setting;
+  const SquareJob& job;
+  const VarietyOptions& options;
+  const Canvas& canvas;
+  VariedShapes& shapes;
+};
+
+CollageSettings settings_of(const SquareJob& job) {
+  CollageSettings settings;
+  settings.pieces.min_scale_px = job.scale_px[0];
+  settings.pieces.max_scale_px = job.scale_px[1];
+  settings.improve.trials = 0;
+  return settings;
+}
+
+/// Adds a collage of `size` shapes for each number of pairs.
+void add_collages(const Inputs& inputs, std::uint32_t size, const CollageSettings& settings,
+                  std::vector<Means>& means) {
+  const auto& [setting, job, options, canvas, shapes] = inputs;
+  setting.progress(std::to_string(size) + " shapes, seed " + std::to_string(settings.seed));
+  const MatchingContext context = make_matching_context(settings, size);
+  const auto matcher = worker::make_device_matcher(setting.devices, context, {0, size},
+                                                   varied_models(shapes, size, context, options.models));
+  for (std::size_t i = 0; i < means.size(); ++i) {
+    master::SilentObserver silent;
+    const double making_s = shapes.making_s();
+    const master::CollageResult made =
+        master::make_collage(canvas, with_pairs(settings, options.pairs[i]), *matcher, shapes, silent);
+    const Quality quality = measure_quality(
+        canvas, made.placements, [&source = shapes](ShapeId id) -> const Shape& { return source.shape(id); },
+        SizeRange{job.scale_px[0], job.scale_px[1]});
+    add(means[i], quality, made.statistics.total_s - (shapes.making_s() - making_s), 1. / *options.seeds);
+  }
+}
+
 }  // namespace
 
 Report bench_variety(const Setting& setting, const SquareJob& job, const VarietyOptions& asked) {
@@ -89,51 +148,22 @@ Report bench_variety(const Setting& setting, const SquareJob& job, const Variety
   VariedShapes shapes(library);
   const int size_px = setting.quick ? std::min(job.size_px, 160) : job.size_px;
   const Canvas canvas = make_rectangle_canvas(size_px, size_px);
-  CollageSettings settings;
-  settings.pieces.min_scale_px = job.scale_px[0];
-  settings.pieces.max_scale_px = job.scale_px[1];
-  settings.improve.trials = 0;
+  CollageSettings settings = settings_of(job);
 
   TextTable table({"shapes", "pairs", "coverage %", "overlap %", "shared boundary %", "balance", "pieces", "different",
                    "ms a piece"});
-  Report report;
-  report.json = report_head("variety", setting);
-  report.json.update({{"library", job.library},
-                      {"originals", library.size()},
-                      {"canvas_px", size_px},
-                      {"scale_px", job.scale_px},
-                      {"first_seed", job.seed},
-                      {"seeds", *options.seeds},
-                      {"rows", Json::array()}});
+  Report report = empty_report(setting, job, library.size(), size_px, *options.seeds);
   for (const std::uint32_t size : options.sizes) {
     std::vector<Means> means(options.pairs.size());
     for (int k = 0; k < *options.seeds; ++k) {
       settings.seed = job.seed + std::uint64_t(k);
-      setting.progress(std::to_string(size) + " shapes, seed " + std::to_string(settings.seed));
-      const MatchingContext context = make_matching_context(settings, size);
-      const auto matcher = worker::make_device_matcher(setting.devices, context, {0, size},
-                                                       varied_models(shapes, size, context, options.models));
-      for (std::size_t i = 0; i < means.size(); ++i) {
-        master::SilentObserver silent;
-        const double making_s = shapes.making_s();
-        const master::CollageResult made =
-            master::make_collage(canvas, with_pairs(settings, options.pairs[i]), *matcher, shapes, silent);
-        const Quality quality = measure_quality(
-            canvas, made.placements, [&](ShapeId id) -> const Shape& { return shapes.shape(id); },
-            SizeRange{job.scale_px[0], job.scale_px[1]});
-        add(means[i], quality, made.statistics.total_s - (shapes.making_s() - making_s), 1. / *options.seeds);
-      }
+      add_collages({setting, job, options, canvas, shapes}, size, settings, means);
     }
     for (std::size_t i = 0; i < means.size(); ++i) {
       add_row(size, options.pairs[i], means[i], table, report.json["rows"]);
     }
   }
-  report.text = table.text() + "\nMeans of " + std::to_string(*options.seeds) + " (--seeds) from seed " +
-                std::to_string(job.seed) + " on; " + std::to_string(size_px) + " x " + std::to_string(size_px) +
-                " px, pieces of " + short_number(job.scale_px[0]) + " to " + short_number(job.scale_px[1]) +
-                " px, not improved. Shapes beyond the\nfile's " + std::to_string(library.size()) +
-                " are mirrored and stretched ones. Pairs: docked for each target sample, beside random dockings; none: "
-                "random\ndockings alone. Making shapes that the master asks for is left out of the time.\n";
+  report.text = table.text() + explanation(job, library.size(), size_px, *options.seeds);
   return report;
 }
 

@@ -38,7 +38,8 @@ struct CheckpointColumns {
   std::vector<float> matched_pad;
 };
 
-/// Calls visit(path, array, numbers in a row, unit, description). `Columns` is CheckpointColumns, const or not.
+/// Calls visit(path, array, numbers in a row, unit, description). `Columns` is CheckpointColumns, const or not. A table,
+/// a column a row.
 template <class Columns, class Visit>
 void each_column(Columns& c, Visit visit) {
   visit("/job", c.job, 1, "", "the effective job, TOML");

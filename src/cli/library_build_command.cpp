@@ -119,6 +119,7 @@ int run(const BuildArguments& arguments) {
 
 }  // namespace
 
+// A table, an option a row.
 void add_library_build_command(CLI::App& library, Command& selected) {
   const auto arguments = std::make_shared<BuildArguments>();
   LibraryBuildSettings& settings = arguments->settings;

@@ -242,6 +242,7 @@ int run(ExtractArguments arguments) {
 
 }  // namespace
 
+// A table, an option a row.
 void add_library_extract_command(CLI::App& library, Command& selected) {
   const auto arguments = std::make_shared<ExtractArguments>();
   constexpr double kMostSide_px = 50'000;

@@ -27,7 +27,7 @@ std::vector<std::string> all_and(std::vector<std::string> words) {
   return words;
 }
 
-// A table, a key a row.
+// Tables, a key a row: the functions are as long as there are keys.
 // clang-format off
 
 /// A canvas of 1000 x 1000 px is the one that docs/measurements.md measures.

@@ -93,10 +93,11 @@ void by_merges(const cv::Mat& lab, const BoundaryKind& kind, const std::vector<L
   }
 }
 
-}  // namespace
+/// A way to find elements, which gives its maps to `take`, one after the other.
+using Way = std::function<void(const Take& take)>;
 
-std::vector<LabelRuns> candidate_maps(const cv::Mat& bgr, const cv::Mat& lab, cv::Size size) {
-  const std::vector<std::function<void(const Take&)>> ways = {
+std::vector<Way> ways_to_find(const cv::Mat& bgr, const cv::Mat& lab) {
+  return {
       [&](const Take& take) {
         by_merges(lab, {0.5, 1.2, 9}, {{0.03, 4}, {0.08, 4}, {0.15, 4}}, take);
       },
@@ -110,15 +111,28 @@ std::vector<LabelRuns> candidate_maps(const cv::Mat& bgr, const cv::Mat& lab, cv
         by_merges(lab, {1, 1.8, 9}, {{0.1, 6}}, take);
       },
   };
+}
+
+/// The maps that a way finds, at `size`.
+std::vector<LabelRuns> maps_of(const Way& way, cv::Size size) {
+  std::vector<LabelRuns> maps;
+  way([&](const cv::Mat& labels) {
+    cv::Mat sized = labels;
+    if (labels.size() != size) cv::resize(labels, sized, size, 0, 0, cv::INTER_NEAREST);
+    maps.emplace_back(sized);
+  });
+  return maps;
+}
+
+}  // namespace
+
+std::vector<LabelRuns> candidate_maps(const cv::Mat& bgr, const cv::Mat& lab, cv::Size size) {
+  const std::vector<Way> ways = ways_to_find(bgr, lab);
   std::vector<std::vector<LabelRuns>> found(ways.size());
   std::vector<std::exception_ptr> thrown(ways.size());  // not every backend of parallel_for_ carries them over
   const auto go = [&](std::size_t way) {
     try {
-      ways[way]([&](const cv::Mat& labels) {
-        cv::Mat sized = labels;
-        if (labels.size() != size) cv::resize(labels, sized, size, 0, 0, cv::INTER_NEAREST);
-        found[way].emplace_back(sized);
-      });
+      found[way] = maps_of(ways[way], size);
     } catch (...) {
       thrown[way] = std::current_exception();
     }

@@ -343,6 +343,33 @@ double scale_in(const Frame& frame, const SolvingRequest& request, double pieces
   return frame.outline.empty() ? 1 : std::sqrt(signed_area(frame.outline) / pieces_area);
 }
 
+PuzzleInput puzzle_input(const SolvingRequest& request, const std::vector<Shape>& shapes,
+                         const std::vector<std::vector<Vec2>>& polygons, const Frame& frame, double scale) {
+  PuzzleInput input{.pieces = polygons, .frame = {}, .frame_fits = request.scale.has_value()};
+  for (const Vec2 p : frame.outline) input.frame.push_back(p * float(1 / scale));
+  if (!request.outlines_only) input.pictures = pictures_of(shapes, request.watch);
+  input.watch = request.watch;
+  return input;
+}
+
+/// How well the pieces lie, and which do not. `solved` has its scale and size.
+void describe(const PuzzleSolution& solution, const std::vector<Shape>& shapes,
+              const std::vector<LaidPuzzlePiece>& laid, const Frame& frame, SolvedPuzzle& solved) {
+  solved.placed = laid.size();
+  solved.undecided = solution.undecided;
+  solved.gaps = solution.gaps;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (!solution.poses[i]) solved.left_over.push_back(shapes[i].name);
+  }
+  solved.erosion_px = solution.erosion * solved.scale;
+  const double whole_px2 =
+      frame.outline.empty() ? double(solved.width_px) * solved.height_px : signed_area(frame.outline);
+  for (const LaidPuzzlePiece& piece : laid) {
+    solved.covered += signed_area(piece.outline_px) / whole_px2;
+    solved.filled += signed_area(grown_polygon(piece.outline_px, float(solved.erosion_px))) / whole_px2;
+  }
+}
+
 }  // namespace
 
 std::string solution_path(const std::string& job) {
@@ -357,17 +384,13 @@ SolvedPuzzle write_solved_puzzle(const SolvingRequest& request) {
   const std::vector<std::vector<Vec2>> polygons = polygons_of(request.library, shapes);
   SolvedPuzzle solved;
   solved.pieces = shapes.size();
-  PuzzleInput input{.pieces = polygons, .frame = {}, .frame_fits = request.scale.has_value()};
   const double pieces_area = area_of(polygons), wished_scale = request.scale.value_or(1);
   const Frame frame = frame_of(request, pieces_area * wished_scale * wished_scale);
   solved.width_px = frame.width_px;
   solved.height_px = frame.height_px;
   solved.scale = scale_in(frame, request, pieces_area);
   if (!frame.outline.empty()) check_frame(frame, solved.scale, polygons);
-  for (const Vec2 p : frame.outline) input.frame.push_back(p * float(1 / solved.scale));
-  if (!request.outlines_only) input.pictures = pictures_of(shapes, request.watch);
-  input.watch = request.watch;
-  PuzzleSolution solution = solve_puzzle(input);
+  PuzzleSolution solution = solve_puzzle(puzzle_input(request, shapes, polygons, frame, solved.scale));
   if (solution.placed < 2) throw_nothing_fits(request, frame);
   solved.scale *= solution.scale;
   if (frame.outline.empty())
@@ -376,19 +399,7 @@ SolvedPuzzle write_solved_puzzle(const SolvingRequest& request) {
     measure_together(solution, polygons, wished_scale, solved);
   check_canvas(request, solved);
   const std::vector<LaidPuzzlePiece> laid = laid_pieces(shapes, polygons, solution, solved.scale);
-  solved.placed = laid.size();
-  solved.undecided = solution.undecided;
-  solved.gaps = solution.gaps;
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    if (!solution.poses[i]) solved.left_over.push_back(shapes[i].name);
-  }
-  solved.erosion_px = solution.erosion * solved.scale;
-  const double whole_px2 =
-      frame.outline.empty() ? double(solved.width_px) * solved.height_px : signed_area(frame.outline);
-  for (const LaidPuzzlePiece& piece : laid) {
-    solved.covered += signed_area(piece.outline_px) / whole_px2;
-    solved.filled += signed_area(grown_polygon(piece.outline_px, float(solved.erosion_px))) / whole_px2;
-  }
+  describe(solution, shapes, laid, frame, solved);
   if (!request.truth.empty()) solved.agreement = agreement_with(request.truth, shapes, laid, solved.erosion_px);
   write(request, {{solution_path(request.job), puzzle_geojson(laid)}, {request.job, job_text(request, solved)}});
   return solved;
