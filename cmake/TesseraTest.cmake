@@ -39,11 +39,12 @@ function(tessera_test_entry name)
 endfunction()
 
 # tessera_tests(NAME LINK <target>... [LABELS ...] [EXCEPT <file>...] [SUITES <header>...]): the program NAME of the
-# calling folder's *.cpp, and an entry for each test_*.cpp, named like it. A new file needs no line here. SUITES: headers
-# that hold tests, without ".h"; each is an entry, too. The program refuses to run where another header holds tests.
+# *.cpp of the calling folder and of the folders in it, and an entry for each test_*.cpp, named like it. A new file needs
+# no line here. SUITES: headers that hold tests, without ".h"; each is an entry, too. The program refuses to run where
+# another header holds tests.
 function(tessera_tests name)
   cmake_parse_arguments(ARG "" "" "LINK;LABELS;EXCEPT;SUITES" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *.cpp */*.cpp)
   list(REMOVE_ITEM sources ${ARG_EXCEPT})
   tessera_test_program(${name} SOURCES ${sources} LINK ${ARG_LINK})
   list(JOIN ARG_SUITES "," suites)

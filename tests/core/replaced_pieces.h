@@ -5,10 +5,10 @@
 #include <map>
 #include <vector>
 
+#include "core/relaxed_pieces.h"
 #include "core/replacing/hole_shape.h"
 #include "core/replacing/replacement.h"
 #include "core/replacing/window_pieces.h"
-#include "relaxed_pieces.h"
 
 namespace tessera::replaced_pieces {
 

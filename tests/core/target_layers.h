@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/field/target_curve.h"
-#include "random_pieces.h"
+#include "core/random_pieces.h"
 
 namespace tessera::test {
 

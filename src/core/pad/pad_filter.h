@@ -1,6 +1,6 @@
 // An exact filter before the PAD distance: a byte for each element, one for the length that estimates the scale and
 // one for the sign. A pair that passes may be near; one that does not pass is not near
-// (tests/core/test_pad_filter.cpp). kernels/pairs.cl tests the 64 PADs of a block of the index at a time with it; the
+// (tests/core/pad/test_pad_filter.cpp). kernels/pairs.cl tests the 64 PADs of a block of the index at a time with it; the
 // reference does without.
 //
 // Element e of a sample passes where low[e] <= byte <= high[e]: no byte passes of which none is within reach.

@@ -1,7 +1,7 @@
 // An order of PADs in which those that follow one another are alike, with a box round every 64 of them and one round
 // every 64 boxes: a search for the pairs within reach of a target skips the boxes that cannot hold any. The distance is
 // a maximum norm (Eq. 1), so boxes are its natural bound, and the search finds what a full scan finds
-// (kernels/pad_index.cl; tests/core/test_pad_index.cpp).
+// (kernels/pad_index.cl; tests/core/pad/test_pad_index.cpp).
 //
 // A k-d tree (Bentley 1975) that splits at the median of the widest element, of bytes, laid out without pointers:
 // block b holds the places [64 b, 64 b + 64) of the order, node n the blocks [64 n, 64 n + 64).

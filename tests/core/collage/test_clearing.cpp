@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "core/relax/schedules.h"
-#include "relaxed_pieces.h"
+#include "core/relaxed_pieces.h"
 
 namespace tessera {
 namespace test_clearing {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "core/relax/relaxation_step.h"
-#include "relaxed_pieces.h"
+#include "core/relaxed_pieces.h"
 
 namespace tessera {
 namespace test_relaxation {

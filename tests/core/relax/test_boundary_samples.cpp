@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "relaxed_pieces.h"
+#include "core/relaxed_pieces.h"
 #include "support/polygon_distance.h"
 
 namespace tessera {

@@ -7,8 +7,8 @@
 #include "core/field/nodes_near.h"
 #include "core/field/piece_distance.h"
 #include "core/geometry/distance_transform.h"
+#include "core/random_pieces.h"
 #include "core/settings/tuning.h"
-#include "random_pieces.h"
 
 namespace tessera {
 namespace test_piece_on_field {

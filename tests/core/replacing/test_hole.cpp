@@ -8,8 +8,8 @@
 #include <set>
 
 #include "core/matching/match_round.h"
+#include "core/replaced_pieces.h"
 #include "core/replacing/hole_candidates.h"
-#include "replaced_pieces.h"
 
 namespace tessera {
 namespace test_hole {

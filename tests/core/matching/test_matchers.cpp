@@ -1,5 +1,5 @@
+#include "core/matcher_suite.h"
 #include "core/ranks/partition.h"
-#include "matcher_suite.h"
 
 namespace tessera::test {
 namespace test_matchers {

@@ -8,7 +8,7 @@
 
 #include "core/field/linked_contour.h"
 #include "core/settings/tuning.h"
-#include "target_layers.h"
+#include "core/target_layers.h"
 
 namespace tessera {
 namespace test_target_curve {

@@ -4,7 +4,7 @@
 
 #include "core/field/piece_distance.h"
 #include "core/settings/tuning.h"
-#include "target_layers.h"
+#include "core/target_layers.h"
 
 namespace tessera {
 namespace test_seamless_field {

@@ -11,9 +11,9 @@
 
 #include "core/collage/quality.h"
 #include "core/relax/schedules.h"
+#include "core/replaced_pieces.h"
 #include "core/replacing/repetition.h"
 #include "core/replacing/scene.h"
-#include "replaced_pieces.h"
 
 namespace tessera {
 namespace test_window_trials {
