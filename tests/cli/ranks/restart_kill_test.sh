@@ -9,7 +9,7 @@ kills=$4
 RANDOM=${5:-$$}
 echo "seed ${5:-$$}"
 # shellcheck source=tests/cli/restart_fixture.sh
-source "$(dirname "${BASH_SOURCE[0]}")/restart_fixture.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../restart_fixture.sh"
 
 make_job 100
 

@@ -11,9 +11,9 @@ RANDOM=${5:-$$}
 echo "seed ${5:-$$}"
 patience=${PATIENCE:-1}
 # shellcheck source=tests/cli/restart_fixture.sh
-source "$(dirname "${BASH_SOURCE[0]}")/restart_fixture.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../restart_fixture.sh"
 # shellcheck source=tests/cli/drawing_fixture.sh
-source "$(dirname "${BASH_SOURCE[0]}")/drawing_fixture.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../drawing_fixture.sh"
 
 make_drawn_job 20 2000
 seconds() { echo "$(($1 / 1000)).$(printf %03d $(($1 % 1000)))"; }

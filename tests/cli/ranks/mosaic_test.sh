@@ -6,7 +6,7 @@ tessera=$1
 mpirun=$2
 folder=$3
 # shellcheck source=tests/cli/command_fixture.sh
-source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../command_fixture.sh"
 
 enter_folder
 echo "<svg xmlns='http://www.w3.org/2000/svg' width='300' height='200'><rect width='300' height='200' fill='#48c'/>
@@ -39,7 +39,7 @@ grep -qx 'shift = 7' small.toml || fail "--shift is not in the job"
 grep -qx 'size_map = "small_sizes.png"' small.toml || fail "the map has not the job's name"
 echo "ok files"
 
-portrait=$(dirname "${BASH_SOURCE[0]}")/../../jobs/photos/astronaut.jpg
+portrait=$(dirname "${BASH_SOURCE[0]}")/../../../jobs/photos/astronaut.jpg
 run 0 mosaic "$portrait" own.h5 --pieces 100 --job-only --job portrait.toml
 expect_silence "a warning of a face"
 grep -qx '1 face, with the smallest pieces on eyes and mouth' output || fail "does not say that it has found a face"

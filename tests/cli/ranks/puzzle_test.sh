@@ -8,8 +8,8 @@ mpirun=$2
 folder=$3
 sawn_pieces=$4
 # shellcheck source=tests/cli/command_fixture.sh
-source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
-photo=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../jobs/photos" && pwd)/chelsea.png
+source "$(dirname "${BASH_SOURCE[0]}")/../command_fixture.sh"
+photo=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../../jobs/photos" && pwd)/chelsea.png
 
 # Where it takes long there is progress beside warnings.
 expect_no_warning() { ! grep -q warning errors || fail "$1"; }

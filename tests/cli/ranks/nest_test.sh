@@ -6,7 +6,7 @@ tessera=$1
 mpirun=$2
 folder=$3
 # shellcheck source=tests/cli/command_fixture.sh
-source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../command_fixture.sh"
 
 new_folder
 cat >parts.json <<'JSON'

@@ -6,7 +6,7 @@ tessera=$1
 mpirun=$2
 folder=$3
 # shellcheck source=tests/cli/restart_fixture.sh
-source "$(dirname "${BASH_SOURCE[0]}")/restart_fixture.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../restart_fixture.sh"
 
 most_s=600
 enter_folder

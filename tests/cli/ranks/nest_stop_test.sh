@@ -8,7 +8,7 @@ mpirun=$2
 folder=$3
 slow_disk=$4
 # shellcheck source=tests/cli/command_fixture.sh
-source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../command_fixture.sh"
 export ASAN_OPTIONS=${ASAN_OPTIONS:-}:verify_asan_link_order=0 # slow_disk comes first
 
 # expect_whole FOLDER PIECES: all files of one layout, whose pieces lie somewhere, and nothing else

@@ -6,9 +6,9 @@ tessera=$1
 mpirun=$2
 folder=$3
 # shellcheck source=tests/cli/restart_fixture.sh
-source "$(dirname "${BASH_SOURCE[0]}")/restart_fixture.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../restart_fixture.sh"
 # shellcheck source=tests/cli/drawing_fixture.sh
-source "$(dirname "${BASH_SOURCE[0]}")/drawing_fixture.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../drawing_fixture.sh"
 
 make_drawn_job 10 3000
 

@@ -6,7 +6,7 @@ tessera=$1
 mpirun=$2
 folder=$3
 # shellcheck source=tests/cli/restart_fixture.sh
-source "$(dirname "${BASH_SOURCE[0]}")/restart_fixture.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../restart_fixture.sh"
 
 # expect_error TEXT OUT OPTION...: bad input, in one line that has this in it
 expect_error() {

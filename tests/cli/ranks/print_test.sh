@@ -6,7 +6,7 @@ tessera=$1
 mpirun=$2
 folder=$3
 # shellcheck source=tests/cli/command_fixture.sh
-source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../command_fixture.sh"
 
 # digest FOLDER: of all that a result holds
 digest() { find "$1" -type f -print0 | sort -z | xargs -0 sha256sum | sha256sum; }

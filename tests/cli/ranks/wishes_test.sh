@@ -7,7 +7,7 @@ tessera=$1
 mpirun=$2
 folder=$3
 # shellcheck source=tests/cli/restart_fixture.sh
-source "$(dirname "${BASH_SOURCE[0]}")/restart_fixture.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../restart_fixture.sh"
 
 enter_folder
 run 0 library info own.h5 --names
