@@ -4,8 +4,8 @@
 
 #include <functional>
 
+#include "core/base/task_pool.h"
 #include "core/replacing/replacement.h"
-#include "core/replacing/shared_tasks.h"
 #include "core/replacing/window_pieces.h"
 
 namespace tessera {
@@ -13,6 +13,6 @@ namespace tessera {
 /// `shapes` has those of all pieces of the window and of all that may come in. `look` is called between trials and may
 /// throw. The same bits on every machine, whoever helps with a trial's candidates.
 ReplacementOutcome replaced(const ReplacementWindow& window, const HoleShapes& shapes,
-                            const std::function<void()>& look, SharedTasks& tasks);
+                            const std::function<void()>& look, TaskPool& pool);
 
 }  // namespace tessera
