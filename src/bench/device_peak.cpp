@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/base/stopwatch.h"
+#include "worker/devices/device_kernel.h"
 #include "worker/devices/opencl_devices.h"
-#include "worker/devices/opencl_runtime.h"
 
 namespace tessera::bench {
 namespace {
@@ -71,9 +71,9 @@ class Probe {
 
   /// Rounds are doubled until a launch takes `least_s`, so that starting it does not count.
   double steps_per_s(const char* name, double lanes, double least_s) {
-    cl::Kernel kernel = session_.kernel(name);
+    worker::DeviceKernel kernel(session_, name);
     const auto seconds_for = [&](std::uint32_t rounds) {
-      return seconds_of([&] { worker::launch(session_, kernel, {.x = kItems, .group = kGroup}, rounds, out_); });
+      return seconds_of([&] { kernel.launch({.x = kItems, .group = kGroup}, {{"rounds", rounds}, {"out", out_}}); });
     };
     seconds_for(1);  // some devices compile at the first launch
     for (std::uint32_t rounds = 64;; rounds *= 2) {
@@ -83,13 +83,13 @@ class Probe {
   }
 
   double read_bytes_per_s(std::size_t bytes) {
-    cl::Kernel kernel = session_.kernel("read_floats");
+    worker::DeviceKernel kernel(session_, "read_floats");
     worker::DeviceBuffer<float> values(session_);
     values.clear(bytes / sizeof(float));
     double best_s = 1e9;
     for (int run = 0; run < 5; ++run) {
       best_s = std::min(best_s, seconds_of([&] {
-                          worker::launch(session_, kernel, {.x = bytes / 64, .group = kGroup}, values, out_);
+                          kernel.launch({.x = bytes / 64, .group = kGroup}, {{"values", values}, {"out", out_}});
                         }));
     }
     return double(bytes) / best_s;

@@ -8,8 +8,8 @@
 #include "bench/library_matcher.h"
 #include "bench/line_plot.h"
 #include "core/base/error.h"
+#include "core/base/rank_pool.h"
 #include "core/replacing/own_replacer.h"
-#include "files/available_cores.h"
 #include "library/library_shapes.h"
 #include "library/storage/library_file.h"
 #include "master/collage_loop.h"
@@ -32,7 +32,7 @@ master::CollageResult improved(const Canvas& canvas, CollageSettings settings, M
                                double seconds) {
   settings.improve.seconds = seconds;
   settings.stop.seconds = seconds;
-  OwnReplacer replacer(shapes, available_cores(), [] {});
+  OwnReplacer replacer(shapes, rank_pool(), [] {});
   master::SilentObserver silent;
   return master::make_collage(canvas, settings, matcher, shapes, silent, {}, &replacer);
 }

@@ -13,8 +13,8 @@
 #include "comm/stop_signals.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
+#include "core/base/rank_pool.h"
 #include "files/atomic_file.h"
-#include "files/available_cores.h"
 #include "files/output_lock.h"
 #include "library/left_out_list.h"
 #include "library/library_builder.h"
@@ -123,7 +123,7 @@ int run(const BuildArguments& arguments) {
 void add_library_build_command(CLI::App& library, Command& selected) {
   const auto arguments = std::make_shared<BuildArguments>();
   LibraryBuildSettings& settings = arguments->settings;
-  settings.files_at_a_time = available_cores();
+  settings.files_at_a_time = rank_cores();
 
   CLI::App* build = library.add_subcommand("build", "Trace artwork files and write a library of shapes");
   build->footer(kLibraryBuildExamples);

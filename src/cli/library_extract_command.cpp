@@ -14,8 +14,8 @@
 #include "cli/library_output.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
+#include "core/base/rank_pool.h"
 #include "files/atomic_file.h"
-#include "files/available_cores.h"
 #include "files/output_folder.h"
 #include "files/output_lock.h"
 #include "library/library_builder.h"
@@ -111,7 +111,7 @@ LibraryBuildReport build(const ExtractArguments& arguments, const std::vector<Cu
     bar.update(done, count_text(shapes, "shape"));
   };
   LibraryBuildSettings settings;
-  settings.files_at_a_time = available_cores();
+  settings.files_at_a_time = rank_cores();
   settings.tracing.rules = {.keep_rectangles = true, .fill_holes = arguments.fill_holes};  // tiles; rings
   ArtworkFiles files;
   for (const CutOut& cut_out : cut_outs) files.paths.push_back(cut_out.path);
@@ -230,7 +230,7 @@ int run(ExtractArguments arguments) {
   check_replaceable(arguments.output);
   const ExtractOutputs outputs(arguments);
   arguments.settings.with_overview = !arguments.overview.empty();
-  Drawers drawers(photo_drawer_settings(available_cores()));
+  Drawers drawers(photo_drawer_settings(rank_cores()));
   const std::vector<CutOut> cut_outs = all_cut_outs(arguments, drawers);
   const LibraryBuildReport report = build(arguments, cut_outs, drawers);
   print_lines(build_summary(report));

@@ -10,9 +10,9 @@
 #include <system_error>
 
 #include "core/base/error.h"
+#include "core/base/task_pool.h"
 #include "files/files_read.h"
 #include "files/named_file.h"
-#include "files/parallel_for.h"
 #include "files/write_all.h"
 
 namespace tessera {
@@ -175,9 +175,9 @@ void TemporaryFile::fail() {
 }
 
 void flush_left_files(const std::string& folder, std::span<const std::string> names) {
-  constexpr std::size_t kThreads = 32;  // they wait, and do not compute
+  TaskPool waiting(32);  // its threads wait for the disk and do not compute: they may be more than the rank's cores
   const FileDescriptor open = open_folder(folder, folder);
-  parallel_for_on(kThreads, names.size(), [&](std::size_t i) {
+  waiting.run(names.size(), [&](std::size_t i) {
     const std::string name = temporary_path(names[i]);
     const FileDescriptor file(::openat(open.number(), name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
     if (!file.is_open() || ::fsync(file.number()) != 0)

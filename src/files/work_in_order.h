@@ -1,4 +1,5 @@
-// Independent pieces of work on several threads, whose results are wanted in order.
+// Independent pieces of work on several threads, whose results are wanted in order. The threads are no part of the rank's
+// pool (core/base/rank_pool.h): they wait for drawers and files most of the time, and for the thread that consumes.
 #pragma once
 
 #include <algorithm>

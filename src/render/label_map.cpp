@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/rank_pool.h"
 #include "core/geometry/rasterise.h"
-#include "files/parallel_for.h"
 #include "job/picture_size.h"
 #include "render/pieces/drawn_pieces.h"
 #include "render/pieces/piece_drawing.h"

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <utility>
 
 #include "artwork/images/alpha.h"
 #include "artwork/images/colour_conversion.h"
-#include "core/base/launch_policy.h"
-#include "files/parallel_for.h"
+#include "core/base/rank_pool.h"
 #include "job/picture_size.h"
 #include "render/ground_strips.h"
 #include "render/hue_turns.h"
@@ -246,13 +244,16 @@ class PictureBands {
 void draw_picture(const CollageReport& report, ShapeArtworks& artworks, const PictureLimits& limits,
                   const std::function<void(const cv::Mat& rows)>& take) {
   PictureBands bands(report, artworks, limits);
-  std::future<void> taken;  // the band before, while this one is drawn; its destructor waits
+  cv::Mat before;  // the band that is taken while the next one is drawn
   for (int top = 0; top < bands.rows(); top += bands.rows_in_band()) {
-    cv::Mat band = bands.band(top);
-    if (taken.valid()) taken.get();
-    taken = std::async(kWhereThreadsAre, [&take, band = std::move(band)] { take(band); });
+    cv::Mat band;
+    run_both([&] { band = bands.band(top); },
+             [&] {
+               if (!before.empty()) take(before);
+             });
+    before = std::move(band);
   }
-  if (taken.valid()) taken.get();
+  if (!before.empty()) take(before);
 }
 
 PictureFormat picture_format(const CollageReport& report) {

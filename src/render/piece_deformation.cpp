@@ -7,13 +7,12 @@
 
 #include "core/base/count_text.h"
 #include "core/base/error.h"
-#include "core/base/stop.h"
+#include "core/base/rank_pool.h"
 #include "core/base/stopwatch.h"
 #include "core/collage/placed_outlines.h"
 #include "core/collage/quality.h"
 #include "core/deform/deformation.h"
 #include "core/deform/unfolded_fit.h"
-#include "files/parallel_for.h"
 #include "render/pieces/artwork_clip.h"
 #include "result/polygon_features.h"
 #include "result/result_file.h"
@@ -183,9 +182,8 @@ void deform_pieces(CollageReport& report) {
   const CollageSettings& settings = report.job->settings;
   const Quality before = quality_before(report);
   const Stopwatch watch;
-  std::vector<DeformedPiece> pieces = deformed_pieces(
-      *report.canvas, deformable(report), settings.deform, settings.match.pad, settings.pieces.padding_px,
-      [](std::size_t count, const std::function<void(std::size_t)>& f) { parallel_for(count, f); });
+  std::vector<DeformedPiece> pieces = deformed_pieces(*report.canvas, deformable(report), settings.deform,
+                                                      settings.match.pad, settings.pieces.padding_px);
   DeformationFigures figures = figures_of(pieces);
   figures.seconds = watch.seconds();
   figures.coverage_before = before.coverage;

@@ -11,9 +11,9 @@
 #include "artwork/drawers/drawers.h"
 #include "checkpoint/checkpoint_origin.h"
 #include "core/base/error.h"
+#include "core/base/rank_pool.h"
 #include "core/base/stopwatch.h"
 #include "files/atomic_file.h"
-#include "files/available_cores.h"
 #include "job/canvas/canvas_file.h"
 #include "job/canvas/canvas_page.h"
 #include "job/palette.h"
@@ -289,7 +289,7 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
   check_can_be_drawn(folder, request, job.output);
   const std::vector<std::string> palette =
       other_colours ? load_palette(job) : std::vector<std::string>();  // that of the job may be gone
-  Drawers drawers({.processes = available_cores()});
+  Drawers drawers({.processes = rank_cores()});
   const StopWatcher stop(observer, drawers);
   stop.check();
   const LibraryView library = library_of(dir, job, manifest);

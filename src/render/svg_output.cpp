@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "artwork/images/png_uri.h"
+#include "core/base/rank_pool.h"
 #include "core/geometry/rasterise.h"
-#include "files/parallel_for.h"
 #include "job/picture_size.h"
 #include "layers/affine.h"
 #include "render/pieces/artwork_original.h"

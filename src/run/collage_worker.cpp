@@ -11,11 +11,11 @@
 #include "comm/node_turn.h"
 #include "comm/rank_sites.h"
 #include "comm/worker_team.h"
+#include "core/base/rank_pool.h"
 #include "core/base/stop.h"
 #include "core/matching/matching_context.h"
 #include "core/ranks/partition.h"
 #include "core/replacing/own_replacer.h"
-#include "files/available_cores.h"
 #include "library/library_shapes.h"
 #include "library/storage/shape_models.h"
 #include "run/foreign_end.h"
@@ -34,8 +34,6 @@ worker::DeviceShare share_of_node(const comm::Communicator& ranks, const Job& jo
   const bool with_master = ranks.node_ranks().front() == 0;
   return {ranks.local_rank() - with_master, ranks.local_size() - with_master, job.devices_per_worker};
 }
-
-int cores_of(const worker::DeviceShare& share) { return std::max(1, available_cores() / share.workers); }
 
 /// The canvas' size is that of the job, whatever its file shows.
 worker::DeviceNeeds needs_of(const Job& job, const ModelSource& models) {
@@ -59,8 +57,8 @@ void run_collage_worker(comm::Communicator& ranks) {
   const ShapeRange part = even_range(library.size(), ranks.rank() - 1, ranks.size() - 1);
   const MatchingContext context = context_of(problem);
   const worker::DeviceShare share = share_of_node(ranks, job);
-  const int cores = cores_of(share);
-  worker::limit_cpu_threads(cores);
+  share_cores(share.workers);
+  worker::limit_cpu_threads(rank_cores());
   comm::first_worker_of_node_first(ranks, [&] { worker::compile_kernels(job.devices, context); });
   const StopCheck check_stop = [&ranks] { ranks.look(); };
   const auto models = models_of(library, context);
@@ -69,7 +67,7 @@ void run_collage_worker(comm::Communicator& ranks) {
   comm::tell_site(ranks, {host_name(), worker::describe(parts)});
   LibraryShapes shapes(library);
   comm::serve(ranks, worker::make_device_matcher(parts, context, models, check_stop),
-              std::make_unique<OwnReplacer>(shapes, cores, check_stop));
+              std::make_unique<OwnReplacer>(shapes, rank_pool(), check_stop));
 }
 
 SitedMatcher own_matcher(const CollageProblem& problem, const StopQuestion& shall_stop) {
@@ -88,7 +86,7 @@ SitedMatcher own_matcher(const CollageProblem& problem, const StopQuestion& shal
 SitedMatcher workers_matcher(comm::Communicator& ranks) { return {comm::gather_workers(ranks), {host_name(), {}}}; }
 
 std::unique_ptr<Replacer> own_replacer(ShapeSource& shapes, const StopQuestion& shall_stop) {
-  return std::make_unique<OwnReplacer>(shapes, available_cores(), stop_check(shall_stop));
+  return std::make_unique<OwnReplacer>(shapes, rank_pool(), stop_check(shall_stop));
 }
 
 }  // namespace tessera

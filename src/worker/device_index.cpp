@@ -1,10 +1,9 @@
 #include "worker/device_index.h"
 
 #include <algorithm>
-#include <future>
 #include <limits>
 
-#include "core/base/launch_policy.h"
+#include "core/base/rank_pool.h"
 
 namespace tessera::worker {
 
@@ -51,11 +50,10 @@ void DeviceIndex::add(const IndexedPads& pads) {
 /// Its levels at the same time: to make them takes most of the time until a large library is there.
 void DeviceIndex::add_segment() {
   const std::size_t first = next_part_;
-  std::vector<std::future<IndexRows>> made;
-  for (; next_part_ < parts_.size() && parts_[next_part_].first_shape == parts_[first].first_shape; ++next_part_) {
-    made.push_back(std::async(kWhereThreadsAre, [this, &part = parts_[next_part_]] { return rows_of(part); }));
-  }
-  for (std::size_t i = 0; i < made.size(); ++i) upload(parts_[first + i], made[i].get());
+  while (next_part_ < parts_.size() && parts_[next_part_].first_shape == parts_[first].first_shape) ++next_part_;
+  std::vector<IndexRows> made(next_part_ - first);
+  parallel_for(made.size(), [&](std::size_t i) { made[i] = rows_of(parts_[first + i]); });
+  for (std::size_t i = 0; i < made.size(); ++i) upload(parts_[first + i], made[i]);
 }
 
 IndexRows DeviceIndex::rows_of(const IndexPart& part) const {

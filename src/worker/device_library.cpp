@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <future>
 #include <optional>
 
-#include "core/base/launch_policy.h"
+#include "core/base/rank_pool.h"
 #include "worker/devices/arithmetic_probe.h"
 #include "worker/devices/opencl_devices.h"
 
@@ -49,21 +48,19 @@ void DeviceLibrary::load(const BetweenLaunches& between_launches) {
   const bool keypoints = !reads_ || index_.kind().with_chords;
   const ModelParts parts{.contours = !reads_, .pads = keypoints, .keypoints = keypoints};
   const std::uint32_t end = match_.first_shape + match_.shapes;
-  // The next ones are read while these are put on the device. One thread at a time reads.
   const auto read_from = [&](std::uint32_t first) {
-    return std::async(kWhereThreadsAre, [this, parts, first, end] {
-      const ShapeRange range{std::min(first, end), std::min(end, first + kShapesAtATime)};
-      Loaded loaded;
-      if (range.size() > 0) loaded.models = models_->models(range, parts);
-      if (range.size() > 0 && !parts.pads) loaded.pads = models_->pads(range);
-      return loaded;
-    });
+    const ShapeRange range{std::min(first, end), std::min(end, first + kShapesAtATime)};
+    Loaded loaded;
+    if (range.size() > 0) loaded.models = models_->models(range, parts);
+    if (range.size() > 0 && !parts.pads) loaded.pads = models_->pads(range);
+    return loaded;
   };
-  auto next = read_from(match_.first_shape);
+  // The next shapes are read while these are put on the device. One thread at a time reads.
+  Loaded next = read_from(match_.first_shape);
   for (std::uint32_t first = match_.first_shape; first < end; first += kShapesAtATime) {
-    Loaded loaded = next.get();
-    next = read_from(first + kShapesAtATime);
-    add(std::move(loaded), first - match_.first_shape);
+    Loaded loaded = std::move(next);
+    run_both([&] { add(std::move(loaded), first - match_.first_shape); },
+             [&] { next = read_from(first + kShapesAtATime); });
     if (between_launches) between_launches();
   }
 }

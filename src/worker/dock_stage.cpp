@@ -22,8 +22,8 @@ static_assert(sizeof(Docking) == sizeof(DockingRecord) && offsetof(Docking, key)
 DockStage::DockStage(DeviceLibrary& library, PairStage& pairs, std::size_t stage_bytes)
     : library_(&library),
       pairs_(&pairs),
-      dock_pairs_(library.session().kernel("dock_pairs")),
-      dock_tangents_(library.session().kernel("dock_tangents")),
+      dock_pairs_(library.session(), "dock_pairs"),
+      dock_tangents_(library.session(), "dock_tangents"),
       deck_(library),
       samples_(library.session()),
       docked_pairs_(library.session()),
@@ -58,10 +58,24 @@ void DockStage::launch_pairs() {
   const std::size_t group = items_of_docking(library_->lanes());
   const DeviceStances& stances = library_->stances();
   const DeviceColours& colours = library_->colours();
-  launch(library_->session(), dock_pairs_, {pair_count_, 1, group == 1 ? kPairsPerGroup : group},
-         library_->match_buffer(), stances.stances(), stances.lists(), stances.shape_class(), library_->size_map(),
-         library_->field(), colours.record(), colours.texels(), library_->sketches(), library_->shapes(), samples_,
-         pair_count_, docked_pairs_, pair_keypoints_, evaluated_, docking_capacity_, docking_count_, dockings_);
+  dock_pairs_.launch({pair_count_, 1, group == 1 ? kPairsPerGroup : group}, {{"match", library_->match_buffer()},
+                                                                             {"stances", stances.stances()},
+                                                                             {"stance_lists", stances.lists()},
+                                                                             {"shape_class", stances.shape_class()},
+                                                                             {"size_map", library_->size_map()},
+                                                                             {"field_value", library_->field()},
+                                                                             {"colour", colours.record()},
+                                                                             {"texels", colours.texels()},
+                                                                             {"sketches", library_->sketches()},
+                                                                             {"shapes", library_->shapes()},
+                                                                             {"samples", samples_},
+                                                                             {"count", pair_count_},
+                                                                             {"pairs", docked_pairs_},
+                                                                             {"pair_keypoints", pair_keypoints_},
+                                                                             {"evaluated", evaluated_},
+                                                                             {"capacity", docking_capacity_},
+                                                                             {"docking_count", docking_count_},
+                                                                             {"dockings", dockings_}});
   library_->session().flush();
 }
 
@@ -70,12 +84,30 @@ void DockStage::launch_tangents() {
   const DeviceStances& stances = library_->stances();
   const DeviceColours& colours = library_->colours();
   const std::uint32_t items = (draws_ + draws_per_item(lanes) - 1) / draws_per_item(lanes);
-  launch(library_->session(), dock_tangents_, {items, sample_count_, items_of_docking(lanes)}, library_->match_buffer(),
-         stances.stances(), stances.lists(), stances.shape_class(), library_->size_map(), deck_.open_count(),
-         std::uint32_t(deck_.all_open()), deck_.open_shapes(), deck_.near_length(), deck_.near_shapes(),
-         library_->field(), colours.record(), colours.texels(), library_->contours().contours(),
-         library_->contours().places(), library_->sketches(), library_->shapes(), samples_, draws_, evaluated_,
-         docking_capacity_, docking_count_, dockings_);
+  dock_tangents_.launch({items, sample_count_, items_of_docking(lanes)},
+                        {{"match", library_->match_buffer()},
+                         {"stances", stances.stances()},
+                         {"stance_lists", stances.lists()},
+                         {"shape_class", stances.shape_class()},
+                         {"size_map", library_->size_map()},
+                         {"open_count", deck_.open_count()},
+                         {"all_open", deck_.all_open()},
+                         {"open_shapes", deck_.open_shapes()},
+                         {"near_length", deck_.near_length()},
+                         {"near_shapes", deck_.near_shapes()},
+                         {"field_value", library_->field()},
+                         {"colour", colours.record()},
+                         {"texels", colours.texels()},
+                         {"contours", library_->contours().contours()},
+                         {"contour_places", library_->contours().places()},
+                         {"sketches", library_->sketches()},
+                         {"shapes", library_->shapes()},
+                         {"samples", samples_},
+                         {"draws", draws_},
+                         {"evaluated", evaluated_},
+                         {"capacity", docking_capacity_},
+                         {"docking_count", docking_count_},
+                         {"dockings", dockings_}});
   library_->session().flush();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "worker/device_deck.h"
+#include "worker/devices/device_kernel.h"
 #include "worker/pair_stage.h"
 
 namespace tessera::worker {
@@ -23,8 +24,8 @@ class DockStage {
 
   DeviceLibrary* library_;
   PairStage* pairs_;
-  cl::Kernel dock_pairs_;
-  cl::Kernel dock_tangents_;
+  DeviceKernel dock_pairs_;
+  DeviceKernel dock_tangents_;
   DeviceDeck deck_;
   DeviceBuffer<SampleRecord> samples_;
   DeviceBuffer<PairRecord> docked_pairs_;

@@ -22,8 +22,8 @@ SearchItems search_items(DockingLanes lanes) {
 
 PairSearch::PairSearch(const DeviceLibrary& library, std::size_t stage_bytes)
     : library_(&library),
-      find_blocks_(library.session().kernel("find_blocks")),
-      find_pairs_(library.session().kernel("find_pairs")),
+      find_blocks_(library.session(), "find_blocks"),
+      find_pairs_(library.session(), "find_pairs"),
       block_room_(room_in(stage_bytes / 2, sizeof(BlockRecord))),
       pair_room_(room_in(stage_bytes / 2, sizeof(PairRecord))),
       most_bytes_(kMostGrowth * stage_bytes),
@@ -40,21 +40,52 @@ void PairSearch::post(const DeviceBuffer<SampleRecord>& samples, std::uint32_t c
   pairs_.reserve(pair_room_);
   block_count_.clear(1);
   pair_count_.clear(1);
+  launch_blocks();
+  launch_pairs();
+  library_->session().flush();
+}
+
+void PairSearch::launch_blocks() {
+  const DeviceIndex& index = library_->index();
+  const SearchItems search = search_items(library_->lanes());
+  find_blocks_.launch({count_ * search.together, index.root_count(), search.group},
+                      {{"roots", index.roots()},
+                       {"node_boxes", index.node_boxes()},
+                       {"block_boxes", index.block_boxes()},
+                       {"look_at_boxes", look_at_boxes_},
+                       {"segment_stride", segment_stride_},
+                       {"samples", *samples_},
+                       {"sample_count", count_},
+                       {"capacity", block_room_},
+                       {"block_count", block_count_},
+                       {"blocks", blocks_}});
+}
+
+/// The host does not know yet how many blocks were found: as many work groups as keep the device busy share them, all
+/// in one launch.
+void PairSearch::launch_pairs() {
   const DeviceIndex& index = library_->index();
   const DeviceStances& stances = library_->stances();
   const DeviceColours& colours = library_->colours();
   const SearchItems search = search_items(library_->lanes());
-  launch(library_->session(), find_blocks_, {count * search.together, index.root_count(), search.group}, index.roots(),
-         index.node_boxes(), index.block_boxes(), look_at_boxes_, segment_stride, samples, count, block_room_,
-         block_count_, blocks_);
-  // How many blocks there are is known on the device alone: as many work groups as keep it busy share them, all in one
-  // launch.
   const std::size_t items =
       std::min(library_->session().compute_units() * search.groups_per_unit * search.group, kMostWorkItems / 2);
-  launch(library_->session(), find_pairs_, {items, 1, search.group}, library_->match_buffer(), stances.stances(),
-         stances.lists(), stances.shape_class(), index.rows(), index.places(), index.chords(), colours.record(),
-         colours.near_bits(), samples, block_count_, block_room_, blocks_, pair_room_, pair_count_, pairs_);
-  library_->session().flush();
+  find_pairs_.launch({items, 1, search.group}, {{"match", library_->match_buffer()},
+                                                {"stances", stances.stances()},
+                                                {"stance_lists", stances.lists()},
+                                                {"shape_class", stances.shape_class()},
+                                                {"index_rows", index.rows()},
+                                                {"index_places", index.places()},
+                                                {"index_chords", index.chords()},
+                                                {"colour", colours.record()},
+                                                {"near_bits", colours.near_bits()},
+                                                {"samples", *samples_},
+                                                {"block_count", block_count_},
+                                                {"block_capacity", block_room_},
+                                                {"blocks", blocks_},
+                                                {"capacity", pair_room_},
+                                                {"pair_count", pair_count_},
+                                                {"pairs", pairs_}});
 }
 
 std::optional<std::vector<PairRecord>> PairSearch::take() {

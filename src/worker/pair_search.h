@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "worker/device_library.h"
+#include "worker/devices/device_kernel.h"
 
 namespace tessera::worker {
 
@@ -28,9 +29,12 @@ class PairSearch {
   std::uint64_t blocks_visited() const { return blocks_visited_; }
 
  private:
+  void launch_blocks();
+  void launch_pairs();
+
   const DeviceLibrary* library_;
-  cl::Kernel find_blocks_;
-  cl::Kernel find_pairs_;
+  DeviceKernel find_blocks_;
+  DeviceKernel find_pairs_;
   const DeviceBuffer<SampleRecord>* samples_ = nullptr;
   std::uint32_t count_ = 0;
   std::uint32_t segment_stride_ = 1;

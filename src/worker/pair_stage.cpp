@@ -1,13 +1,10 @@
 #include "worker/pair_stage.h"
 
 #include <algorithm>
-#include <atomic>
-#include <future>
 #include <numeric>
 #include <span>
-#include <thread>
 
-#include "core/base/launch_policy.h"
+#include "core/base/rank_pool.h"
 #include "worker/found_pairs.h"
 
 namespace tessera::worker {
@@ -91,26 +88,17 @@ void PairStage::take_run() {
   post_run();
 }
 
-/// To choose among very many takes as long as to find them: several threads share them.
+/// To choose among very many pairs takes as long as to find them: the rank's threads share the samples.
 void PairStage::hold(const std::vector<PairRecord>& pairs) {
-  constexpr std::size_t kPairsOfAThread = 1 << 16;
-  constexpr std::size_t kMostThreads = 8;
-  KeysOfSamples found(pairs, run_end_ - run_begin_);
+  constexpr std::size_t kPairsOfATask = 1 << 16;
+  const std::size_t samples = run_end_ - run_begin_;
+  KeysOfSamples found(pairs, samples);
   std::vector<Held>& held = segment_stride_ > 1 ? estimated_ : held_;
-  std::atomic<std::uint32_t> next = run_begin_;
-  const auto work = [&] {
-    for (std::uint32_t place = next++; place < run_end_; place = next++) {
-      const Searched& searched = searched_[place];
-      held[searched.sample] = {searched.bins,
-                               docked_pairs(searched.sample, found.of(place - run_begin_), library_->match())};
-    }
-  };
-  const std::size_t threads =
-      std::min<std::size_t>({pairs.size() / kPairsOfAThread, kMostThreads, std::thread::hardware_concurrency()});
-  std::vector<std::future<void>> others;
-  while (others.size() + 1 < threads) others.push_back(std::async(kWhereThreadsAre, work));
-  work();
-  for (std::future<void>& other : others) other.get();
+  const std::size_t tasks = std::clamp<std::size_t>(pairs.size() / kPairsOfATask, 1, samples);
+  parallel_for_portions(samples, (samples + tasks - 1) / tasks, [&](std::size_t k) {
+    const Searched& searched = searched_[run_begin_ + k];
+    held[searched.sample] = {searched.bins, docked_pairs(searched.sample, found.of(k), library_->match())};
+  });
 }
 
 void PairStage::post_count(std::vector<std::uint32_t> bins, std::uint32_t segment_stride) {

@@ -27,8 +27,8 @@ WorkSize work_of(std::size_t dockings, DockingLanes lanes) {
 
 RefineStage::RefineStage(DeviceLibrary& library)
     : library_(&library),
-      refine_dockings_(library.session().kernel("refine_dockings")),
-      measure_dockings_(library.session().kernel("measure_dockings")),
+      refine_dockings_(library.session(), "refine_dockings"),
+      measure_dockings_(library.session(), "measure_dockings"),
       dockings_(library.session()),
       refined_(library.session()),
       terms_(library.session()) {}
@@ -56,10 +56,18 @@ void RefineStage::post(const std::vector<Docking>& dockings) {
   const std::uint32_t count = upload(dockings);
   posted_ = dockings;
   refined_.reserve(count);
-  launch(library_->session(), refine_dockings_, work_of(count, library_->lanes()), library_->match_buffer(),
-         library_->stances().stances(), library_->size_map(), library_->field(), library_->colours().record(),
-         library_->colours().texels(), library_->contours().contours(), library_->contours().places(),
-         library_->shapes(), count, dockings_, refined_);
+  refine_dockings_.launch(work_of(count, library_->lanes()), {{"match", library_->match_buffer()},
+                                                              {"stances", library_->stances().stances()},
+                                                              {"size_map", library_->size_map()},
+                                                              {"field_value", library_->field()},
+                                                              {"colour", library_->colours().record()},
+                                                              {"texels", library_->colours().texels()},
+                                                              {"contours", library_->contours().contours()},
+                                                              {"contour_places", library_->contours().places()},
+                                                              {"shapes", library_->shapes()},
+                                                              {"count", count},
+                                                              {"dockings", dockings_},
+                                                              {"refined", refined_}});
   library_->session().flush();
 }
 
@@ -75,9 +83,16 @@ void RefineStage::post_measure(const std::vector<Docking>& dockings) {
   const std::uint32_t count = upload(dockings);
   measured_ = count;
   terms_.reserve(count);
-  launch(library_->session(), measure_dockings_, work_of(count, library_->lanes()), library_->match_buffer(),
-         library_->field(), library_->colours().record(), library_->colours().texels(), library_->contours().contours(),
-         library_->contours().places(), library_->shapes(), count, dockings_, terms_);
+  measure_dockings_.launch(work_of(count, library_->lanes()), {{"match", library_->match_buffer()},
+                                                               {"field_value", library_->field()},
+                                                               {"colour", library_->colours().record()},
+                                                               {"texels", library_->colours().texels()},
+                                                               {"contours", library_->contours().contours()},
+                                                               {"contour_places", library_->contours().places()},
+                                                               {"shapes", library_->shapes()},
+                                                               {"count", count},
+                                                               {"dockings", dockings_},
+                                                               {"terms", terms_}});
   library_->session().flush();
 }
 

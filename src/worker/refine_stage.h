@@ -2,6 +2,7 @@
 #pragma once
 
 #include "worker/device_library.h"
+#include "worker/devices/device_kernel.h"
 
 namespace tessera::worker {
 
@@ -19,8 +20,8 @@ class RefineStage {
   std::uint32_t upload(const std::vector<Docking>& dockings);
 
   DeviceLibrary* library_;
-  cl::Kernel refine_dockings_;
-  cl::Kernel measure_dockings_;
+  DeviceKernel refine_dockings_;
+  DeviceKernel measure_dockings_;
   std::vector<Docking> posted_;
   DeviceBuffer<DockingRecord> dockings_;
   DeviceBuffer<RefinedRecord> refined_;

@@ -1,20 +1,15 @@
-// Results of several threads come in order, and an early end is an end. Fewer threads do the same.
+// Results of several threads come in order, and an early end is an end.
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <chrono>
-#include <future>
 #include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
-#include "core/base/launch_policy.h"
-#include "files/parallel_for.h"
 #include "files/work_in_order.h"
-#include "support/room_for_stacks.h"
 
 namespace tessera {
 namespace test_work_in_order {
@@ -89,19 +84,6 @@ TEST(WorkInOrder, WhatTheWorkThrowsComesInItsTurn) {
   };
   EXPECT_THROW(work_in_order(job), std::runtime_error);
   EXPECT_EQ(results.size(), 2u);
-}
-
-TEST(ParallelFor, FewerThreadsOrNoneDoTheSameWork) {
-#ifdef __SANITIZE_ADDRESS__
-  GTEST_SKIP() << "the sanitizer maps a shadow of all addresses";
-#endif
-  for (const int threads : {0, 1}) {
-    const test::RoomForStacks few(threads);
-    std::array<std::atomic<int>, 100> done{};
-    parallel_for(done.size(), [&](std::size_t i) { ++done[i]; });
-    EXPECT_TRUE(std::all_of(done.begin(), done.end(), [](int times) { return times == 1; })) << threads;
-    EXPECT_EQ(std::async(kWhereThreadsAre, [] { return 7; }).get(), 7) << threads;
-  }
 }
 
 }  // namespace test_work_in_order

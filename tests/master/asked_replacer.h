@@ -55,7 +55,7 @@ inline AskedReplacer::Answer real_trials(const std::vector<Shape>& library, cons
   for (const Shape& shape : library) made->push_back(make_hole_shape(shape));
   for (std::uint32_t i = 0; i < made->size(); ++i) shapes[ShapeId{i}] = &(*made)[i];
   return [made, shapes, check_stop](const ReplacementWindow& window) {
-    SharedTasks alone;
+    TaskPool alone(1);
     return replaced(window, shapes, check_stop, alone);
   };
 }

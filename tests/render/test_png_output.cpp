@@ -1,6 +1,5 @@
 // The picture: where artworks lie, how their edges look, what stands in for lost ones.
 #include <gtest/gtest.h>
-#include <sched.h>
 
 #include <atomic>
 #include <cmath>
@@ -11,7 +10,6 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/stop.h"
-#include "files/available_cores.h"
 #include "render/pieces/artwork_original.h"
 #include "render/png_stream.h"
 #include "render/tiff_pyramid.h"
@@ -20,6 +18,7 @@
 #include "support/drawn_collage.h"
 #include "support/images.h"
 #include "support/planted_files.h"
+#include "support/rank_breadth.h"
 #include "support/sample_collage.h"
 #include "support/scratch_folder.h"
 
@@ -334,27 +333,6 @@ TEST(Png, TheFileSaysHowLargeItIsOnPaperAndKeepsItsTransparency) {
   EXPECT_EQ(number_in_chunk(of_canvas, "pHYs", 1), 11765u);
 }
 
-/// One core only, while it lives.
-class OneCore {
- public:
-  OneCore() {
-    sched_getaffinity(0, sizeof before_, &before_);
-    cpu_set_t one;
-    CPU_ZERO(&one);
-    for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu) {
-      if (CPU_ISSET(cpu, &before_)) CPU_SET(cpu, &one);
-      if (CPU_COUNT(&one) == 1) break;
-    }
-    sched_setaffinity(0, sizeof one, &one);
-  }
-  ~OneCore() { sched_setaffinity(0, sizeof before_, &before_); }
-  OneCore(const OneCore&) = delete;
-  OneCore& operator=(const OneCore&) = delete;
-
- private:
-  cpu_set_t before_;
-};
-
 TEST(Png, TheBytesDependNeitherOnBandsNorOnMemoryNorOnThreads) {
   OneSquare sample(0.2f);
   sample.job.output.width_px = 1500;
@@ -371,9 +349,10 @@ TEST(Png, TheBytesDependNeitherOnBandsNorOnMemoryNorOnThreads) {
         PictureLimits{192, std::size_t(1) << 30, std::size_t(1) << 30}, PictureLimits{.band_bytes = 1'000'000}}) {
     EXPECT_EQ(cv::norm(drawn.picture(limits), expected, cv::NORM_INF), 0) << limits.band_rows;
   }
-  const OneCore one;
-  ASSERT_EQ(available_cores(), 1);
-  EXPECT_EQ(cv::norm(drawn.picture({128, 1, 100'000}), expected, cv::NORM_INF), 0);
+  for (const int cores : {1, 5}) {
+    const test::RankBreadth rank(cores);
+    EXPECT_EQ(cv::norm(drawn.picture({128, 1, 100'000}), expected, cv::NORM_INF), 0) << cores;
+  }
 }
 
 /// Wants to stop as soon as it is told of progress.

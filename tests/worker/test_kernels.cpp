@@ -13,6 +13,7 @@
 #include "core/base/portable_math.h"
 #include "core/matching/reference_matcher.h"
 #include "support/matcher_round.h"
+#include "worker/devices/device_kernel.h"
 #include "worker/devices/kernel_options.h"
 #include "worker/devices/opencl_devices.h"
 #include "worker/opencl_matcher.h"
@@ -146,8 +147,7 @@ TEST_P(Kernels, Exp2) {
   DeviceBuffer<float> input(session(), x);
   DeviceBuffer<float> output(session());
   output.reserve(x.size());
-  cl::Kernel kernel = session().kernel("probe_exp2");
-  launch(session(), kernel, {x.size()}, input, output);
+  DeviceKernel(session(), "probe_exp2").launch({x.size()}, {{"x", input}, {"result", output}});
   expect_same_bits(output.read(x.size()), expected, "portable_exp2");
 }
 
@@ -166,8 +166,7 @@ TEST_P(Kernels, RandomBits) {
   DeviceBuffer<float> unit(session());
   bits.reserve(keys.size());
   unit.reserve(keys.size());
-  cl::Kernel kernel = session().kernel("probe_mix_bits");
-  launch(session(), kernel, {keys.size()}, input, bits, unit);
+  DeviceKernel(session(), "probe_mix_bits").launch({keys.size()}, {{"key", input}, {"bits", bits}, {"unit", unit}});
   EXPECT_EQ(bits.read(keys.size()), expected_bits);
   expect_same_bits(unit.read(keys.size()), expected_unit, "unit_float");
 }
@@ -195,8 +194,8 @@ TEST_P(Kernels, WhatLanesSayTogether) {
   const DeviceBuffer<float> input(session(), numbers);
   DeviceBuffer<float> output(session());
   output.reserve(numbers.size());
-  cl::Kernel kernel = session().kernel("probe_lanes");
-  launch(session(), kernel, blocks(numbers.size() / kLanes), input, output);
+  DeviceKernel(session(), "probe_lanes")
+      .launch(blocks(numbers.size() / kLanes), {{"numbers", input}, {"said", output}});
   expect_same_bits(output.read(numbers.size()), expected, "what lanes say");
 }
 
@@ -249,9 +248,15 @@ TEST_P(Kernels, FieldLookUps) {
   const DeviceBuffer<float> y_buffer(session(), y);
   std::vector<DeviceBuffer<float>> results(4, DeviceBuffer<float>(session()));
   for (DeviceBuffer<float>& result : results) result.reserve(count);
-  cl::Kernel kernel = session().kernel("probe_field");
-  launch(session(), kernel, blocks(count / kLanes), match_buffer, field_buffer, x_buffer, y_buffer, results[0],
-         results[1], results[2], results[3]);
+  DeviceKernel(session(), "probe_field")
+      .launch(blocks(count / kLanes), {{"match", match_buffer},
+                                       {"value", field_buffer},
+                                       {"x", x_buffer},
+                                       {"y", y_buffer},
+                                       {"looked_up", results[0]},
+                                       {"sampled", results[1]},
+                                       {"slope_x", results[2]},
+                                       {"slope_y", results[3]}});
   expect_same_bits(results[0].read(count), value, "field_value");
   expect_same_bits(results[1].read(count), value, "value of field_sample");
   expect_same_bits(results[2].read(count), slope_x, "gradient x");

@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "worker/device_group.h"
-#include "worker/devices/opencl_runtime.h"
+#include "worker/devices/device_kernel.h"
 
 namespace tessera::worker {
 namespace test_opencl_devices {
@@ -112,16 +112,10 @@ TEST(DeviceSession, ShowsTheCompilersMessageInOneLine) {
   }
 }
 
-TEST(Launch, ChecksTheNumberOfArguments) {
-  const DeviceSession session(opencl_devices().front(), "kernel void one(uint a, uint b) {}", "-cl-std=CL1.2");
-  cl::Kernel kernel = session.kernel("one");
-  EXPECT_THROW(launch(session, kernel, {1}, 1u), std::logic_error);
-}
-
-TEST(Launch, AFailingCallNamesItselfAndTheDevice) {
+TEST(DeviceKernel, AFailingCallNamesItselfAndTheDevice) {
   const DeviceSession session(opencl_devices().front(), "kernel void one(uint a) {}", "-cl-std=CL1.2");
   try {
-    session.kernel("two");
+    DeviceKernel(session, "two");
     FAIL() << "there is no such kernel";
   } catch (const EnvironmentError& error) {
     EXPECT_TRUE(has(error.what(), "clCreateKernel")) << error.what();

@@ -1,14 +1,24 @@
-// Work that is too much for one launch is divided, and every work item runs once.
-#include "worker/devices/opencl_runtime.h"
+// Work that is too much for one launch is divided, and every work item runs once. Arguments have the names and types of
+// the kernel's parameters.
+#include "worker/devices/device_kernel.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
+#include <ostream>
+#include <string>
 
+#include "core/settings/tuning.h"
+#include "records.h"
+#include "worker/devices/kernel_options.h"
 #include "worker/devices/opencl_devices.h"
 
 namespace tessera::worker {
+
+void PrintTo(const KernelParameter& parameter, std::ostream* out) { *out << parameter.type << " " << parameter.name; }
+
 namespace test_opencl_runtime {
 
 constexpr const char* kCountVisits =
@@ -21,10 +31,9 @@ constexpr const char* kCountVisits =
 int launches_for(const WorkSize& size) {
   int launches = 0;
   const DeviceSession session(opencl_devices().front(), kCountVisits, "-cl-std=CL1.2", [&] { ++launches; });
-  cl::Kernel kernel = session.kernel("count_visits");
   DeviceBuffer<std::uint32_t> visits(session);
   visits.clear(size.x * size.y);
-  launch(session, kernel, size, std::uint32_t(size.x), visits);
+  DeviceKernel(session, "count_visits").launch(size, {{"width", std::uint32_t(size.x)}, {"visits", visits}});
   const std::vector<std::uint32_t> found = visits.read(size.x * size.y);
   EXPECT_TRUE(std::all_of(found.begin(), found.end(), [](std::uint32_t count) { return count == 1; }));
   return launches;
@@ -58,10 +67,9 @@ class Faulty : public testing::Test {
   static void run(const std::string& body, std::size_t items) {
     const std::string source = "kernel void faulty(uint n, global uint* place) {\n" + body + "\n}\n";
     const DeviceSession session(opencl_devices().front(), source, "-cl-std=CL1.2 -cl-opt-disable");
-    cl::Kernel kernel = session.kernel("faulty");
     DeviceBuffer<std::uint32_t> place(session);
     place.reserve(kPlaces);
-    launch(session, kernel, {items, 1, 1}, std::uint32_t(kPlaces), place);
+    DeviceKernel(session, "faulty").launch({items, 1, 1}, {{"n", std::uint32_t(kPlaces)}, {"place", place}});
     place.read(1);
   }
 };
@@ -88,14 +96,14 @@ TEST(Launch, AKernelThatNeedsGroupsGetsThemAndNoOthers) {
                               "  size[get_global_id(0)] = get_local_size(0);\n"
                               "}\n",
                               "-cl-std=CL1.2");
-  cl::Kernel kernel = session.kernel("sizes");
+  DeviceKernel kernel(session, "sizes");
   DeviceBuffer<std::uint32_t> size(session);
   size.clear(48);
-  EXPECT_THROW(launch(session, kernel, {48, 1, 8}, size), std::logic_error);
+  EXPECT_THROW(kernel.launch({48, 1, 8}, {{"size", size}}), std::logic_error);
   if (device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>() < 16) {
-    EXPECT_THROW(launch(session, kernel, {48, 1, 16}, size), EnvironmentError);
+    EXPECT_THROW(kernel.launch({48, 1, 16}, {{"size", size}}), EnvironmentError);
   } else {
-    launch(session, kernel, {48, 1, 16}, size);
+    kernel.launch({48, 1, 16}, {{"size", size}});
     EXPECT_EQ(size.read(48), std::vector<std::uint32_t>(48, 16));
   }
 }
@@ -103,6 +111,121 @@ TEST(Launch, AKernelThatNeedsGroupsGetsThemAndNoOthers) {
 TEST(Launch, OfManyRowsKeepsWithinAGrid) {
   EXPECT_EQ(launches_for({1, kMostRows, 1}), 1);
   EXPECT_EQ(launches_for({1, kMostRows + 1, 1}), 2);
+}
+
+/// A kernel with parameters of several types, and arguments for them.
+class Arguments : public testing::Test {
+ protected:
+  using Launch = std::function<void(DeviceKernel& kernel)>;
+
+  /// The message of the std::logic_error that the launch throws; empty where it throws none.
+  std::string refusal(const Launch& launch) {
+    DeviceKernel kernel(session_, "named");
+    try {
+      launch(kernel);
+    } catch (const std::logic_error& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  static constexpr const char* kNamed =
+      "typedef struct PairRecord { uint sample, source, distance; } PairRecord;\n"
+      "kernel void named(constant PairRecord* pairs, uint count, global const float* lengths, uint capacity,\n"
+      "                  global const uchar* rows) {}\n";
+
+  const DeviceSession session_{opencl_devices().front(), kNamed, "-cl-std=CL1.2"};
+  const DeviceBuffer<PairRecord> pairs_{session_, {{}}};
+  const DeviceBuffer<float> lengths_{session_, {1}};
+  const DeviceBuffer<std::uint8_t> rows_{session_, {1}};
+};
+
+TEST_F(Arguments, OfTheKernelsNamesAndTypesAreTaken) {
+  EXPECT_EQ(
+      refusal([&](DeviceKernel& kernel) {
+        kernel.launch({1}, {{"pairs", pairs_}, {"count", 1}, {"lengths", lengths_}, {"capacity", 1}, {"rows", rows_}});
+      }),
+      "");
+}
+
+TEST_F(Arguments, OfAnotherNameAreRefused) {
+  EXPECT_EQ(
+      refusal([&](DeviceKernel& kernel) {
+        kernel.launch({1}, {{"pairs", pairs_}, {"count", 1}, {"widths", lengths_}, {"capacity", 1}, {"rows", rows_}});
+      }),
+      "named gets \"float* widths\" where it has \"float* lengths\"");
+}
+
+TEST_F(Arguments, InAnotherOrderAreRefused) {
+  EXPECT_EQ(
+      refusal([&](DeviceKernel& kernel) {
+        kernel.launch({1}, {{"pairs", pairs_}, {"capacity", 1}, {"lengths", lengths_}, {"count", 1}, {"rows", rows_}});
+      }),
+      "named gets \"uint capacity\" where it has \"uint count\"");
+}
+
+TEST_F(Arguments, OfAnotherTypeAreRefused) {
+  EXPECT_EQ(refusal([&](DeviceKernel& kernel) {
+              kernel.launch(
+                  {1},
+                  {{"pairs", pairs_}, {"count", lengths_}, {"lengths", lengths_}, {"capacity", 1}, {"rows", rows_}});
+            }),
+            "named gets \"float* count\" where it has \"uint count\"");
+  EXPECT_EQ(
+      refusal([&](DeviceKernel& kernel) {
+        kernel.launch({1}, {{"pairs", rows_}, {"count", 1}, {"lengths", lengths_}, {"capacity", 1}, {"rows", rows_}});
+      }),
+      "named gets \"uchar* pairs\" where it has \"PairRecord* pairs\"");
+}
+
+TEST_F(Arguments, OfAnotherNumberAreRefused) {
+  EXPECT_EQ(refusal([&](DeviceKernel& kernel) {
+              kernel.launch({1}, {{"pairs", pairs_}, {"count", 1}});
+            }),
+            "named gets 2 arguments and has 5 parameters");
+}
+
+/// What a driver says of a kernel's parameters.
+std::vector<KernelParameter> told_parameters(const cl::Kernel& kernel) {
+  const auto text = [](std::string told) { return told.substr(0, told.find('\0')); };
+  std::vector<KernelParameter> parameters;
+  for (cl_uint index = 0; index < kernel.getInfo<CL_KERNEL_NUM_ARGS>(); ++index) {
+    parameters.push_back(
+        {text(kernel.getArgInfo<CL_KERNEL_ARG_TYPE_NAME>(index)), text(kernel.getArgInfo<CL_KERNEL_ARG_NAME>(index))});
+  }
+  return parameters;
+}
+
+/// Other drivers may write types in other ways.
+TEST(KernelParameters, AreThoseThatPoclTellsOfEachKernel) {
+  const cl::Device device = opencl_devices().front();
+  if (describe(device).platform != "Portable Computing Language") GTEST_SKIP() << "another driver";
+  const std::string options = kernel_options(kMaxPadLevels, DockingLanes::vectors) + " -cl-kernel-arg-info";
+  const DeviceSession session(device, kernel_source, options);
+  std::vector<cl::Kernel> kernels;
+  cl::Program(session.program()).createKernels(&kernels);
+  EXPECT_GE(kernels.size(), 7u);
+  for (const cl::Kernel& kernel : kernels) {
+    const std::string name = kernel.getInfo<CL_KERNEL_FUNCTION_NAME>();
+    EXPECT_EQ(kernel_parameters(kernel_source, name), told_parameters(kernel)) << name;
+  }
+}
+
+TEST(KernelParameters, HaveNoQualifiers) {
+  const std::string source =
+      "void other(int a) {}\n"
+      "kernel void one(global const PairRecord* pairs,\n                uint count) {}\n"
+      "kernel void none() {}\n";
+  EXPECT_EQ(kernel_parameters(source, "one"),
+            (std::vector<KernelParameter>{{"PairRecord*", "pairs"}, {"uint", "count"}}));
+  EXPECT_TRUE(kernel_parameters(source, "none").empty());
+  EXPECT_THROW(kernel_parameters(source, "two"), std::logic_error);
+}
+
+TEST(KernelTypeNames, AreThoseOfOpenCL) {
+  EXPECT_EQ(kernel_type_name(typeid(std::uint16_t)), "ushort");
+  EXPECT_EQ(kernel_type_name(typeid(SampleRecord)), "SampleRecord");
+  EXPECT_THROW(kernel_type_name(typeid(long double)), std::logic_error);
 }
 
 }  // namespace test_opencl_runtime

@@ -13,8 +13,8 @@
 #include "artwork/images/png_encoder.h"
 #include "bench/baselines/program_run.h"
 #include "core/base/error.h"
+#include "core/base/rank_pool.h"
 #include "files/atomic_file.h"
-#include "files/available_cores.h"
 
 namespace tessera::bench {
 namespace {

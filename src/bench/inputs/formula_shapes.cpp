@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "core/base/portable_math.h"
+#include "core/base/rank_pool.h"
 #include "core/shape/shape_builder.h"
-#include "files/parallel_for.h"
 
 namespace tessera::bench {
 namespace {

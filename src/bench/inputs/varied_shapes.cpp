@@ -7,8 +7,8 @@
 
 #include "core/base/error.h"
 #include "core/base/portable_math.h"
+#include "core/base/rank_pool.h"
 #include "core/base/stopwatch.h"
-#include "files/parallel_for.h"
 
 namespace tessera::bench {
 namespace {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/base/rank_pool.h"
 #include "core/deform/boundary_map.h"
 #include "core/deform/piece_deformer.h"
 #include "core/field/field_lookup.h"
@@ -36,17 +37,16 @@ FieldView edge_round(const Canvas& canvas, Vec2 centre_px) {
 class Deformation {
  public:
   Deformation(const Canvas& canvas, const std::vector<DeformablePiece>& pieces, const DeformSettings& settings,
-              const PadParameters& pad, float gap_px, const EachOf& each)
+              const PadParameters& pad, float gap_px)
       : canvas_(canvas),
         pieces_(pieces),
         settings_(settings),
         gap_px_(gap_px),
-        each_(each),
         deformers_(pieces.size()),
         outlines_px_(pieces.size()) {
     for (const DeformablePiece& piece : pieces)
       edges_.push_back(edge_round(canvas, piece.canvas_from_shape.translation()));
-    each_(pieces.size(), [&](std::size_t i) {
+    parallel_for(pieces.size(), [&](std::size_t i) {
       deformers_[i] = std::make_unique<PieceDeformer>(pieces[i], std::uint32_t(i), settings, pad);
     });
   }
@@ -65,14 +65,14 @@ class Deformation {
     });
     if (gap_px_ > 0) keep_gaps();
     std::vector<DeformedPiece> results(pieces_.size());
-    each_(pieces_.size(), [&](std::size_t i) { results[i] = deformers_[i]->result(); });
+    parallel_for(pieces_.size(), [&](std::size_t i) { results[i] = deformers_[i]->result(); });
     return results;
   }
 
  private:
   void step(bool clears) {
     const BoundaryMap now = map();
-    each_(pieces_.size(), [&](std::size_t i) {
+    parallel_for(pieces_.size(), [&](std::size_t i) {
       if (!pieces_[i].stays) deformers_[i]->step(now, edges_[i], gap_px_, clears);
     });
   }
@@ -81,7 +81,7 @@ class Deformation {
     std::vector<std::uint8_t> nearer(pieces_.size());
     for (int round = 1; round <= kGapRounds; ++round) {
       const BoundaryMap now = map();
-      each_(pieces_.size(), [&](std::size_t i) {
+      parallel_for(pieces_.size(), [&](std::size_t i) {
         nearer[i] = !pieces_[i].stays && deformers_[i]->weakened_where_nearer(now, gap_px_, round == kGapRounds);
       });
       if (std::none_of(nearer.begin(), nearer.end(), [](std::uint8_t n) { return n != 0; })) return;
@@ -89,13 +89,13 @@ class Deformation {
   }
 
   BoundaryMap map() {
-    each_(pieces_.size(), [&](std::size_t i) { outlines_px_[i] = deformers_[i]->outline_px(); });
+    parallel_for(pieces_.size(), [&](std::size_t i) { outlines_px_[i] = deformers_[i]->outline_px(); });
     return BoundaryMap(outlines_px_, canvas_.period);
   }
 
   template <class F>
   void each_moving(F f) {
-    each_(pieces_.size(), [&](std::size_t i) {
+    parallel_for(pieces_.size(), [&](std::size_t i) {
       if (!pieces_[i].stays) f(*deformers_[i]);
     });
   }
@@ -104,7 +104,6 @@ class Deformation {
   const std::vector<DeformablePiece>& pieces_;
   const DeformSettings& settings_;
   const float gap_px_;
-  const EachOf& each_;
   std::vector<std::unique_ptr<PieceDeformer>> deformers_;
   std::vector<FieldView> edges_;  // that each piece keeps within
   std::vector<Outline> outlines_px_;
@@ -113,9 +112,8 @@ class Deformation {
 }  // namespace
 
 std::vector<DeformedPiece> deformed_pieces(const Canvas& canvas, const std::vector<DeformablePiece>& pieces,
-                                           const DeformSettings& settings, const PadParameters& pad, float gap_px,
-                                           const EachOf& each) {
-  return Deformation(canvas, pieces, settings, pad, gap_px, each).run();
+                                           const DeformSettings& settings, const PadParameters& pad, float gap_px) {
+  return Deformation(canvas, pieces, settings, pad, gap_px).run();
 }
 
 }  // namespace tessera

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 #include "core/deform/warp.h"
@@ -30,13 +29,9 @@ struct DeformedPiece {
   float least_jacobian = 1;  // of the warp: above 0, so nothing is folded
 };
 
-/// Calls f(i) for each i below `count`, in any order, from any threads.
-using EachOf = std::function<void(std::size_t count, const std::function<void(std::size_t)>& f)>;
-
 /// One for each piece, in their order. `gap_px` is left between pieces, and between them and the canvas' edge. The same
-/// input gives the same bytes, however `each` divides the work.
+/// input gives the same bytes on any number of cores.
 std::vector<DeformedPiece> deformed_pieces(const Canvas& canvas, const std::vector<DeformablePiece>& pieces,
-                                           const DeformSettings& settings, const PadParameters& pad, float gap_px,
-                                           const EachOf& each);
+                                           const DeformSettings& settings, const PadParameters& pad, float gap_px);
 
 }  // namespace tessera

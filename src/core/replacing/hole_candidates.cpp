@@ -140,12 +140,12 @@ std::vector<HoleCandidate> best_of(std::span<const HoleCandidate> drawn, const H
   return best;
 }
 
-/// The same, divided where somebody helps: alone, who knows the best so far sees sooner that another is none.
+/// The same, divided where a thread is idle: one thread that knows the best so far skips more of the others.
 std::vector<HoleCandidate> shared_best_of(const std::vector<HoleCandidate>& drawn, const Hole& hole,
-                                          const std::vector<HoleGuest>& guests, float softness, SharedTasks& tasks) {
-  if (!tasks.has_helpers()) return best_of(drawn, hole, guests, softness);
+                                          const std::vector<HoleGuest>& guests, float softness, TaskPool& pool) {
+  if (!pool.has_idle_thread()) return best_of(drawn, hole, guests, softness);
   std::vector<std::vector<HoleCandidate>> parts(kDockingParts);
-  tasks.run(kDockingParts, [&](std::size_t k) {
+  pool.run(kDockingParts, [&](std::size_t k) {
     const std::size_t begin = drawn.size() * k / kDockingParts;
     const std::size_t end = drawn.size() * (k + 1) / kDockingParts;
     parts[k] = best_of(std::span(drawn).subspan(begin, end - begin), hole, guests, softness);
@@ -160,10 +160,10 @@ std::vector<HoleCandidate> shared_best_of(const std::vector<HoleCandidate>& draw
 }  // namespace
 
 std::vector<HoleCandidate> best_candidates(const Hole& hole, float reach_px, const std::vector<HoleGuest>& guests,
-                                           float softness, Draws& draws, SharedTasks& tasks) {
+                                           float softness, Draws& draws, TaskPool& pool) {
   const std::vector<HoleCandidate> all = drawn(hole, reach_px, guests, draws);
-  std::vector<HoleCandidate> candidates = shared_best_of(all, hole, guests, softness, tasks);
-  tasks.run(candidates.size(), [&](std::size_t i) {
+  std::vector<HoleCandidate> candidates = shared_best_of(all, hole, guests, softness, pool);
+  pool.run(candidates.size(), [&](std::size_t i) {
     HoleCandidate& c = candidates[i];
     c.canvas_from_shape = refined(hole, guests[c.incoming], c.canvas_from_shape);
     c.score_px2 = score(hole, guests[c.incoming], c.canvas_from_shape, softness, 0);

@@ -5,11 +5,11 @@
 #include <functional>
 #include <vector>
 
+#include "core/base/task_pool.h"
 #include "core/replacing/draws.h"
 #include "core/replacing/hole.h"
 #include "core/replacing/hole_shape.h"
 #include "core/replacing/replacement.h"
-#include "core/replacing/shared_tasks.h"
 
 namespace tessera {
 
@@ -30,6 +30,6 @@ struct HoleGuest {
 /// The best few, distinct, best first; those that are worth nothing are left out. `softness`: what a px² that others are
 /// in the way costs; neighbours will make some room.
 std::vector<HoleCandidate> best_candidates(const Hole& hole, float reach_px, const std::vector<HoleGuest>& guests,
-                                           float softness, Draws& draws, SharedTasks& tasks);
+                                           float softness, Draws& draws, TaskPool& pool);
 
 }  // namespace tessera

@@ -1,13 +1,9 @@
 #include "core/replacing/own_replacer.h"
 
 #include <algorithm>
-#include <chrono>
-#include <system_error>
-#include <thread>
 #include <utility>
 
-#include "core/base/stop.h"
-#include "core/replacing/window_queue.h"
+#include "core/replacing/replaced_windows.h"
 
 namespace tessera {
 namespace {
@@ -15,25 +11,17 @@ namespace {
 /// 0.1 MB each.
 constexpr std::size_t kMostKept = 2000;
 
-/// One has the window, the others help: a trial tries four candidates.
-constexpr std::size_t kMostThreadsPerWindow = 4;
-
-/// A look takes some microseconds, and messages that are under way wait for it.
-constexpr std::chrono::milliseconds kBetweenLooks{1};
-
-/// As many as the system gives.
-void start_threads(WindowQueue& queue, std::size_t wanted, std::vector<std::jthread>& threads) {
-  try {
-    while (threads.size() < wanted) threads.emplace_back([&queue] { queue.work(); });
-  } catch (const std::system_error&) {
-  }
-}
-
 }  // namespace
+
+OwnReplacer::OwnReplacer(ShapeSource& shapes, TaskPool& pool, StopCheck check_stop)
+    : shapes_(shapes),
+      pool_(pool),
+      check_stop_(std::move(check_stop)) {}
 
 OwnReplacer::OwnReplacer(ShapeSource& shapes, int threads, StopCheck check_stop)
     : shapes_(shapes),
-      threads_(std::max(1, threads)),
+      own_pool_(std::make_unique<TaskPool>(threads)),
+      pool_(*own_pool_),
       check_stop_(std::move(check_stop)) {}
 
 const HoleShape& OwnReplacer::kept(ShapeId id) {
@@ -74,22 +62,9 @@ void OwnReplacer::forget_some() {
 std::vector<ReplacementOutcome> OwnReplacer::take_replaced() {
   const std::vector<ReplacementWindow> windows = std::exchange(posted_, {});
   ++questions_;
-  const HoleShapes shapes = shapes_of(windows);
-  WindowQueue queue(windows, shapes);
-  {
-    std::vector<std::jthread> threads;
-    try {
-      const std::size_t wanted = std::min(kMostThreadsPerWindow * windows.size(), std::size_t(threads_));
-      start_threads(queue, wanted, threads);
-      if (threads.empty() && wanted > 0) queue.work();
-      while (!queue.wait(kBetweenLooks)) check_stop_();
-    } catch (...) {
-      queue.give_up();
-      throw;
-    }
-  }
+  std::vector<ReplacementOutcome> outcomes = replaced_windows(windows, shapes_of(windows), pool_, check_stop_);
   forget_some();
-  return queue.take_outcomes();
+  return outcomes;
 }
 
 }  // namespace tessera

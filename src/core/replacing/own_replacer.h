@@ -2,12 +2,13 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <map>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "core/base/stop.h"
+#include "core/base/task_pool.h"
 #include "core/replacing/replacer.h"
 #include "core/replacing/window_pieces.h"
 #include "core/shape/shape_source.h"
@@ -16,11 +17,13 @@ namespace tessera {
 
 class OwnReplacer : public Replacer {
  public:
-  /// `shapes`, of the whole library, outlives it; only the thread that asks reads them. That thread calls `check_stop` while
-  /// it reads and again and again while `threads` others (at least 1) work; `check_stop` may throw.
+  /// `shapes`, of the whole library, and `pool` outlive it. Only the thread that asks reads shapes. That thread calls
+  /// `check_stop` while it reads, and again and again while as many others work as the pool is broad; it may throw.
+  OwnReplacer(ShapeSource& shapes, TaskPool& pool, StopCheck check_stop);
+  /// The same with a pool of its own.
   OwnReplacer(ShapeSource& shapes, int threads, StopCheck check_stop);
 
-  int breadth() const override { return threads_; }
+  int breadth() const override { return pool_.breadth(); }
   void post_replace(std::vector<ReplacementWindow> windows) override { posted_ = std::move(windows); }
   std::vector<ReplacementOutcome> take_replaced() override;
 
@@ -34,7 +37,8 @@ class OwnReplacer : public Replacer {
   void forget_some();
 
   ShapeSource& shapes_;
-  int threads_;
+  std::unique_ptr<TaskPool> own_pool_;
+  TaskPool& pool_;
   StopCheck check_stop_;
   std::vector<ReplacementWindow> posted_;
   std::map<ShapeId, Kept> kept_;

@@ -14,7 +14,7 @@ constexpr float kHardStiffness = 20;
 constexpr float kFirstStep = 0.035f;  // of the middle size
 constexpr float kSoftStep_px = 1.5f;
 constexpr float kLastStep_px = 0.3f;
-constexpr RelaxationSchedule kRestInWindow{20, kSoft, kStiffness, kSoftStep_px, kLastStep_px, kHardStiffness};
+constexpr RelaxationSchedule kSettleScene{20, kSoft, kStiffness, kSoftStep_px, kLastStep_px, kHardStiffness};
 /// What is covered twice is not gained, and hidden.
 constexpr double kCoveredTwice = 2;
 
@@ -70,7 +70,7 @@ void SceneRelaxation::soften(Scene& scene) const {
 }
 
 void SceneRelaxation::come_to_rest(Scene& scene) const {
-  relaxation_.relax(scene.pieces, scene.active, kRestInWindow, [] {});
+  relaxation_.relax(scene.pieces, scene.active, kSettleScene, [] {});
 }
 
 double SceneRelaxation::energy_px2(const Scene& scene) const {

@@ -47,10 +47,10 @@ struct Trial {
 
 class WindowTrials {
  public:
-  WindowTrials(const ReplacementWindow& window, const HoleShapes& shapes, SharedTasks& tasks)
+  WindowTrials(const ReplacementWindow& window, const HoleShapes& shapes, TaskPool& pool)
       : window_(window),
         shapes_(shapes),
-        tasks_(tasks),
+        pool_(pool),
         relaxation_(window),
         pieces_(window, shapes, relaxation_.edge()),
         repetition_(window),
@@ -159,12 +159,12 @@ class WindowTrials {
     const Hole hole = pieces_.hole_of(trial.centre_px, trial.out, trial.reach_px + kBeyondReach_px);
     const float softness = kSoftness * (0.6f + 0.8f * draws_.unit());
     const std::vector<HoleCandidate> candidates =
-        best_candidates(hole, trial.reach_px, guests(without(trial.out), trial), softness, draws_, tasks_);
+        best_candidates(hole, trial.reach_px, guests(without(trial.out), trial), softness, draws_, pool_);
     if (candidates.empty()) return {};
     const std::uint64_t key = draws_.bits();
     std::vector<Attempt> attempts(candidates.size());
-    tasks_.run(candidates.size(),
-               [&](std::size_t i) { attempts[i] = attempt(trial, hole, softness, candidates[i], Draws(key + i)); });
+    pool_.run(candidates.size(),
+              [&](std::size_t i) { attempts[i] = attempt(trial, hole, softness, candidates[i], Draws(key + i)); });
     Attempt& best = *std::min_element(attempts.begin(), attempts.end(),
                                       [](const Attempt& a, const Attempt& b) { return a.energy_px2 < b.energy_px2; });
     const double most_px2 = old_energy_px2 + double(kGiveUp * window_.least_scale_px * window_.most_scale_px);
@@ -181,7 +181,7 @@ class WindowTrials {
     add(first, repetition, made);
     while (made.incoming.size() < trial.out.size()) {
       hole.add(laid(made.incoming.back()));
-      const auto more = best_candidates(hole, trial.reach_px, guests(repetition, trial), softness, draws, tasks_);
+      const auto more = best_candidates(hole, trial.reach_px, guests(repetition, trial), softness, draws, pool_);
       if (more.empty()) break;
       add(more.front(), repetition, made);
     }
@@ -248,7 +248,7 @@ class WindowTrials {
 
   const ReplacementWindow& window_;
   const HoleShapes& shapes_;
-  SharedTasks& tasks_;
+  TaskPool& pool_;
   SceneRelaxation relaxation_;
   WindowPieces pieces_;
   Repetition repetition_;
@@ -260,8 +260,8 @@ class WindowTrials {
 }  // namespace
 
 ReplacementOutcome replaced(const ReplacementWindow& window, const HoleShapes& shapes, const StopCheck& check_stop,
-                            SharedTasks& tasks) {
-  return WindowTrials(window, shapes, tasks).run(check_stop);
+                            TaskPool& pool) {
+  return WindowTrials(window, shapes, pool).run(check_stop);
 }
 
 }  // namespace tessera

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "files/parallel_for.h"
+#include "core/base/rank_pool.h"
 
 namespace tessera {
 namespace {

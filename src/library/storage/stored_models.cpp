@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "files/parallel_for.h"
+#include "core/base/rank_pool.h"
 
 namespace tessera {
 namespace {
@@ -11,14 +11,6 @@ namespace {
 /// Read by one thread at a time; a few microseconds each.
 constexpr std::size_t kPadsAtATime = 512;
 constexpr std::uint32_t kContoursAtATime = 32;
-
-/// Calls body(i) for each i in [0, count), some of them one after the other on one of several threads.
-template <class Body>
-void in_portions(std::size_t count, std::size_t portion, Body&& body) {
-  parallel_for((count + portion - 1) / portion, [&](std::size_t k) {
-    for (std::size_t i = k * portion; i < std::min(count, (k + 1) * portion); ++i) body(i);
-  });
-}
 
 /// Some of a list of shapes, which follow one another within one segment: one call to the file reads all of them.
 struct Run {
@@ -89,7 +81,7 @@ std::vector<ShapeModel> StoredModels::contours(std::span<const ShapeId> shapes) 
 std::vector<ModelSample::Step> StoredModels::keypoints(std::span<const PadName> pads) const {
   const std::size_t points = std::size_t(2 * segments_->kind().pad_levels + 1);
   std::vector<ModelSample::Step> steps(pads.size() * points);
-  in_portions(pads.size(), kPadsAtATime, [&](std::size_t i) {
+  parallel_for_portions(pads.size(), kPadsAtATime, [&](std::size_t i) {
     std::uint32_t sample = pads[i].source;
     std::size_t k = 0;
     for (; sample >= std::uint32_t(kSmoothingLevels[std::size_t(levels_[k])].samples); ++k) {

@@ -6,8 +6,8 @@
 #include "artwork/images/colour_conversion.h"
 #include "artwork/silhouette.h"
 #include "core/base/error.h"
+#include "core/base/rank_pool.h"
 #include "core/geometry/extent.h"
-#include "files/parallel_for.h"
 #include "render/pieces/artwork_original.h"
 #include "render/pieces/sprite.h"
 

@@ -8,9 +8,9 @@
 #include "comm/encode.h"
 #include "comm/heartbeat.h"
 #include "comm/rank_watch.h"
+#include "core/base/rank_pool.h"
 #include "core/base/stop.h"
 #include "core/base/stopwatch.h"
-#include "files/parallel_for.h"
 #include "products/nesting/layout/column_layout.h"
 
 #include <boost/serialization/vector.hpp>

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "worker/devices/device_kernel.h"
+
 namespace tessera::worker {
 namespace {
 
@@ -204,9 +206,10 @@ std::vector<std::uint32_t> probe_results(const DeviceSession& session, const std
   const DeviceBuffer<ProbeRecord> operands(session, records);
   DeviceBuffer<std::uint32_t> results(session);
   results.clear(probes.size());
-  cl::Kernel kernel = session.kernel("probe_arithmetic");
+  DeviceKernel kernel(session, "probe_arithmetic");
   constexpr std::size_t kGroup = 64;
-  launch(session, kernel, {probes.size(), 1, kGroup}, u32(probes.size()), operands, results);
+  kernel.launch({probes.size(), 1, kGroup},
+                {{"count", u32(probes.size())}, {"probes", operands}, {"results", results}});
   return results.read(probes.size());
 }
 

@@ -1,9 +1,5 @@
 #include "worker/devices/opencl_runtime.h"
 
-#include <algorithm>
-#include <limits>
-#include <stdexcept>
-
 #include "core/base/process_limits.h"
 #include "worker/devices/driver_faults.h"
 
@@ -27,21 +23,6 @@ std::string one_line(std::string text) {
     if (c == '\n' || c == '\r') c = ' ';
   }
   return text;
-}
-
-/// What the kernel may have on this device: it may need more registers, or the device allows less.
-std::size_t allowed_group(const DeviceSession& session, const cl::Kernel& kernel, std::size_t wished) {
-  const std::size_t most =
-      std::max<std::size_t>(1, kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(session.device()));
-  const std::size_t needed = kernel.getWorkGroupInfo<CL_KERNEL_COMPILE_WORK_GROUP_SIZE>(session.device())[0];
-  if (needed == 0) return std::min(wished, most);
-  const std::string name = kernel.getInfo<CL_KERNEL_FUNCTION_NAME>();
-  if (needed != wished) throw std::logic_error(name + ": launched in groups of another size than it needs");
-  if (needed > most) {
-    throw EnvironmentError("OpenCL device \"" + session.name() + "\": " + name + " needs work groups of " +
-                           std::to_string(needed) + ", and the device allows " + std::to_string(most));
-  }
-  return needed;
 }
 
 }  // namespace
@@ -71,10 +52,6 @@ DeviceSession::DeviceSession(const cl::Device& device, const std::string& source
   });
 }
 
-cl::Kernel DeviceSession::kernel(const char* name) const {
-  return checked(name_, [&] { return cl::Kernel(program_, name); });
-}
-
 void DeviceSession::flush() const {
   checked(name_, [&] { queue_.flush(); });
 }
@@ -97,30 +74,6 @@ bool DeviceSession::launches_are_done() const {
     if (between_launches_) between_launches_();
   }
   return true;
-}
-
-void set_argument(cl::Kernel& kernel, cl_uint index, std::uint32_t value) { kernel.setArg(index, value); }
-
-void enqueue(const DeviceSession& session, cl::Kernel& kernel, const WorkSize& size, cl_uint arguments) {
-  if (kernel.getInfo<CL_KERNEL_NUM_ARGS>() != arguments) {
-    throw std::logic_error(kernel.getInfo<CL_KERNEL_FUNCTION_NAME>() + ": wrong number of arguments");
-  }
-  const std::size_t group = allowed_group(session, kernel, size.group);
-  const std::size_t x = (size.x + group - 1) / group * group;
-  if (std::max(x, size.y) > std::numeric_limits<std::uint32_t>::max()) {
-    throw std::logic_error(kernel.getInfo<CL_KERNEL_FUNCTION_NAME>() + ": more work than 32-bit indices count");
-  }
-  const std::size_t columns = std::min(x, kMostWorkItems / group * group);
-  const std::size_t rows = std::clamp<std::size_t>(kMostWorkItems / columns, 1, kMostRows);
-  for (std::size_t first_row = 0; first_row < size.y; first_row += rows) {
-    for (std::size_t first_column = 0; first_column < x; first_column += columns) {
-      const cl::NDRange part(std::min(columns, x - first_column), std::min(rows, size.y - first_row));
-      cl::Event launched;
-      session.queue().enqueueNDRangeKernel(kernel, cl::NDRange(first_column, first_row), part, cl::NDRange(group, 1),
-                                           nullptr, &launched);
-      session.add_launch(std::move(launched));
-    }
-  }
 }
 
 }  // namespace tessera::worker

@@ -1,5 +1,5 @@
-// A thin layer over OpenCL's C++ binding: errors that say which call failed on which device, buffers that know their
-// length, and one function that launches kernels. Nothing here knows about shapes.
+// A thin layer over OpenCL's C++ binding: errors that say which call failed on which device, and buffers that know their
+// length. Nothing here knows about shapes.
 #pragma once
 
 #include <CL/opencl.hpp>
@@ -43,12 +43,12 @@ class DeviceSession {
   const std::string& name() const { return name_; }
   const cl::Context& context() const { return context_; }
   const cl::CommandQueue& queue() const { return queue_; }
-  cl::Kernel kernel(const char* name) const;
+  const cl::Program& program() const { return program_; }
   const cl::Device& device() const { return device_; }
   std::uint32_t compute_units() const { return compute_units_; }
   /// Hands what was posted to the device, without waiting.
   void flush() const;
-  /// For enqueue(): notes that `launch` was posted.
+  /// Notes that `launch` was posted.
   void add_launch(cl::Event launch) const { launches_.push_back(std::move(launch)); }
   /// Waits until all launches that were posted are done, one after the other.
   void wait_for_launches() const;
@@ -145,41 +145,5 @@ class DeviceBuffer {
   cl::Buffer buffer_;
   std::size_t capacity_ = 0;
 };
-
-/// More work than this goes to the device in several launches, so that a stop is seen between them, however large the
-/// library: a few hundred milliseconds on two CPU cores, and enough to fill a large GPU. Kernels see their global ids
-/// alone.
-inline constexpr std::size_t kMostWorkItems = std::size_t(1) << 20;
-/// GPUs allow no more groups in the second dimension (CUDA's limit of a grid).
-inline constexpr std::size_t kMostRows = 65535;
-
-/// Work items; the first dimension comes in groups of `group` (at most kMostWorkItems), or smaller ones where the device
-/// allows no more for a kernel, rounded up: kernels check it. A kernel that needs groups of a certain size
-/// (reqd_work_group_size) gets these alone, of which `group` then is the size.
-struct WorkSize {
-  std::size_t x = 0;
-  std::size_t y = 1;
-  std::size_t group = 1;
-};
-
-void set_argument(cl::Kernel& kernel, cl_uint index, std::uint32_t value);
-template <class T>
-void set_argument(cl::Kernel& kernel, cl_uint index, const DeviceBuffer<T>& buffer) {
-  kernel.setArg(index, buffer.get());
-}
-
-/// Throws EnvironmentError where the device does not allow the groups that the kernel needs.
-void enqueue(const DeviceSession& session, cl::Kernel& kernel, const WorkSize& size, cl_uint arguments);
-
-/// Posts `kernel` with its arguments: buffers and 32-bit numbers. Does nothing where there is no work.
-template <class... Arguments>
-void launch(const DeviceSession& session, cl::Kernel& kernel, const WorkSize& size, const Arguments&... arguments) {
-  if (size.x == 0 || size.y == 0) return;
-  checked(session.name(), [&] {
-    cl_uint index = 0;
-    (set_argument(kernel, index++, arguments), ...);
-    enqueue(session, kernel, size, index);
-  });
-}
 
 }  // namespace tessera::worker

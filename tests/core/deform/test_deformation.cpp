@@ -12,6 +12,7 @@
 #include "core/deform/identity.h"
 #include "core/deform/unfolded_fit.h"
 #include "core/deform/warp_fit.h"
+#include "support/rank_breadth.h"
 #include "support/synthetic_shapes.h"
 
 namespace tessera {
@@ -20,13 +21,6 @@ namespace test_deformation {
 using test::make_test_shape;
 
 constexpr int kCanvas_px = 200;
-
-const EachOf kOneByOne = [](std::size_t count, const std::function<void(std::size_t)>& f) {
-  for (std::size_t i = 0; i < count; ++i) f(i);
-};
-const EachOf kBackwards = [](std::size_t count, const std::function<void(std::size_t)>& f) {
-  for (std::size_t i = count; i > 0; --i) f(i - 1);
-};
 
 const std::vector<Shape>& shapes() {
   static const std::vector<Shape> all = {
@@ -52,8 +46,8 @@ DeformSettings capped() {
 }
 
 std::vector<DeformedPiece> deformed(const std::vector<DeformablePiece>& pieces, const DeformSettings& settings,
-                                    float gap_px = 0, const EachOf& each = kOneByOne) {
-  return deformed_pieces(make_rectangle_canvas(kCanvas_px, kCanvas_px), pieces, settings, {}, gap_px, each);
+                                    float gap_px = 0) {
+  return deformed_pieces(make_rectangle_canvas(kCanvas_px, kCanvas_px), pieces, settings, {}, gap_px);
 }
 
 std::vector<Outline> on_canvas(const std::vector<DeformablePiece>& pieces, const std::vector<DeformedPiece>& after) {
@@ -167,7 +161,7 @@ TEST(Deformation, PiecesKeepToTheirRegion) {
   for (const DeformKind kind : {DeformKind::capped, DeformKind::voronoi}) {
     DeformSettings settings;
     settings.kind = kind;
-    const auto after = on_canvas(pieces, deformed_pieces(canvas, pieces, settings, {}, 0, kOneByOne));
+    const auto after = on_canvas(pieces, deformed_pieces(canvas, pieces, settings, {}, 0));
     EXPECT_LE(right_end(after[0]), 100.4);
     EXPECT_GE(left_end(after[1]), 99.6);
     EXPECT_GE(right_end(after[0]), 99.5);
@@ -238,7 +232,8 @@ TEST(Deformation, KeepsItsPromisesInAnyPile) {
     settings.most_pad = float(*rc::gen::element(0.03, 0.2));
     if (*rc::gen::weightedElement<int>({{3, 0}, {1, 1}})) settings.kind = DeformKind::voronoi;
     const auto after = deformed(pieces, settings);
-    const auto again = deformed(pieces, settings, 0, kBackwards);
+    const test::RankBreadth others(int(pieces.size()) + 1);
+    const auto again = deformed(pieces, settings);
     const BoundaryMap before_map(undeformed(pieces), {});
     const BoundaryMap map(on_canvas(pieces, after), {});
     for (std::size_t i = 0; i < pieces.size(); ++i) {

@@ -22,7 +22,7 @@ using relaxed_pieces::pose;
 /// Nobody helps.
 std::vector<HoleCandidate> best(const Hole& hole, float reach_px, const std::vector<HoleGuest>& guests, float softness,
                                 Draws& draws) {
-  SharedTasks alone;
+  TaskPool alone(1);
   return best_candidates(hole, reach_px, guests, softness, draws, alone);
 }
 

@@ -5,9 +5,8 @@
 
 #include <numeric>
 #include <stdexcept>
-#include <thread>
 
-#include "core/replacing/window_queue.h"
+#include "core/replacing/replaced_windows.h"
 #include "support/replacement_windows.h"
 #include "support/room_for_stacks.h"
 
@@ -59,11 +58,12 @@ TEST(OwnReplacer, WithoutAnyThreadItDoesTheSame) {
   GTEST_SKIP() << "the sanitizer maps a shadow of all addresses";
 #endif
   EndlessShapes shapes;
-  OwnReplacer replacer(shapes, 2, do_not_look);
   const std::vector<ReplacementWindow> windows = any_windows(2, 5);
-  const std::vector<ReplacementOutcome> expected = asked(replacer, windows);
+  OwnReplacer alone(shapes, 1, do_not_look);
+  const std::vector<ReplacementOutcome> expected = asked(alone, windows);
   const test::RoomForStacks none(0);
-  EXPECT_EQ(asked(replacer, windows), expected);
+  OwnReplacer several(shapes, 2, do_not_look);
+  EXPECT_EQ(asked(several, windows), expected);
 }
 
 TEST(OwnReplacer, WindowsStandForThemselves) {
@@ -98,24 +98,18 @@ TEST(OwnReplacer, WhatALookThrowsComesOutAndTheThreadsEnd) {
   }
 }
 
-TEST(WindowQueue, WhatAWindowThrowsComesOutAndTheOtherThreadsEnd) {
+TEST(ReplacedWindows, WhatAWindowThrowsComesOutAndTheOthersEnd) {
   EndlessShapes shapes;
   std::map<ShapeId, HoleShape> made;
-  std::map<ShapeId, const HoleShape*> known;
+  HoleShapes known;
   for (std::uint32_t k = 0; k < 4; ++k) {
     made[ShapeId{k}] = make_hole_shape(shapes.shape(ShapeId{k}));
     known[ShapeId{k}] = &made[ShapeId{k}];
   }
   std::vector<ReplacementWindow> windows = endless_windows(4);
   windows[2].moving[0].shape = ShapeId{4};
-  WindowQueue queue(windows, known);
-  {
-    std::vector<std::jthread> threads;
-    for (int k = 0; k < 3; ++k) threads.emplace_back([&] { queue.work(); });
-    while (!queue.wait(std::chrono::seconds(1))) {
-    }
-  }
-  EXPECT_THROW(queue.take_outcomes(), std::out_of_range);
+  TaskPool pool(3);
+  EXPECT_THROW(replaced_windows(windows, known, pool, do_not_look), std::out_of_range);
 }
 
 TEST(OwnReplacer, ForgetsShapesAndReadsThemAgain) {

@@ -26,7 +26,7 @@ using relaxed_pieces::pose;
 
 /// Nobody helps.
 ReplacementOutcome outcome_of(const ReplacementWindow& window, const StopCheck& check_stop = never_stop) {
-  SharedTasks alone;
+  TaskPool alone(1);
   return replaced(window, shapes_by_id(), check_stop, alone);
 }
 

@@ -1,4 +1,4 @@
-#include "files/available_cores.h"
+#include "core/base/rank_pool.h"
 
 #include <sched.h>
 
@@ -8,7 +8,9 @@
 #include <vector>
 
 namespace tessera {
+namespace {
 
+/// The cores of this process' affinity, 1 at least; fewer than the machine has where it shares it.
 int available_cores() {
   // The kernel refuses a mask that is smaller than its own.
   for (std::size_t cpus = 1024; cpus <= (std::size_t(1) << 20); cpus *= 2) {
@@ -19,5 +21,15 @@ int available_cores() {
   }
   return int(std::max(1u, std::thread::hardware_concurrency()));
 }
+
+}  // namespace
+
+TaskPool& rank_pool() {
+  // Never destroyed: a library may end the process while tasks are under way.
+  static TaskPool& pool = *new TaskPool(available_cores());
+  return pool;
+}
+
+void share_cores(int ranks) { rank_pool().resize(available_cores() / std::max(1, ranks)); }
 
 }  // namespace tessera

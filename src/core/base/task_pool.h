@@ -1,0 +1,63 @@
+// Threads that share out tasks among each other and with the thread that has them.
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace tessera {
+
+class TaskPool {
+ public:
+  using Task = std::function<void(std::size_t)>;
+
+  /// Tasks for `breadth` cores: as many threads compute at a time, the one that calls run() among them; 1 at least. The
+  /// others start when they are needed first. Where the system gives fewer threads, fewer share the tasks.
+  explicit TaskPool(int breadth);
+  /// No task may be under way.
+  ~TaskPool();
+  TaskPool(const TaskPool&) = delete;
+  TaskPool& operator=(const TaskPool&) = delete;
+
+  int breadth() const { return breadth_; }
+  /// Whether a thread would take a task at once, so that work is better divided into small tasks.
+  bool has_idle_thread() const;
+  /// As if it had been made with this breadth. No task may be under way.
+  void resize(int breadth);
+
+  /// Calls task(0) to task(count - 1), each once and in any order, on this thread, which takes the first one, and on
+  /// those of the pool; returns when all have ended. After an exception no further task begins; the first exception is
+  /// thrown again here. A task may share out tasks of its own. Any thread may call this.
+  void run(std::size_t count, const Task& task);
+
+ private:
+  struct Job {
+    const Task& task;
+    std::size_t count;  // fewer after an exception
+    std::size_t next = 0;
+    std::size_t ended = 0;
+    std::exception_ptr error = nullptr;
+  };
+
+  void start_threads(std::size_t wanted);
+  void end_threads();
+  void work();
+  void wait_for(const Job& job, std::unique_lock<std::mutex>& lock);
+  void wait_for_change(std::unique_lock<std::mutex>& lock);
+  Job* open_job_from(std::vector<Job*>::const_iterator first) const;
+  void do_next(Job& job, std::unique_lock<std::mutex>& lock);
+
+  int breadth_;
+  mutable std::mutex mutex_;  // of all that follows
+  std::condition_variable changed_;
+  std::vector<Job*> jobs_;  // of those who wait in run(), the oldest first
+  std::size_t idle_ = 0;
+  bool closed_ = false;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace tessera

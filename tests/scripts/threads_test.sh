@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# threads_test.sh: files of src/ make threads, or count the machine's cores, only where the list below says why.
+# Whatever computes takes the rank's pool instead (core/base/rank_pool.h).
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../../src"
+
+allowed=$(sed 's/ .*//' <<'END'
+artwork/drawers/drawers.cpp            each waits for the drawer that it started
+comm/heartbeat.h                       waits for the next heartbeat
+comm/watchdog.h                        waits for the clock
+core/base/rank_pool.cpp                counts cores where the affinity is not known
+core/base/task_pool.cpp                the pool itself
+core/base/task_pool.h
+core/replacing/replaced_windows.cpp    computes in the place of the thread that asks, which only looks
+files/work_in_order.h                  they wait for drawers and files
+render/pieces/stop_watcher.cpp         waits for the clock
+render/pieces/stop_watcher.h
+worker/devices/opencl_devices.cpp      as many as PoCL will start: they end at once
+END
+)
+found=$(grep -rlE --include='*.cpp' --include='*.h' 'std::j?thread\b|std::async|hardware_concurrency|pthread_create' . |
+  sed 's|^\./||' | LC_ALL=C sort)
+if ! diff <(echo "$allowed") <(echo "$found") >&2; then
+  echo "threads_test.sh: < is listed and makes no thread, > makes threads and is not listed" >&2
+  exit 1
+fi
