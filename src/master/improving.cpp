@@ -10,6 +10,7 @@
 #include "core/collage/objective.h"
 #include "core/relax/schedules.h"
 #include "core/replacing/repetition.h"
+#include "core/replacing/repetition_costs.h"
 #include "core/settings/tuning.h"
 #include "master/replacing.h"
 
@@ -68,7 +69,7 @@ Improving::Improving(Collage& collage, Filling& filling, const CollageSettings& 
       dwarf_loss_(kDwarfLoss * double(balance_of(settings.objective))),
       off_colour_(settings.colour, shapes),
       repetition_(pays_to_replace(settings)
-                      ? repetition_costs(settings, drawings_of(collage.stances(), shapes), area_px2)
+                      ? repetition_costs(settings, count_drawings(collage.stances(), shapes), area_px2)
                       : RepetitionCosts{}),
       seed_(settings.seed),
       most_scale_px_(settings.pieces.fit_all ? std::numeric_limits<float>::infinity()
