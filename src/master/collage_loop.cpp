@@ -130,7 +130,7 @@ class Run {
   /// What stands is given to the next region, but for what may move there. False where there is none, or the run is
   /// over.
   bool begin_next_region() {
-    const std::uint32_t next = collage().limits().region + 1;
+    const std::uint32_t next = collage().rules().limits().region + 1;
     if (unfinished_ || over_ || next >= canvas_.regions.size()) return false;
     begin(next, given_.when_begun(next, collage().placements()));
     return true;
@@ -143,15 +143,15 @@ class Run {
     begin(region, region == 0 ? given_.at_first() : given_.when_begun_with(region, std::move(placements)));
   }
 
-  bool all_wanted_stand() const { return collage().shortage().pieces == 0; }
+  bool all_wanted_stand() const { return collage().rules().shortage().pieces == 0; }
 
   /// Ends this attempt at sizes, and begins the next one. False where the collage is filled up as it is.
   bool begin_other_sizes() {
     if (sizes_.over()) return false;
     return unless_interrupted([&] {
-      sizes_.end_attempt(collage().shortage(), collage().placements());
+      sizes_.end_attempt(collage().rules().shortage(), collage().placements());
       if (sizes_.over()) return go_back_to_best();
-      begin_again(collage().limits().region, collage().placements(), collage().given());
+      begin_again(collage().rules().limits().region, collage().placements(), collage().rules().given());
       return true;
     });
   }
@@ -171,9 +171,9 @@ class Run {
   bool go_back_to_best() {
     const std::optional<std::vector<Placement>> best = sizes_.take_best();
     if (!best) return false;
-    begin_again(collage().limits().region, *best, collage().given());
+    begin_again(collage().rules().limits().region, *best, collage().rules().given());
     collage().replace_placements(*best);
-    collage().mark_stale(collage().free().field().value.bounds());
+    collage().schedule().mark(collage().free().field().value.bounds());
     return true;
   }
 
@@ -181,7 +181,7 @@ class Run {
   void keep_best_attempt() {
     if (sizes_.over()) return;
     unless_interrupted([&] {
-      sizes_.give_up(collage().shortage(), collage().placements());
+      sizes_.give_up(collage().rules().shortage(), collage().placements());
       return go_back_to_best();
     });
   }
@@ -311,12 +311,12 @@ class Run {
   }
 
   void replace(std::uint64_t all) {
-    const auto poses_of = [this](const Placement& p) { return collage().poses_of(p); };
-    Replacing replacing(collage().free(), collage().stances(), sized(), budget_.area_px2(region()), shapes_, poses_of,
-                        replacer_);
+    const auto poses_of = [this](const Placement& p) { return collage().rules().poses_of(p); };
+    Replacing replacing(collage().free(), collage().rules().stances(), sized(), budget_.area_px2(region()), shapes_,
+                        poses_of, replacer_);
     ReplacementProgress progress{replaced_, all};
     const Stopwatch asked;
-    moving_ = replacing.batch(moving_, collage().given(), progress, [this] { check_stop(); });
+    moving_ = replacing.batch(moving_, collage().rules().given(), progress, [this] { check_stop(); });
     trial_work_.replace_s += asked.seconds();
     statistics_.trials += progress.done / kReplacementsPerTrial - replaced_ / kReplacementsPerTrial;
     statistics_.improve_s = improve_clock_.seconds();
@@ -340,8 +340,8 @@ class Run {
     after_step();
   }
 
-  std::uint32_t region() const { return collage().limits().region; }
-  std::size_t free_pieces() const { return collage().placements().size() - collage().given(); }
+  std::uint32_t region() const { return collage().rules().limits().region; }
+  std::size_t free_pieces() const { return collage().placements().size() - collage().rules().given(); }
   bool may_improve() const { return budget_.may_go_on(region(), statistics_.trials, statistics_.improve_s); }
 
   void after_step() {
@@ -371,7 +371,7 @@ class Run {
 
   StopReason why_filled() const {
     if (moves_given_pieces_only()) return StopReason::pieces;
-    return collage().may_go_on() ? StopReason::full : StopReason::used_up;
+    return collage().rules().may_go_on() ? StopReason::full : StopReason::used_up;
   }
 
   bool is_covered() const { return collage().covered_px2() >= double(settings_.stop.coverage) * canvas_.area_px2; }

@@ -60,7 +60,7 @@ bool Filling::place_one() {
       return true;
     }
     ++empty_passes_;
-    collage_.mark_stale(region_);
+    collage_.schedule().mark(region_);
   }
 }
 
@@ -78,14 +78,14 @@ MatchPlan Filling::plan() {
 void Filling::match_stale() {
   Stopwatch watch;
   send_changes();
-  const std::vector<TargetSample> samples = collage_.take_stale_samples();
+  const std::vector<TargetSample> samples = collage_.schedule().take();
   statistics_->merge_s += watch.lap();
   try {
     const MatchRound found = match(matcher_, samples, plan(), library_pads_, *statistics_, [this] { check_ahead(); });
     watch.lap();
     collage_.add_candidates(samples, found);
   } catch (const Interrupted&) {
-    collage_.put_back_stale_samples(samples);
+    collage_.schedule().put_back(samples);
     throw;
   }
   statistics_->objective_s += watch.lap();
@@ -134,7 +134,8 @@ void Filling::place(const Candidate& best) {
 }
 
 void Filling::send_changes() {
-  if (collage_.take_limits_change()) matcher_.limit(collage_.limits());
+  const StandingRules& rules = collage_.rules();
+  if (std::exchange(sent_version_, rules.version()) != rules.version()) matcher_.limit(rules.limits());
   const FreeField& free = collage_.free();
   for (const Window& part : free.grid().images(collage_.take_changed_nodes(), free.grid().nodes())) {
     matcher_.update_field(read_patch(free.field().value, part));
