@@ -21,12 +21,12 @@
 #include "core/settings/settings.h"
 #include "core/shape/shape_source.h"
 #include "master/exact_checks.h"
-#include "master/kept_apart.h"
-#include "master/outward_growth.h"
+#include "master/rules/kept_apart.h"
+#include "master/rules/outward_growth.h"
+#include "master/rules/scoring.h"
+#include "master/rules/standing_rules.h"
 #include "master/sample_schedule.h"
-#include "master/scoring.h"
 #include "master/settling.h"
-#include "master/standing_rules.h"
 
 namespace tessera::master {
 

@@ -94,10 +94,10 @@ class StateChecks {
 
   /// The pieces that job or region gave are the first, and where they were; the others cover the canvas about once.
   void check_moving() const {
-    const std::vector<Placement>& moving = state_.moving;
+    const std::vector<Placement>& moving = state_.loop.moving;
     if (moving.empty()) return;
     const std::size_t given = rules_.given();
-    if (!state_.improving || moving.size() < given ||
+    if (state_.loop.phase != LoopPhase::replacing || moving.size() < given ||
         !std::equal(moving.begin(), moving.begin() + std::ptrdiff_t(given), state_.placements.begin())) {
       fail(state_, "pieces move that may not");
     }
@@ -139,7 +139,6 @@ class StateChecks {
 }  // namespace
 
 void Collage::save(CheckpointState& state) const {
-  state.region = rules_.limits().region;
   state.given = std::uint32_t(rules_.given());
   state.placements = placements_;
   for (const auto& [id, entry] : pool_.entries()) state.pool.push_back({id, entry.truncated, entry.candidates});

@@ -35,13 +35,13 @@ class Filling {
   void count_into(RunStatistics& statistics) { statistics_ = &statistics; }
 
  private:
-  MatchPlan plan();
-  bool may_match_again();
-  void match_stale();
-  void check_ahead();
+  void match_samples();
   bool choose(Candidate& best);
+  void merge(const Candidate& best);
+  bool may_match_again();
+  MatchPlan plan();
+  void check_ahead();
   bool choose_in_gap(Candidate& best);
-  void place(const Candidate& best);
   void send_changes();
 
   Collage& collage_;

@@ -161,36 +161,28 @@ void Improving::relax_all(const std::vector<Placement>& from, std::span<const Re
   fill(check_stop);
 }
 
-Trial Improving::try_once(std::uint32_t trial, const StopQuestion& stopped, std::uint32_t earlier) {
-  return try_with(
-      [&](const StopCheck& check_stop) {
-        if (relax_ && (trial - earlier) % trials_per_relaxation_ == 0) {
-          relax_all(collage_.placements(), kRelaxCollage, trial, check_stop);
-        } else {
-          recreate(trial, check_stop);
-        }
-      },
-      stopped);
+Trial Improving::try_once(std::uint32_t trial, const StopCheck& check_stop, std::uint32_t earlier) {
+  const auto change = [&] {
+    if (relax_ && (trial - earlier) % trials_per_relaxation_ == 0) {
+      relax_all(collage_.placements(), kRelaxCollage, trial, check_stop);
+    } else {
+      recreate(trial, check_stop);
+    }
+  };
+  return try_with(change, check_stop);
 }
 
-Trial Improving::settle(std::vector<Placement> placements, std::uint32_t trial, const StopQuestion& stopped) {
-  return try_with([&](const StopCheck& check_stop) { relax_all(placements, kSettleCollage, trial, check_stop); },
-                  stopped);
+Trial Improving::settle(const std::vector<Placement>& placements, std::uint32_t trial, const StopCheck& check_stop) {
+  return try_with([&] { relax_all(placements, kSettleCollage, trial, check_stop); }, check_stop);
 }
 
-Trial Improving::try_with(const std::function<void(const StopCheck&)>& change, const StopQuestion& stopped) {
+Trial Improving::try_with(const std::function<void()>& change, const StopCheck& check_stop) {
   const std::vector<Placement> before = collage_.placements();
   const std::int64_t loss_before = loss_256ths_px2();
   const std::uint64_t missing_before = collage_.rules().shortage().pieces;
-  const auto check_stop = [&] {
-    if (stopped()) throw Stopped{};
-  };
   try {
-    change(check_stop);
+    change();
     check_stop();
-  } catch (const Stopped&) {
-    collage_.replace_placements(before);
-    return Trial::interrupted;
   } catch (const Interrupted&) {
     collage_.replace_placements(before);
     throw;

@@ -9,8 +9,8 @@
 #include "core/replacing/draws.h"
 #include "core/replacing/incoming_shapes.h"
 #include "core/replacing/repetition_costs.h"
-#include "master/kept_apart.h"
 #include "master/relaxing.h"
+#include "master/rules/kept_apart.h"
 
 namespace tessera::master {
 namespace {

@@ -10,7 +10,7 @@
 #include "core/collage/checkpoint_state.h"
 #include "core/field/free_field.h"
 #include "core/field/target_curve.h"
-#include "master/outward_growth.h"
+#include "master/rules/outward_growth.h"
 
 namespace tessera::master {
 

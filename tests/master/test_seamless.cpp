@@ -202,12 +202,13 @@ TEST(Seamless, PiecesOnBothSidesOfASeamAreTakenOutTogether) {
   Improving improving(scene.collage, scene.filling, settings(), canvas.area_px2, scene.shapes);
   bool across = false;
   for (std::uint32_t trial = 0; trial < 60; ++trial) {
-    improving.try_once(trial, [&] {
+    const StopCheck look_and_stop = [&] {
       const std::vector<Placement>& left = scene.collage.placements();
       across |= std::find(left.begin(), left.end(), row.front()) == left.end() &&
                 std::find(left.begin(), left.end(), row.back()) == left.end();
-      return StopReason::signal;
-    });
+      throw Interrupted{StopReason::signal};
+    };
+    EXPECT_THROW(improving.try_once(trial, look_and_stop), Interrupted);
   }
   EXPECT_TRUE(across);
 }

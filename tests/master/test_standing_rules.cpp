@@ -1,5 +1,5 @@
 // What may stand for the moment.
-#include "master/standing_rules.h"
+#include "master/rules/standing_rules.h"
 
 #include <gtest/gtest.h>
 

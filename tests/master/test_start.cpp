@@ -10,7 +10,7 @@
 #include "core/matching/sized_settings.h"
 #include "interrupted_collage.h"
 #include "master/collage.h"
-#include "master/outward_growth.h"
+#include "master/rules/outward_growth.h"
 #include "support/input_error.h"
 #include "whole_collage.h"
 

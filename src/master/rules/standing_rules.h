@@ -11,8 +11,8 @@
 #include "core/matching/matching_context.h"
 #include "core/settings/settings.h"
 #include "core/shape/shape_source.h"
-#include "master/scoring.h"
-#include "master/shortage.h"
+#include "master/rules/scoring.h"
+#include "master/rules/shortage.h"
 
 namespace tessera::master {
 

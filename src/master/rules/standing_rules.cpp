@@ -1,4 +1,4 @@
-#include "master/standing_rules.h"
+#include "master/rules/standing_rules.h"
 
 #include <algorithm>
 #include <iterator>
