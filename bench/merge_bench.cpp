@@ -43,7 +43,7 @@ class TimedRounds {
   bool round() {
     Stopwatch watch;
     const Window changed = collage_.take_changed_nodes();
-    const std::vector<TargetSample> samples = collage_.take_stale_samples();
+    const std::vector<TargetSample> samples = collage_.schedule().take();
     double choosing_s = watch.seconds();
     matcher_.update_field(read_patch(collage_.free().field().value, changed));
     const MatchRound found = match(matcher_, samples, {4000, 150}, 100000, statistics_);

@@ -62,8 +62,8 @@ Candidate candidate_at(const CheckpointColumns& from, std::size_t row) {
 }
 
 void append_loop(CheckpointColumns& to, const CheckpointState& state) {
-  to.improving.push_back(state.improving);
-  to.stage = {state.region,
+  to.improving.push_back(state.loop.phase != LoopPhase::filling);
+  to.stage = {state.loop.region,
               state.given,
               state.sizes.attempt,
               std::uint32_t(state.sizes.over),
@@ -72,9 +72,11 @@ void append_loop(CheckpointColumns& to, const CheckpointState& state) {
   to.size_factors = {state.sizes.factor, state.sizes.too_large, state.sizes.fits, state.best.factor};
   to.best_missing = {state.best.missing};
   to.empty_passes.push_back(std::uint8_t(state.empty_passes));
-  for (const auto count : kCounts) to.counts.push_back(state.statistics.*count);
-  for (const auto measure : kMeasures) to.measures.push_back(state.statistics.*measure);
-  to.replaced.push_back(state.replaced);
+  RunStatistics statistics = state.statistics;
+  tell(statistics, state.loop);
+  for (const auto count : kCounts) to.counts.push_back(statistics.*count);
+  for (const auto measure : kMeasures) to.measures.push_back(statistics.*measure);
+  to.replaced.push_back(state.loop.replaced);
 }
 
 void append_pieces(CheckpointColumns& to, const CheckpointState& state) {
@@ -84,7 +86,7 @@ void append_pieces(CheckpointColumns& to, const CheckpointState& state) {
     to.placed_score.push_back(p.score);
     to.placed_matched.push_back(p.matched_px);
   }
-  for (const Placement& p : state.moving) {
+  for (const Placement& p : state.loop.moving) {
     to.moving_shape.push_back(index_of(p.shape));
     append(to.moving_pose, p.canvas_from_shape);
     to.moving_score.push_back(p.score);
@@ -191,9 +193,15 @@ void check_rows(const CheckpointColumns& c) {
   require(candidates == rows, "/pool/candidates does not count /candidates");
 }
 
+/// Pieces that move while the canvas is filled are left for the master to refuse.
+LoopPhase phase_of(const CheckpointColumns& from) {
+  if (from.improving[0] == 0) return LoopPhase::filling;
+  return from.moving_shape.empty() ? LoopPhase::trying : LoopPhase::replacing;
+}
+
 void read_loop(const CheckpointColumns& from, CheckpointState& state) {
-  state.improving = from.improving[0] != 0;
-  state.region = from.stage[0];
+  state.loop.phase = phase_of(from);
+  state.loop.region = from.stage[0];
   state.given = from.stage[1];
   state.sizes = {from.stage[2], from.size_factors[0], from.size_factors[1], from.size_factors[2], from.stage[3] != 0};
   state.best.factor = from.size_factors[3];
@@ -202,7 +210,10 @@ void read_loop(const CheckpointColumns& from, CheckpointState& state) {
   state.empty_passes = from.empty_passes[0];
   for (std::size_t i = 0; i < std::size(kCounts); ++i) state.statistics.*kCounts[i] = from.counts[i];
   for (std::size_t i = 0; i < std::size(kMeasures); ++i) state.statistics.*kMeasures[i] = from.measures[i];
-  state.replaced = from.replaced[0];
+  state.loop.trials = state.statistics.trials;
+  state.loop.improve_s = state.statistics.improve_s;
+  state.loop.run_s = state.statistics.total_s;
+  state.loop.replaced = from.replaced[0];
 }
 
 void read_pieces(const CheckpointColumns& from, CheckpointState& state) {
@@ -211,7 +222,7 @@ void read_pieces(const CheckpointColumns& from, CheckpointState& state) {
         {ShapeId{from.placed_shape[i]}, pose_at(from.placed_pose, i), from.placed_score[i], from.placed_matched[i]});
   }
   for (std::size_t i = 0; i < from.moving_shape.size(); ++i) {
-    state.moving.push_back(
+    state.loop.moving.push_back(
         {ShapeId{from.moving_shape[i]}, pose_at(from.moving_pose, i), from.moving_score[i], from.moving_matched[i]});
   }
   for (std::size_t i = 0; i < from.best_shape.size(); ++i) {

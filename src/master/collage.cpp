@@ -8,21 +8,11 @@
 
 #include "core/field/piece_distance.h"
 #include "core/geometry/extent.h"
-#include "core/matching/size_schedule.h"
 #include "core/settings/tuning.h"
 #include "core/shape/shape_field.h"
 
 namespace tessera::master {
 namespace {
-
-/// Files of results have poses to three decimals, of px and degrees.
-bool is_rounded_out_of(const PoseRange& poses, Similarity pose) {
-  constexpr float kRounding_px = 0.0006f;
-  constexpr float kRounding_rad = 1e-5f;
-  const Vec2 written{pose.a, pose.b};
-  poses.pull_in(pose);
-  return norm(Vec2{pose.a, pose.b} - written) < kRounding_px + kRounding_rad * pose.scale();
-}
 
 double area_px2(const Placement& p) {
   const float scale = p.canvas_from_shape.scale();
@@ -62,19 +52,6 @@ std::vector<Placement> difference(std::vector<Placement> a, std::vector<Placemen
   return result;
 }
 
-/// Of two ascending lists, like the next.
-std::vector<ShapeId> without(const std::vector<ShapeId>& all, const std::vector<ShapeId>& some) {
-  std::vector<ShapeId> rest;
-  std::set_difference(all.begin(), all.end(), some.begin(), some.end(), std::back_inserter(rest));
-  return rest;
-}
-
-std::vector<ShapeId> joined(const std::vector<ShapeId>& a, const std::vector<ShapeId>& b) {
-  std::vector<ShapeId> both;
-  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
-  return both;
-}
-
 std::vector<ShapeId> silhouettes_of(const ShapeSource& shapes, std::uint32_t count) {
   std::vector<ShapeId> silhouettes;
   for (std::uint32_t shape = 0; shape < count; ++shape) silhouettes.push_back(shapes.silhouette(ShapeId(shape)));
@@ -92,9 +69,6 @@ std::vector<ShapeId> drawings_of(const ShapeSource& shapes, std::uint32_t count)
 Collage::Collage(const Canvas& canvas, const CollageSettings& settings, const MatchingContext& context,
                  ShapeSource& shapes, float size_factor)
     : settings_(settings),
-      context_(context),
-      all_stances_(context.stances),
-      limits_{.size_factor = size_factor},
       shapes_(shapes),
       free_(canvas, settings.pieces),
       opened_(free_, settings.pieces),
@@ -103,92 +77,34 @@ Collage::Collage(const Canvas& canvas, const CollageSettings& settings, const Ma
       outlines_(free_, settings.pieces),
       scoring_(settings, context.stances, silhouettes_of(shapes, context.library_shapes), canvas.period,
                drawings_of(shapes, context.library_shapes)),
+      rules_(context, settings.pieces, scoring_, shapes, size_factor),
       apart_(settings, shapes, canvas.period),
-      settling_(shapes, free_, outlines_, context_),
+      settling_(shapes, free_, outlines_, rules_.context()),
+      schedule_(free_, curve_, growth_),
       changed_nodes_(free_.field().value.bounds()) {
-  limit(limits_);
-  region_stances_ = context_.stances;
   retrace(changed_nodes_);
-  update_limits();
+  update_rules();
 }
 
 void Collage::begin(std::vector<Placement> standing, std::size_t given, std::uint32_t region) {
-  limit({.region = region, .size_factor = limits_.size_factor});
-  region_stances_ = context_.stances;
-  given_ = given;
+  rules_.begin(region, given);
   replace_placements(std::move(standing));
-  mark_stale(free_.field().value.bounds());
-}
-
-std::vector<ShapeId> Collage::missing() const {
-  if (!scoring_.limits_uses()) return {};
-  std::vector<ShapeId> missing;
-  for (std::uint32_t i = 0; i < region_stances_.open_shapes(); ++i) {
-    const ShapeId shape = region_stances_.open_shape(i);
-    if (scoring_.missing_uses(shape) > 0) missing.push_back(shape);
-  }
-  return missing;
-}
-
-Shortage Collage::shortage() const {
-  if (!scoring_.limits_uses()) return {};
-  Shortage shortage;
-  double wanted_px2 = 0;
-  double missing_px2 = 0;
-  for (std::uint32_t i = 0; i < region_stances_.open_shapes(); ++i) {
-    const ShapeId shape = region_stances_.open_shape(i);
-    if (shapes_.drawing(shape) != shape) continue;  // one of the two takes the places of both
-    const StanceList& stances = region_stances_.list(shape);
-    const double px2 = double(stances.min_scale_px) * double(stances.max_scale_px);
-    wanted_px2 += scoring_.least_uses(shape) * px2;
-    missing_px2 += scoring_.missing_uses(shape) * px2;
-    shortage.pieces += std::uint64_t(scoring_.missing_uses(shape));
-  }
-  if (shortage.pieces > 0) shortage.placed = 1 - missing_px2 / wanted_px2;
-  return shortage;
-}
-
-float Collage::most_scale_for(const std::vector<ShapeId>& missing) const {
-  std::vector<WantedPieces> left;
-  for (const ShapeId shape : missing) {
-    if (shapes_.drawing(shape) != shape) continue;  // one of the two takes the places of both
-    const StanceList& stances = region_stances_.list(shape);
-    left.push_back({{stances.min_scale_px, stances.max_scale_px}, double(scoring_.missing_uses(shape))});
-  }
-  return most_scale_px(double(free_.free_256ths_px2()) / 256, left);
-}
-
-bool Collage::may_go_on() const {
-  StandingLimits by_uses = limits_;
-  by_uses.used_up = scoring_.closed_shapes(missing());
-  return all_stances_.limited(by_uses).open_shapes() > 0;
+  schedule_.mark(free_.field().value.bounds());
 }
 
 /// By the distances that pieces keep from their like.
 std::vector<ShapeId> Collage::shut_out_shapes() const {
   if (!apart_.matters()) return {};
-  return apart_.shut_out(context_.library_shapes, [this](const auto& holds) { return curve_.any_position(holds); });
+  return apart_.shut_out(context().library_shapes, [this](const auto& holds) { return curve_.any_position(holds); });
 }
 
 /// They follow from the placements: whatever came and went, the same may stand.
-void Collage::update_limits() {
+void Collage::update_rules() {
   if (!scoring_.limits_uses() && !apart_.matters()) return;
-  const std::vector<ShapeId> shut_out = shut_out_shapes();
-  std::vector<ShapeId> missing = this->missing();
-  // Other shapes do not wait for one that has no place now. With fit = "all" they do: it needs smaller sizes.
-  if (!settings_.pieces.fit_all) missing = without(missing, shut_out);
-  StandingLimits now{.region = limits_.region, .size_factor = limits_.size_factor};
-  now.used_up = joined(scoring_.closed_shapes(missing), shut_out);
-  if (settings_.pieces.fit_all && !missing.empty()) now.most_scale_px = most_scale_for(missing);
-  if (now == limits_) return;
-  limit(now);
-  drop_what_may_not_stand();
-}
-
-void Collage::limit(const StandingLimits& limits) {
-  limits_ = limits;
-  limits_changed_ = true;
-  tessera::limit(context_, all_stances_, limits);
+  if (!rules_.update(shut_out_shapes(), double(free_.free_256ths_px2()) / 256)) return;
+  std::vector<SampleId> ids;
+  for (const auto& [id, entry] : pool_.entries()) ids.push_back(id);
+  for (const SampleId id : ids) review(id, [this](const Candidate& c) { return rules_.may_stand(c); });
 }
 
 Window Collage::take_changed_nodes() {
@@ -196,35 +112,6 @@ Window Collage::take_changed_nodes() {
   changed_nodes_ = {};
   return changed;
 }
-
-std::vector<TargetSample> Collage::take_stale_samples() {
-  std::vector<TargetSample> samples;
-  for (const SampleId id : stale_) {
-    samples.push_back(curve_.sample(id));
-    samples.back().pass = first_pass_ + passes_[id]++;
-  }
-  stale_.clear();
-  return samples;
-}
-
-void Collage::put_back_stale_samples(const std::vector<TargetSample>& samples) {
-  for (const TargetSample& sample : samples) {
-    stale_.insert(sample.id);
-    const auto passes = passes_.find(sample.id);
-    if (--passes->second == 0) passes_.erase(passes);
-  }
-}
-
-void Collage::mark_stale(const Window& window) {
-  for (const SampleId id : curve_.samples()) {
-    const Vec2 node = curve_.sample(id).position - free_.field().origin;
-    const int x = int(node.x);
-    const int y = int(node.y);
-    if (may_dock(id) && free_.grid().overlap(window, {x, y, x + 1, y + 1})) stale_.insert(id);
-  }
-}
-
-bool Collage::may_dock(SampleId id) const { return !growth_ || growth_->may_dock(free_, curve_.sample(id).position); }
 
 float Collage::score(const Candidate& candidate) const {
   const float score = scoring_.score(candidate);
@@ -246,7 +133,7 @@ void Collage::add_candidates(const std::vector<TargetSample>& samples, const Mat
     if (!scoring_.may_use(docking.shape) || !scoring_.acceptable(candidate) || !keeps_apart(candidate)) continue;
     if (!fits_into(free_.grid().period(), refined.extent)) continue;
     candidate.score = score(candidate);
-    candidate.window = nodes_round(refined.extent, free_.field().origin, context_.gap_px + kWindowMargin_px);
+    candidate.window = nodes_round(refined.extent, free_.field().origin, context().gap_px + kWindowMargin_px);
     bring_into_one_period(candidate, free_.grid().period());
     of_sample[docking.sample].push_back(candidate);
   }
@@ -266,7 +153,7 @@ Window Collage::place(const Candidate& candidate) {
   changed_nodes_ = free_.grid().united(changed_nodes_, changed);
   retrace(changed);
   drop_what_is_too_near_to(placements_.back());
-  update_limits();
+  update_rules();
   return piece_window(shape.outline, candidate.canvas_from_shape, free_.field().origin,
                       2 + kept_distance_px(settings_.pieces));
 }
@@ -285,29 +172,18 @@ Window Collage::replace_placements(std::vector<Placement> placements) {
   }
   pool_ = {};
   checks_.forget_all();
-  stale_.clear();
-  passes_.clear();
+  schedule_.clear();
   curve_.set_matched_pads({});
   const Window restamped = restamp(changed);
   changed_nodes_ = free_.grid().united(changed_nodes_, restamped);
   retrace(restamped);
-  update_limits();
+  update_rules();
   Window window;
   for (const Placement& p : changed) {
     window = free_.grid().united(
         window, piece_window(shapes_.shape(p.shape).outline, p.canvas_from_shape, free_.field().origin, 4));
   }
   return window;
-}
-
-PoseRange Collage::poses_of(const Placement& p) const {
-  for (const Stance& stance : region_stances_.of(region_stances_.list(p.shape))) {
-    const PoseRange poses = sized_at(context_, stance, p.canvas_from_shape.translation()).poses;
-    if (poses.contains(p.canvas_from_shape) || is_rounded_out_of(poses, p.canvas_from_shape)) return poses;
-  }
-  const Similarity& pose = p.canvas_from_shape;
-  const float scale_px = pose.scale();
-  return {scale_px, scale_px, {{pose.a / scale_px, pose.b / scale_px}, {1, 0}}};
 }
 
 /// The free field anew in the windows of the pieces that come and go.
@@ -336,24 +212,9 @@ void Collage::retrace(const Window& changed) {
   const Window window = opened_.update(free_, changed);
   checks_.forget(window);
   const TargetCurve::Change change = curve_.retrace(opened_, free_.field().origin, window);
-  for (const SampleId id : change.removed) {
-    pool_.erase(id);
-    stale_.erase(id);
-  }
-  for (const SampleId id : change.renewed) {
-    pool_.erase(id);
-    if (may_dock(id)) stale_.insert(id);
-  }
-}
-
-void Collage::drop_what_may_not_stand() {
-  const auto may_stand = [&](const Candidate& c) {
-    return context_.stances.list(c.shape).count > 0 &&
-           c.canvas_from_shape.scale() <= limits_.most_scale_px * (1 + kScaleRounding);
-  };
-  std::vector<SampleId> ids;
-  for (const auto& [id, entry] : pool_.entries()) ids.push_back(id);
-  for (const SampleId id : ids) review(id, may_stand);
+  for (const SampleId id : change.removed) pool_.erase(id);
+  for (const SampleId id : change.renewed) pool_.erase(id);
+  schedule_.follow(change);
 }
 
 bool Collage::keeps_apart(const Candidate& candidate) {
@@ -398,7 +259,7 @@ std::vector<Docking> Collage::touched_by(const Window& changed) const {
 std::vector<DockingTerms> Collage::measure(const std::vector<Docking>& dockings) {
   std::vector<DockingTerms> terms;
   for (const Docking& docking : dockings) {
-    terms.push_back(docking_terms(docking.canvas_from_shape, shapes_.model(docking.shape), free_.view(), context_));
+    terms.push_back(docking_terms(docking.canvas_from_shape, shapes_.model(docking.shape), free_.view(), context()));
   }
   return terms;
 }
@@ -423,7 +284,7 @@ template <class Keep>
 void Collage::review(SampleId id, Keep keep) {
   const bool lost = pool_.review(id, keep);
   const Pool::Entry& entry = pool_.entries().at(id);
-  if (lost && entry.candidates.size() < kRefillBelow && entry.truncated) stale_.insert(id);
+  if (lost && entry.candidates.size() < kRefillBelow && entry.truncated) schedule_.mark(id);
 }
 
 }  // namespace tessera::master

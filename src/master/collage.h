@@ -2,10 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -23,11 +21,12 @@
 #include "core/settings/settings.h"
 #include "core/shape/shape_source.h"
 #include "master/exact_checks.h"
-#include "master/kept_apart.h"
-#include "master/outward_growth.h"
-#include "master/scoring.h"
+#include "master/rules/kept_apart.h"
+#include "master/rules/outward_growth.h"
+#include "master/rules/scoring.h"
+#include "master/rules/standing_rules.h"
+#include "master/sample_schedule.h"
 #include "master/settling.h"
-#include "master/shortage.h"
 
 namespace tessera::master {
 
@@ -43,31 +42,17 @@ class Collage {
   void grow_by(OutwardGrowth growth) { growth_ = std::move(growth); }
   /// Begins with these pieces, of which the first `given` stand to the end, in this region of the canvas.
   void begin(std::vector<Placement> standing, std::size_t given, std::uint32_t region);
-  /// So many of the placements, the first ones, were given.
-  std::size_t given() const { return given_; }
 
   /// What may stand for the moment; it follows from the placements.
-  const StandingLimits& limits() const { return limits_; }
-  /// Whether limits() changed since the last call; true at first: a matcher may have those of another collage still.
-  bool take_limits_change() { return std::exchange(limits_changed_, false); }
-  /// The shapes of which fewer stand than are wanted at least, ascending.
-  std::vector<ShapeId> missing() const;
-  Shortage shortage() const;
-  /// Whether the library is not used up: by its uses some shape may still stand.
-  bool may_go_on() const;
+  const StandingRules& rules() const { return rules_; }
+  /// Which target samples are to be matched.
+  SampleSchedule& schedule() { return schedule_; }
 
   /// The nodes of the free field that changed since the last call; all of them at first. On a seamless canvas this
   /// window, like all those below, stands for all of its images (PeriodicGrid).
   Window take_changed_nodes();
 
-  /// Target samples to be matched (again); they count as matched from now on.
-  std::vector<TargetSample> take_stale_samples();
-  /// Undoes take_stale_samples(), which gave these, where they were not matched after all.
-  void put_back_stale_samples(const std::vector<TargetSample>& samples);
-  /// The target samples in the window are to be matched again.
-  void mark_stale(const Window& window);
-  /// The random dockings of a sample that has not been matched yet are those of this pass.
-  void set_first_pass(std::uint32_t pass) { first_pass_ = pass; }
+  /// What was found for these samples enters the pool, as far as it may stand.
   void add_candidates(const std::vector<TargetSample>& samples, const MatchRound& round);
 
   /// Checks those candidates exactly that would be finalists now, while the workers match. Never changes what choose()
@@ -101,9 +86,6 @@ class Collage {
   /// after, not from how they came about. Returns where pieces came or went.
   Window replace_placements(std::vector<Placement> placements);
 
-  /// What the pose of a piece that stands may be: by the stance that it stands in; where wishes know of none, its own.
-  PoseRange poses_of(const Placement& placement) const;
-
   /// Adds all that the collage keeps beside settings, canvas and library.
   void save(CheckpointState& state) const;
   /// Restores the state into a collage without placements. Throws InputError where the state does not belong to canvas
@@ -114,8 +96,6 @@ class Collage {
   /// inside.
   float distance_px(const Placement& placement, Vec2 point_px);
 
-  /// In which shapes may come in now.
-  const StanceTable& stances() const { return context_.stances; }
   const FreeField& free() const { return free_; }
   const std::vector<Placement>& placements() const { return placements_; }
   double covered_px2() const { return covered_px2_; }
@@ -138,17 +118,14 @@ class Collage {
   std::vector<ShapeId> shapes_for_gap_in(const Window& window);
   bool needs_first_piece() const;
   bool choose_first(Candidate& first, const StopCheck& check_stop);
-  bool may_dock(SampleId id) const;
+  const MatchingContext& context() const { return rules_.context(); }
   float score(const Candidate& candidate) const;
   ExactAreas check_exactly(Candidate& candidate);
   enum class Settled { unfit, touches_little, fit };
   Settled settle(Candidate& candidate);
   Window stamp_window(const Placement& placement);
   Window restamp(const std::vector<Placement>& changed);
-  void update_limits();
-  void limit(const StandingLimits& limits);
-  float most_scale_for(const std::vector<ShapeId>& missing) const;
-  void drop_what_may_not_stand();
+  void update_rules();
   bool keeps_apart(const Candidate& candidate);
   std::vector<ShapeId> shut_out_shapes() const;
   void drop_what_is_too_near_to(const Placement& placement);
@@ -156,37 +133,24 @@ class Collage {
   template <class Keep>
   void review(SampleId id, Keep keep);
   void retrace(const Window& changed);
-  void check_pieces(const CheckpointState& state) const;
-  using CheckPiece = std::function<void(ShapeId, const Similarity&, bool any_size)>;
-  void check_moving(const CheckpointState& state, const CheckPiece& check) const;
-  void check_best(const CheckpointState& state) const;
-  void check_cover(const CheckpointState& state, const std::vector<Placement>& pieces, const char* what) const;
-  void check_samples(const CheckpointState& state) const;
   std::uint64_t rebuilt_digest() const;
 
   CollageSettings settings_;
-  MatchingContext context_;     // within the limits
-  StanceTable all_stances_;     // at size factor 1
-  StanceTable region_stances_;  // of the region
-  StandingLimits limits_;
-  bool limits_changed_ = true;
-  std::size_t given_ = 0;
   ShapeSource& shapes_;
   FreeField free_;
   OpenedField opened_;
   TargetCurve curve_;
   Pool pool_;
   ExactChecks checks_;
-  std::set<SampleId> stale_;                  // to be matched
-  std::map<SampleId, std::uint32_t> passes_;  // how often a sample was matched
-  std::uint32_t first_pass_ = 0;
   std::vector<Placement> placements_;
   PlacedOutlines outlines_;            // of the placements
   std::map<ShapeId, HullRoom> rooms_;  // of shapes that were looked at
   Scoring scoring_;
+  StandingRules rules_;
   KeptApart apart_;
   Settling settling_;
   std::optional<OutwardGrowth> growth_;
+  SampleSchedule schedule_;
   double covered_px2_ = 0;
   Window changed_nodes_;
 };

@@ -42,105 +42,125 @@ bool sane(const Window& window, const Window& canvas) {
   return window.intersected(most) == window && !window.empty();
 }
 
+/// Refuses a state whose parts cannot belong to the canvas and the library.
+class StateChecks {
+ public:
+  /// All arguments outlive the checks.
+  StateChecks(const CheckpointState& state, const CollageSettings& settings, const StandingRules& rules,
+              const FreeField& free)
+      : state_(state),
+        settings_(settings),
+        rules_(rules),
+        free_(free),
+        frees_given_pieces_(settings.wishes.given.size() > settings.wishes.locked()) {}
+
+  void check_pieces() const {
+    const std::size_t any_size = frees_given_pieces_ ? state_.placements.size() : rules_.given();
+    for (std::size_t i = 0; i < state_.placements.size(); ++i) {
+      check_piece(state_.placements[i].shape, state_.placements[i].canvas_from_shape, i < any_size);
+    }
+    check_moving();
+    check_best();
+    for (const PooledSample& sample : state_.pool) {
+      for (const Candidate& c : sample.candidates) check_candidate(c);
+    }
+  }
+
+  void check_samples(const TargetCurve& curve) const {
+    const auto check = [&](SampleId id) {
+      if (!curve.has_sample(id)) fail(state_, "there is no target sample " + std::to_string(edge_number(id)));
+    };
+    for (const PooledSample& sample : state_.pool) check(sample.id);
+    for (const SampleId id : state_.stale) check(id);
+    for (const MatchedPad& pad : state_.matched) check(pad.sample);
+  }
+
+ private:
+  void check_piece(ShapeId shape, const Similarity& pose, bool any_size) const {
+    const std::uint32_t shapes = rules_.context().library_shapes;
+    if (index_of(shape) >= shapes) {
+      fail(state_, "shape " + std::to_string(index_of(shape)) + " of " + std::to_string(shapes));
+    }
+    if (!(any_size ? sane(pose) : sane(pose, settings_.pieces))) fail(state_, "a piece out of all proportion");
+  }
+
+  void check_candidate(const Candidate& c) const {
+    check_piece(c.shape, c.canvas_from_shape, false);
+    if (c.stance >= rules_.stances().stances().size()) fail(state_, "a way of standing that the job does not know");
+    if (!sane(c.window, free_.field().value.bounds()) || !sane(c.perimeter, c.radius)) {
+      fail(state_, "a candidate out of all proportion");
+    }
+  }
+
+  /// The pieces that job or region gave are the first, and where they were; the others cover the canvas about once.
+  void check_moving() const {
+    const std::vector<Placement>& moving = state_.loop.moving;
+    if (moving.empty()) return;
+    const std::size_t given = rules_.given();
+    if (state_.loop.phase != LoopPhase::replacing || moving.size() < given ||
+        !std::equal(moving.begin(), moving.begin() + std::ptrdiff_t(given), state_.placements.begin())) {
+      fail(state_, "pieces move that may not");
+    }
+    for (std::size_t i = 0; i < moving.size(); ++i) {
+      check_piece(moving[i].shape, moving[i].canvas_from_shape, i < given || frees_given_pieces_);
+    }
+    check_cover(moving, "more pieces move than have room");
+  }
+
+  /// Of an attempt at other sizes: the pieces that are given are the first there, too.
+  void check_best() const {
+    const std::vector<Placement>& best = state_.best.placements;
+    for (const Placement& p : best) {
+      if (index_of(p.shape) >= rules_.context().library_shapes || !sane(p.canvas_from_shape)) {
+        fail(state_, "a piece of an attempt out of all proportion");
+      }
+    }
+    if (!best.empty()) check_cover(best, "more pieces of an attempt than have room");
+  }
+
+  /// Without the pieces that are given.
+  void check_cover(const std::vector<Placement>& pieces, const char* what) const {
+    double area_px2 = 0;
+    for (std::size_t i = rules_.given(); i < pieces.size(); ++i) {
+      const double scale_px = pieces[i].canvas_from_shape.scale();
+      area_px2 += scale_px * scale_px;
+    }
+    const Window& nodes = free_.grid().one_period();
+    if (area_px2 > kMostCovered * nodes.width() * nodes.height()) fail(state_, what);
+  }
+
+  const CheckpointState& state_;
+  const CollageSettings& settings_;
+  const StandingRules& rules_;
+  const FreeField& free_;
+  bool frees_given_pieces_;  // improving may have moved some of them
+};
+
 }  // namespace
 
 void Collage::save(CheckpointState& state) const {
-  state.region = limits_.region;
-  state.given = std::uint32_t(given_);
+  state.given = std::uint32_t(rules_.given());
   state.placements = placements_;
   for (const auto& [id, entry] : pool_.entries()) state.pool.push_back({id, entry.truncated, entry.candidates});
   std::sort(state.pool.begin(), state.pool.end(),
             [](const PooledSample& a, const PooledSample& b) { return a.id < b.id; });
-  state.stale.assign(stale_.begin(), stale_.end());
-  for (const auto& [id, passes] : passes_) state.passes.push_back({id, passes});
+  schedule_.save(state);
   state.matched = curve_.matched_pads();
   state.rebuilt_digest = rebuilt_digest();
 }
 
 void Collage::restore(const CheckpointState& state) {
-  check_pieces(state);
+  const StateChecks checks(state, settings_, rules_, free_);
+  checks.check_pieces();
   replace_placements(state.placements);
-  check_samples(state);
+  checks.check_samples(curve_);
   if (rebuilt_digest() != state.rebuilt_digest) {
     fail(state, "its pieces do not give the free region that it was written for");
   }
   for (const PooledSample& sample : state.pool) pool_.put_back(sample.id, sample.candidates, sample.truncated);
-  stale_ = {state.stale.begin(), state.stale.end()};
-  for (const SamplePasses& sample : state.passes) passes_[sample.id] = sample.passes;
+  schedule_.restore(state);
   curve_.set_matched_pads(state.matched);
   changed_nodes_ = free_.field().value.bounds();
-}
-
-void Collage::check_pieces(const CheckpointState& state) const {
-  const auto check = [&](ShapeId shape, const Similarity& pose, bool is_given) {
-    if (index_of(shape) >= context_.library_shapes) {
-      fail(state, "shape " + std::to_string(index_of(shape)) + " of " + std::to_string(context_.library_shapes));
-    }
-    if (!(is_given ? sane(pose) : sane(pose, settings_.pieces))) fail(state, "a piece out of all proportion");
-  };
-  const Wishes& wishes = settings_.wishes;
-  const std::size_t any_size = wishes.given.size() > wishes.locked() ? state.placements.size() : given_;
-  for (std::size_t i = 0; i < state.placements.size(); ++i) {
-    check(state.placements[i].shape, state.placements[i].canvas_from_shape, i < any_size);
-  }
-  check_moving(state, check);
-  check_best(state);
-  for (const PooledSample& sample : state.pool) {
-    for (const Candidate& c : sample.candidates) {
-      check(c.shape, c.canvas_from_shape, false);
-      if (c.stance >= context_.stances.stances().size()) fail(state, "a way of standing that the job does not know");
-      if (!sane(c.window, free_.field().value.bounds()) || !sane(c.perimeter, c.radius)) {
-        fail(state, "a candidate out of all proportion");
-      }
-    }
-  }
-}
-
-/// Those that job or region gave are the first, and where they are; the others cover the canvas about once.
-void Collage::check_moving(const CheckpointState& state, const CheckPiece& check) const {
-  const std::vector<Placement>& moving = state.moving;
-  if (moving.empty()) return;
-  const bool any_size = settings_.wishes.given.size() > settings_.wishes.locked();
-  const auto given = std::ptrdiff_t(given_);
-  if (!state.improving || moving.size() < given_ ||
-      !std::equal(moving.begin(), moving.begin() + given, state.placements.begin())) {
-    fail(state, "pieces move that may not");
-  }
-  for (std::size_t i = 0; i < moving.size(); ++i) {
-    check(moving[i].shape, moving[i].canvas_from_shape, i < given_ || any_size);
-  }
-  check_cover(state, moving, "more pieces move than have room");
-}
-
-/// Of an attempt at other sizes: the pieces that are given are the first there, too.
-void Collage::check_best(const CheckpointState& state) const {
-  const std::vector<Placement>& best = state.best.placements;
-  for (const Placement& p : best) {
-    if (index_of(p.shape) >= context_.library_shapes || !sane(p.canvas_from_shape)) {
-      fail(state, "a piece of an attempt out of all proportion");
-    }
-  }
-  if (!best.empty()) check_cover(state, best, "more pieces of an attempt than have room");
-}
-
-/// Without those that are given.
-void Collage::check_cover(const CheckpointState& state, const std::vector<Placement>& pieces, const char* what) const {
-  double area_px2 = 0;
-  for (std::size_t i = given_; i < pieces.size(); ++i) {
-    const double scale_px = pieces[i].canvas_from_shape.scale();
-    area_px2 += scale_px * scale_px;
-  }
-  const Window& nodes = free_.grid().one_period();
-  if (area_px2 > kMostCovered * nodes.width() * nodes.height()) fail(state, what);
-}
-
-void Collage::check_samples(const CheckpointState& state) const {
-  const auto check = [&](SampleId id) {
-    if (!curve_.has_sample(id)) fail(state, "there is no target sample " + std::to_string(edge_number(id)));
-  };
-  for (const PooledSample& sample : state.pool) check(sample.id);
-  for (const SampleId id : state.stale) check(id);
-  for (const MatchedPad& pad : state.matched) check(pad.sample);
 }
 
 std::uint64_t Collage::rebuilt_digest() const {

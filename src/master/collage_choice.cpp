@@ -54,11 +54,11 @@ void Collage::check_ahead() {
 
 /// Makes a piece of the candidate, which may change what it is worth: that is measured again. False: it is given up.
 Collage::Settled Collage::settle(Candidate& candidate) {
-  const Stance& stance = context_.stances[candidate.stance];
-  const PoseRange poses = sized_at(context_, stance, candidate.canvas_from_shape.translation()).poses;
+  const Stance& stance = context().stances[candidate.stance];
+  const PoseRange poses = sized_at(context(), stance, candidate.canvas_from_shape.translation()).poses;
   if (!settling_.settle(candidate.shape, poses, candidate.canvas_from_shape)) return Settled::unfit;
   candidate.canvas_from_shape = free_.grid().period().wrapped(candidate.canvas_from_shape);
-  candidate.terms = docking_terms(candidate.canvas_from_shape, shapes_.model(candidate.shape), free_.view(), context_);
+  candidate.terms = docking_terms(candidate.canvas_from_shape, shapes_.model(candidate.shape), free_.view(), context());
   const ExactAreas areas = check_exactly(candidate);
   if (!scoring_.overlaps_little(candidate) || !scoring_.overlaps_little(candidate, areas) || !keeps_apart(candidate))
     return Settled::unfit;
@@ -73,7 +73,7 @@ const HullRoom& Collage::room_of(ShapeId shape) {
 /// Those that hardly dock, of the shapes that stand and may do so again and of some others that may stand, which are
 /// other ones each time; and for which such a gap is wide enough.
 std::vector<ShapeId> Collage::shapes_for_gap(float gap_px) {
-  const StanceTable& stances = context_.stances;
+  const StanceTable& stances = context().stances;
   std::set<ShapeId> shapes;
   for (const Placement& p : placements_) {
     if (stances.list(p.shape).count > 0) shapes.insert(p.shape);
@@ -91,7 +91,7 @@ std::vector<ShapeId> Collage::shapes_for_gap(float gap_px) {
 
 std::vector<ShapeId> Collage::shapes_for_gap_in(const Window& window) {
   const float gap_px = widest_gap_px(free_, window);
-  if (gap_px < kLeastWideGap * context_.stances.least_scale_px()) return {};  // without a look at any shape
+  if (gap_px < kLeastWideGap * context().stances.least_scale_px()) return {};  // without a look at any shape
   return shapes_for_gap(gap_px);
 }
 
@@ -108,7 +108,7 @@ bool Collage::choose_in_gap(Candidate& best, const Window& window, const StopChe
     const ShapeId id = shapes[(placements_.size() + k) % shapes.size()];
     const HullRoom& room = room_of(id);
     const ShapeModel& model = shapes_.model(id);
-    const StanceList& list = context_.stances.list(id);
+    const StanceList& list = context().stances.list(id);
     for (std::uint32_t s = 0; s < list.count && attempts > 0; ++s) {
       const auto settles = [&](const Similarity& pose) {
         check_stop();
@@ -126,7 +126,7 @@ bool Collage::choose_in_gap(Candidate& best, const Window& window, const StopChe
         }
         return settled == Settled::fit || --attempts == 0;
       };
-      const PoseRange& poses = context_.stances[list.first + s].poses;
+      const PoseRange& poses = context().stances[list.first + s].poses;
       if (any_pose_in_gap(model, room, poses, free_, window, check_stop, settles) && attempts > 0) return true;
     }
   }
@@ -136,9 +136,8 @@ bool Collage::choose_in_gap(Candidate& best, const Window& window, const StopChe
 /// Where the canvas repeats both ways there is no boundary until something stands, and what grows outward docks to
 /// none.
 bool Collage::needs_first_piece() const {
-  if (placements_.size() != given_ || !(growth_ || free_.grid().period().repeats_both_ways())) return false;
-  const std::vector<SampleId> samples = curve_.samples();
-  return std::none_of(samples.begin(), samples.end(), [&](SampleId id) { return may_dock(id); });
+  if (placements_.size() != rules_.given() || !(growth_ || free_.grid().period().repeats_both_ways())) return false;
+  return !schedule_.any_may_dock();
 }
 
 /// Any shape, large and as upright as it may be, in the middle.
@@ -146,15 +145,15 @@ bool Collage::choose_first(Candidate& first, const StopCheck& check_stop) {
   const Window& nodes = free_.grid().one_period();
   Vec2 middle_px = free_.field().origin + Vec2{0.5f * float(nodes.x0 + nodes.x1), 0.5f * float(nodes.y0 + nodes.y1)};
   if (growth_) middle_px = growth_->first_piece_px();
-  const StanceTable& stances = context_.stances;
-  float scale_px = context_.max_scale_px;
+  const StanceTable& stances = context().stances;
+  float scale_px = context().max_scale_px;
   for (std::uint64_t draw = 0; draw < kFirstPieceDraws && stances.open_shapes() > 0; ++draw) {
     check_stop();
     const std::uint64_t random = mix_bits(settings_.seed ^ mix_bits(kFirstPiece ^ (draw << 32)));
     first = {};
     first.shape = stances.open_shape(std::uint32_t(((random >> 32) * stances.open_shapes()) >> 32));
     first.stance = stances.list(first.shape).first;
-    const PoseRange poses = sized_at(context_, stances[first.stance], middle_px).poses;
+    const PoseRange poses = sized_at(context(), stances[first.stance], middle_px).poses;
     const Vec2 along = poses.rotations.middle * scale_px;
     first.canvas_from_shape = {along.x, along.y, middle_px.x, middle_px.y};
     poses.pull_in(first.canvas_from_shape);

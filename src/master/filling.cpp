@@ -1,3 +1,4 @@
+// Rounds: place_one() comes first, then its steps match, choose and merge.
 #include "master/filling.h"
 
 #include <optional>
@@ -17,6 +18,72 @@ namespace {
 constexpr int kFirstDrawnPasses = 1;
 
 }  // namespace
+
+/// One round of the paper (section 4, Fig. 15): match the samples that are new, choose the best candidate, merge it. All
+/// samples are matched again where nothing can be chosen.
+bool Filling::place_one() {
+  for (;;) {
+    match_samples();
+    Candidate best;
+    if (choose(best)) {
+      empty_passes_ = 0;
+      merge(best);
+      return true;
+    }
+    if (!may_match_again()) {
+      if (!choose_in_gap(best)) return false;
+      merge(best);  // what comes next need not be matched all over again
+      return true;
+    }
+    ++empty_passes_;
+    collage_.schedule().mark(region_);
+  }
+}
+
+void Filling::match_samples() {
+  Stopwatch watch;
+  send_changes();
+  const std::vector<TargetSample> samples = collage_.schedule().take();
+  statistics_->merge_s += watch.lap();
+  try {
+    const MatchRound found = match(matcher_, samples, plan(), library_pads_, *statistics_, [this] { check_ahead(); });
+    watch.lap();
+    collage_.add_candidates(samples, found);
+  } catch (const Interrupted&) {
+    collage_.schedule().put_back(samples);
+    throw;
+  }
+  statistics_->objective_s += watch.lap();
+}
+
+bool Filling::choose(Candidate& best) {
+  Stopwatch watch;
+  const bool found = collage_.choose(best, check_stop_);
+  statistics_->objective_s += watch.lap();
+  return found;
+}
+
+void Filling::merge(const Candidate& best) {
+  Stopwatch watch;
+  const Window changed = collage_.place(best);
+  std::optional<Interrupted> interrupted;
+  std::vector<DockingTerms> terms;
+  try {
+    send_changes();
+    const std::vector<Docking> touched = collage_.touched_by(changed);
+    statistics_->merge_s += watch.lap();
+    matcher_.post_measure(touched);
+    terms = matcher_.take_measure();
+  } catch (const Interrupted& interruption) {  // the piece stands already: the round ends without the matcher
+    interrupted = interruption;
+    terms = collage_.measure(collage_.touched_by(changed));
+  }
+  statistics_->dock_s += watch.lap();
+  collage_.rescore(changed, terms);
+  statistics_->merge_s += watch.lap();
+  ++statistics_->rounds;
+  if (interrupted) throw *interrupted;
+}
 
 Filling::Filling(Collage& collage, const MatchingContext& context, const CollageSettings& settings, Matcher& matcher,
                  RunStatistics& statistics, StopCheck check_stop)
@@ -45,25 +112,6 @@ bool Filling::restore_empty_passes(int passes) {
   return true;
 }
 
-bool Filling::place_one() {
-  for (;;) {
-    match_stale();
-    Candidate best;
-    if (choose(best)) {
-      empty_passes_ = 0;
-      place(best);
-      return true;
-    }
-    if (!may_match_again()) {
-      if (!choose_in_gap(best)) return false;
-      place(best);  // what comes next need not be matched all over again
-      return true;
-    }
-    ++empty_passes_;
-    collage_.mark_stale(region_);
-  }
-}
-
 bool Filling::may_match_again() {
   if (empty_passes_ == most_empty_passes_) return false;
   return empty_passes_ < kEmptyPasses || collage_.leaves_wide_gap(region_);  // which no empty pass changes
@@ -73,22 +121,6 @@ MatchPlan Filling::plan() {
   if (empty_passes_ == 0) return usual_plan_;
   return {.tangent_dockings = std::uint32_t(kRematchTangentDockings),
           .first_drawn = empty_passes_ <= kFirstDrawnPasses && collage_.leaves_wide_gap(region_)};
-}
-
-void Filling::match_stale() {
-  Stopwatch watch;
-  send_changes();
-  const std::vector<TargetSample> samples = collage_.take_stale_samples();
-  statistics_->merge_s += watch.lap();
-  try {
-    const MatchRound found = match(matcher_, samples, plan(), library_pads_, *statistics_, [this] { check_ahead(); });
-    watch.lap();
-    collage_.add_candidates(samples, found);
-  } catch (const Interrupted&) {
-    collage_.put_back_stale_samples(samples);
-    throw;
-  }
-  statistics_->objective_s += watch.lap();
 }
 
 void Filling::check_ahead() {
@@ -104,37 +136,9 @@ bool Filling::choose_in_gap(Candidate& best) {
   return found;
 }
 
-bool Filling::choose(Candidate& best) {
-  Stopwatch watch;
-  const bool found = collage_.choose(best, check_stop_);
-  statistics_->objective_s += watch.lap();
-  return found;
-}
-
-void Filling::place(const Candidate& best) {
-  Stopwatch watch;
-  const Window changed = collage_.place(best);
-  std::optional<Interrupted> interrupted;
-  std::vector<DockingTerms> terms;
-  try {
-    send_changes();
-    const std::vector<Docking> touched = collage_.touched_by(changed);
-    statistics_->merge_s += watch.lap();
-    matcher_.post_measure(touched);
-    terms = matcher_.take_measure();
-  } catch (const Interrupted& interruption) {  // the piece stands already: the round ends without the matcher
-    interrupted = interruption;
-    terms = collage_.measure(collage_.touched_by(changed));
-  }
-  statistics_->dock_s += watch.lap();
-  collage_.rescore(changed, terms);
-  statistics_->merge_s += watch.lap();
-  ++statistics_->rounds;
-  if (interrupted) throw *interrupted;
-}
-
 void Filling::send_changes() {
-  if (collage_.take_limits_change()) matcher_.limit(collage_.limits());
+  const StandingRules& rules = collage_.rules();
+  if (std::exchange(sent_version_, rules.version()) != rules.version()) matcher_.limit(rules.limits());
   const FreeField& free = collage_.free();
   for (const Window& part : free.grid().images(collage_.take_changed_nodes(), free.grid().nodes())) {
     matcher_.update_field(read_patch(free.field().value, part));

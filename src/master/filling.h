@@ -1,7 +1,7 @@
 // Filling the free region greedily: match what is stale, place the best candidate, again (paper section 4, Fig. 15).
 #pragma once
 
-#include <functional>
+#include <cstdint>
 
 #include "core/base/stop.h"
 #include "core/matching/matcher.h"
@@ -35,13 +35,13 @@ class Filling {
   void count_into(RunStatistics& statistics) { statistics_ = &statistics; }
 
  private:
-  MatchPlan plan();
-  bool may_match_again();
-  void match_stale();
-  void check_ahead();
+  void match_samples();
   bool choose(Candidate& best);
+  void merge(const Candidate& best);
+  bool may_match_again();
+  MatchPlan plan();
+  void check_ahead();
   bool choose_in_gap(Candidate& best);
-  void place(const Candidate& best);
   void send_changes();
 
   Collage& collage_;
@@ -50,7 +50,8 @@ class Filling {
   StopCheck check_stop_;
   std::uint64_t library_pads_ = 0;
   MatchPlan usual_plan_;
-  int most_empty_passes_;  // none without tangent dockings: PADs alone would give what they gave before
+  int most_empty_passes_;           // none without tangent dockings: PADs alone would give what they gave before
+  std::uint64_t sent_version_ = 0;  // of the rules, that the matcher knows; it may have those of another collage still
   Window region_;
   int empty_passes_ = 0;
 };

@@ -10,6 +10,7 @@
 #include "core/collage/objective.h"
 #include "core/relax/schedules.h"
 #include "core/replacing/repetition.h"
+#include "core/replacing/repetition_costs.h"
 #include "core/settings/tuning.h"
 #include "master/replacing.h"
 
@@ -61,14 +62,15 @@ Improving::Improving(Collage& collage, Filling& filling, const CollageSettings& 
     : collage_(collage),
       filling_(filling),
       shapes_(shapes),
-      relaxing_(collage.free(), settings, shapes, [&collage](const Placement& p) { return collage.poses_of(p); }),
+      relaxing_(collage.free(), settings, shapes,
+                [&collage](const Placement& p) { return collage.rules().poses_of(p); }),
       relax_(pays_to_relax(settings)),
       trials_per_relaxation_(trials_per_relaxation(area_px2, settings.pieces)),
       pieces_(settings.pieces),
       dwarf_loss_(kDwarfLoss * double(balance_of(settings.objective))),
       off_colour_(settings.colour, shapes),
       repetition_(pays_to_replace(settings)
-                      ? repetition_costs(settings, drawings_of(collage.stances(), shapes), area_px2)
+                      ? repetition_costs(settings, count_drawings(collage.rules().stances(), shapes), area_px2)
                       : RepetitionCosts{}),
       seed_(settings.seed),
       most_scale_px_(settings.pieces.fit_all ? std::numeric_limits<float>::infinity()
@@ -80,7 +82,7 @@ std::vector<std::size_t> Improving::pieces_near(Vec2 gap_px) const {
   constexpr float kDiscRadius = 0.5642f;  // of area 1
   std::vector<std::pair<float, std::size_t>> nearest;
   const std::vector<Placement>& placements = collage_.placements();
-  for (std::size_t i = collage_.given(); i < placements.size(); ++i) {
+  for (std::size_t i = collage_.rules().given(); i < placements.size(); ++i) {
     const Similarity& pose = placements[i].canvas_from_shape;
     if (pose.scale() > most_scale_px_) continue;
     const Vec2 gap = collage_.free().grid().period().nearest(gap_px, pose.translation());
@@ -148,52 +150,44 @@ void Improving::recreate(std::uint32_t trial, const StopCheck& check_stop) {
   std::vector<Placement> rest = ruined(mix_bits(seed_ ^ mix_bits(kRuin ^ (std::uint64_t(trial) << 32))));
   if (rest.size() == collage_.placements().size()) return;
   filling_.start(collage_.replace_placements(std::move(rest)));
-  collage_.set_first_pass(kPassesPerTrial * trial);
+  collage_.schedule().set_first_pass(kPassesPerTrial * trial);
   fill(check_stop);
 }
 
 void Improving::relax_all(const std::vector<Placement>& from, std::span<const RelaxationSchedule> schedules,
                           std::uint32_t trial, const StopCheck& check_stop) {
-  filling_.start(collage_.replace_placements(relaxing_.relaxed(from, collage_.given(), schedules, check_stop)));
-  collage_.set_first_pass(kPassesPerTrial * trial);
+  filling_.start(collage_.replace_placements(relaxing_.relaxed(from, collage_.rules().given(), schedules, check_stop)));
+  collage_.schedule().set_first_pass(kPassesPerTrial * trial);
   fill(check_stop);
 }
 
-Trial Improving::try_once(std::uint32_t trial, const StopQuestion& stopped, std::uint32_t earlier) {
-  return try_with(
-      [&](const StopCheck& check_stop) {
-        if (relax_ && (trial - earlier) % trials_per_relaxation_ == 0) {
-          relax_all(collage_.placements(), kRelaxCollage, trial, check_stop);
-        } else {
-          recreate(trial, check_stop);
-        }
-      },
-      stopped);
+Trial Improving::try_once(std::uint32_t trial, const StopCheck& check_stop, std::uint32_t earlier) {
+  const auto change = [&] {
+    if (relax_ && (trial - earlier) % trials_per_relaxation_ == 0) {
+      relax_all(collage_.placements(), kRelaxCollage, trial, check_stop);
+    } else {
+      recreate(trial, check_stop);
+    }
+  };
+  return try_with(change, check_stop);
 }
 
-Trial Improving::settle(std::vector<Placement> placements, std::uint32_t trial, const StopQuestion& stopped) {
-  return try_with([&](const StopCheck& check_stop) { relax_all(placements, kSettleCollage, trial, check_stop); },
-                  stopped);
+Trial Improving::settle(const std::vector<Placement>& placements, std::uint32_t trial, const StopCheck& check_stop) {
+  return try_with([&] { relax_all(placements, kSettleCollage, trial, check_stop); }, check_stop);
 }
 
-Trial Improving::try_with(const std::function<void(const StopCheck&)>& change, const StopQuestion& stopped) {
+Trial Improving::try_with(const std::function<void()>& change, const StopCheck& check_stop) {
   const std::vector<Placement> before = collage_.placements();
   const std::int64_t loss_before = loss_256ths_px2();
-  const std::uint64_t missing_before = collage_.shortage().pieces;
-  const auto check_stop = [&] {
-    if (stopped()) throw Stopped{};
-  };
+  const std::uint64_t missing_before = collage_.rules().shortage().pieces;
   try {
-    change(check_stop);
+    change();
     check_stop();
-  } catch (const Stopped&) {
-    collage_.replace_placements(before);
-    return Trial::interrupted;
   } catch (const Interrupted&) {
     collage_.replace_placements(before);
     throw;
   }
-  if (collage_.shortage().pieces <= missing_before && loss_256ths_px2() < loss_before) return Trial::kept;
+  if (collage_.rules().shortage().pieces <= missing_before && loss_256ths_px2() < loss_before) return Trial::kept;
   collage_.replace_placements(before);
   return Trial::put_back;
 }

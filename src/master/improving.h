@@ -16,7 +16,7 @@
 
 namespace tessera::master {
 
-enum class Trial { kept, put_back, interrupted };
+enum class Trial { kept, put_back };
 
 class Improving {
  public:
@@ -24,24 +24,22 @@ class Improving {
   Improving(Collage& collage, Filling& filling, const CollageSettings& settings, double area_px2, ShapeSource& shapes);
 
   /// Trial number `trial`, of which `earlier` were before the region was begun: its outcome follows from these numbers
-  /// and the placements alone. `stopped` is asked before every piece and while pieces move; an interrupted trial, also
-  /// where the matcher throws Interrupted, leaves the placements as they were.
-  Trial try_once(std::uint32_t trial, const StopQuestion& stopped, std::uint32_t earlier = 0);
+  /// and the placements alone. `check_stop` is called before every piece and while pieces move. Where it or the matcher
+  /// throws Interrupted, the trial leaves the placements as they were and throws it on.
+  Trial try_once(std::uint32_t trial, const StopCheck& check_stop, std::uint32_t earlier = 0);
 
   /// A trial that takes these placements instead of those that stand, and lets their pieces come to rest: they may lie
   /// in each other.
-  Trial settle(std::vector<Placement> placements, std::uint32_t trial, const StopQuestion& stopped);
+  Trial settle(const std::vector<Placement>& placements, std::uint32_t trial, const StopCheck& check_stop);
 
  private:
-  struct Stopped {};
-
   std::vector<std::size_t> pieces_near(Vec2 gap_px) const;
   /// The placements without a few beside a gap; all of them where there is no gap, or no small piece.
   std::vector<Placement> ruined(std::uint64_t random);
   void recreate(std::uint32_t trial, const StopCheck& check_stop);
   void relax_all(const std::vector<Placement>& from, std::span<const RelaxationSchedule> schedules, std::uint32_t trial,
                  const StopCheck& check_stop);
-  Trial try_with(const std::function<void(const StopCheck&)>& change, const StopQuestion& stopped);
+  Trial try_with(const std::function<void()>& change, const StopCheck& check_stop);
   void fill(const StopCheck& check_stop);
   std::int64_t loss_256ths_px2();
   std::int64_t dwarfs_256ths_px2() const;

@@ -10,7 +10,7 @@
 #include "core/matching/stances.h"
 #include "core/relax/schedules.h"
 #include "core/settings/tuning.h"
-#include "master/kept_apart.h"
+#include "master/rules/kept_apart.h"
 
 namespace tessera::master {
 namespace {

@@ -7,7 +7,7 @@
 #include "core/collage/checkpoint_state.h"
 #include "core/matching/size_search.h"
 #include "core/settings/settings.h"
-#include "master/shortage.h"
+#include "master/rules/shortage.h"
 
 namespace tessera::master {
 

@@ -7,6 +7,7 @@
 #include "core/base/kept_memory.h"
 #include "core/collage/missing_pieces.h"
 #include "core/matching/matching_context.h"
+#include "core/replacing/canvas_windows.h"
 #include "core/settings/tuning.h"
 #include "master/replacing.h"
 #include "run/time_estimate.h"
@@ -139,7 +140,7 @@ double limited(double seconds, double limit_s) { return limit_s > 0 ? std::min(s
 
 /// Of so many trials: each rank with its cores, but no more of them than there are windows.
 double replacing_s(const PlanInput& input, const PlanEstimate& plan, double trials) {
-  const double window_px = double(master::least_window_px(input.settings.pieces));
+  const double window_px = double(least_window_px(input.settings.pieces));
   const double windows = std::max(1., input.canvas_px2 / (window_px * window_px));
   return trials * double(master::kReplacementsPerTrial) * kReplacement_s / std::min(double(plan.workers), windows);
 }

@@ -15,22 +15,26 @@ class RandomState {
 
   CheckpointState make() {
     CheckpointState state;
-    state.improving = below(2) == 1;
+    const bool improving = below(2) == 1;
     state.empty_passes = int(below(4));
     for (std::uint32_t i = below(20); i > 0; --i) {
       state.placements.push_back({ShapeId{below(100)}, pose(), number(), number()});
     }
     for (std::uint32_t i = below(20); i > 0; --i) {
-      state.moving.push_back({ShapeId{below(100)}, pose(), number(), number()});
+      state.loop.moving.push_back({ShapeId{below(100)}, pose(), number(), number()});
     }
-    state.replaced = below(1000);
+    if (improving) state.loop.phase = state.loop.moving.empty() ? LoopPhase::trying : LoopPhase::replacing;
+    state.loop.replaced = below(1000);
     for (const SampleId id : ascending()) state.pool.push_back({id, below(2) == 1, candidates()});
     state.stale = ascending();
     for (const SampleId id : ascending()) state.passes.push_back({id, below(9)});
     for (const SampleId id : ascending()) state.matched.push_back(pad(id));
     fill(state.statistics);
+    state.loop.trials = state.statistics.trials;
+    state.loop.improve_s = state.statistics.improve_s;
+    state.loop.run_s = state.statistics.total_s;
     state.rebuilt_digest = std::uint64_t(random_()) << 32 | random_();
-    state.region = below(3);
+    state.loop.region = below(3);
     state.given = below(3);
     state.sizes = {below(3), 0.25f * float(1 + below(4)), 0.25f * float(below(4)), 0.25f * float(below(4)),
                    below(2) == 1};

@@ -50,10 +50,10 @@ bool same(const RunStatistics& a, const RunStatistics& b) {
 }
 
 bool same(const CheckpointState& a, const CheckpointState& b) {
-  return a.improving == b.improving && a.region == b.region && a.given == b.given && a.sizes == b.sizes &&
-         a.best == b.best && a.empty_passes == b.empty_passes && a.placements == b.placements && a.moving == b.moving &&
-         a.replaced == b.replaced && a.stale == b.stale && a.passes == b.passes && a.matched == b.matched &&
-         a.rebuilt_digest == b.rebuilt_digest && same(a.statistics, b.statistics) &&
+  return a.loop == b.loop && a.given == b.given && a.sizes == b.sizes && a.best == b.best &&
+         a.empty_passes == b.empty_passes && a.placements == b.placements && a.stale == b.stale &&
+         a.passes == b.passes && a.matched == b.matched && a.rebuilt_digest == b.rebuilt_digest &&
+         same(a.statistics, b.statistics) &&
          std::equal(a.pool.begin(), a.pool.end(), b.pool.begin(), b.pool.end(),
                     [](const PooledSample& p, const PooledSample& q) { return same(p, q); });
 }

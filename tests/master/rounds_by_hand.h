@@ -21,7 +21,7 @@ class RoundsByHand {
   /// Matches what is stale and chooses; false where the pool is dry.
   bool choose(Candidate& best) {
     send_field();
-    const std::vector<TargetSample> samples = collage_.take_stale_samples();
+    const std::vector<TargetSample> samples = collage_.schedule().take();
     RunStatistics statistics;
     collage_.add_candidates(samples, match(matcher_, samples, {20, 150}, 1000, statistics, [] {}));
     return collage_.choose(best);

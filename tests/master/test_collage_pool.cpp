@@ -73,7 +73,7 @@ TEST_F(CollagePool, WhatCannotBeMadeClearIsGivenUpForTheNextBest) {
   CollageSettings s = settings();
   s.objective.overlap_weight = 0;
   test::RoundsByHand rounds(make_rectangle_canvas(300, 220), s, library());
-  const std::vector<TargetSample> all = rounds.collage().take_stale_samples();
+  const std::vector<TargetSample> all = rounds.collage().schedule().take();
   MatchRound round;
   round.refined = {found_at(ShapeId{3}, 21, {-60, -60}, 1),
                    found_at(ShapeId{4}, 40, test::centre_at_upper_left(library()[4], 40), 0.2f)};
@@ -90,14 +90,14 @@ TEST_F(CollagePool, WhatCannotBeMadeClearIsGivenUpForTheNextBest) {
 TEST_F(CollagePool, ASampleThatIsGoneIsNotMatchedAgain) {
   Candidate best;
   for (int round = 0; round < kRounds && rounds_.choose(best); ++round) {
-    collage_.mark_stale(collage_.free().field().value.bounds());
+    collage_.schedule().mark(collage_.free().field().value.bounds());
     collage_.place(best);
     EXPECT_EQ(rounds_.state().stale.size(), collage_.open_samples());
   }
 }
 
 TEST_F(CollagePool, WhatTouchesTooLittleOrOverlapsTooMuchDoesNotEnter) {
-  const TargetSample sample = collage_.take_stale_samples().front();
+  const TargetSample sample = collage_.schedule().take().front();
   const auto enters = [&](float matched, float overlap) {
     MatchRound round;
     round.refined = {found_at(ShapeId{4}, 40, {150, 110}, matched)};

@@ -1,5 +1,5 @@
 // What a colour is worth beside the pieces that stand.
-#include "master/neighbour_colours.h"
+#include "master/rules/neighbour_colours.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -43,8 +43,8 @@ TEST_F(ReplacePlacements, GoesOnAsAnyWithTheSamePlacementsBeforeAndAfter) {
   fresh.collage().replace_placements(placements);
   for (test::RoundsByHand* rounds : {&rounds_, &fresh}) {
     rounds->collage().replace_placements(placements);
-    rounds->collage().mark_stale(canvas_.distance.value.bounds());
-    rounds->collage().take_stale_samples();
+    rounds->collage().schedule().mark(canvas_.distance.value.bounds());
+    rounds->collage().schedule().take();
     rounds->collage().place(next_);
   }
   EXPECT_EQ(rounds_.state().stale, fresh.state().stale);

@@ -169,7 +169,7 @@ TEST(ReplacementPhase, TimeEndsItWithPiecesThatStand) {
   const CollageResult result = run(small_canvas(), s, &slow, silent, {nullptr, &keeper});
   EXPECT_FALSE(result.unfinished);
   EXPECT_LE(slow.batches.size(), 1u);
-  EXPECT_TRUE(keeper.latest.moving.empty()) << "settled";
+  EXPECT_TRUE(keeper.latest.loop.moving.empty()) << "settled";
   EXPECT_LT(quality(small_canvas(), result).overlap, 0.01);
   EXPECT_GT(quality(small_canvas(), result).coverage, 0.6);
 }
@@ -221,7 +221,7 @@ TEST(ReplacementPhase, EachRegionHasItsOwn) {
     return try_it(window);
   });
   EXPECT_TRUE(run(canvas, s, &giving_up, silent, {nullptr, &keeper}).unfinished);
-  EXPECT_EQ(keeper.latest.region, 1u);
+  EXPECT_EQ(keeper.latest.loop.region, 1u);
   EXPECT_EQ(run(canvas, s, nullptr, silent, {&keeper.latest, nullptr}).placements, result.placements);
 }
 

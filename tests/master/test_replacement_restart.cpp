@@ -82,8 +82,8 @@ TEST_F(InterruptedPhase, GoesOnFromAnyQuestion) {
     ASSERT_TRUE(stopped.unfinished) << k;
     EXPECT_EQ(stopped.statistics.stopped_by, StopReason::signal);
     const CheckpointState state = keeper.latest;
-    in_phase += !state.moving.empty() && state.replaced < 20;
-    settling += !state.moving.empty() && state.replaced == 20;
+    in_phase += !state.loop.moving.empty() && state.loop.replaced < 20;
+    settling += !state.loop.moving.empty() && state.loop.replaced == 20;
     // What is given out meanwhile are pieces that stand.
     EXPECT_LT(quality(small_canvas(), stopped).overlap, 0.01) << k;
     expect_same(go_on(state), "stopped at " + std::to_string(observer.stop_at));
@@ -100,7 +100,7 @@ TEST_F(InterruptedPhase, OfTheLoopsOwnReplacerGoesOn) {
   const CollageResult stopped = run(small_canvas(), settings_, nullptr, observer, {nullptr, &keeper});
   EXPECT_TRUE(stopped.unfinished);
   EXPECT_FALSE(stopped.gave_up_question);
-  EXPECT_FALSE(keeper.latest.moving.empty());
+  EXPECT_FALSE(keeper.latest.loop.moving.empty());
   expect_same(go_on(keeper.latest), "in the first batch");
 }
 
@@ -118,8 +118,8 @@ TEST_F(InterruptedPhase, AReplacerThatGivesUpLeavesTheStateBeforeTheBatch) {
     EXPECT_TRUE(stopped.gave_up_question);
     EXPECT_EQ(stopped.statistics.stopped_by, StopReason::lost_rank);
     EXPECT_EQ(giving_up.batches.size(), batch) << "not asked again";
-    EXPECT_FALSE(keeper.latest.moving.empty());
-    EXPECT_EQ(keeper.latest.replaced == 0, batch == 1);
+    EXPECT_FALSE(keeper.latest.loop.moving.empty());
+    EXPECT_EQ(keeper.latest.loop.replaced == 0, batch == 1);
     expect_same(go_on(keeper.latest), "batch " + std::to_string(batch));
   }
 }
@@ -139,7 +139,7 @@ TEST_F(InterruptedPhase, GoesOnAfterEveryStep) {
       return;
     }
     state = keeper.latest;
-    moving += !state.moving.empty();
+    moving += !state.loop.moving.empty();
     from = &state;
   }
   FAIL() << "does not end";
@@ -173,7 +173,7 @@ TEST(InterruptedSettling, IsTakenUpAgainAlsoWhereTrialsAreUsedUp) {
   KeepLatest keeper;
   const CollageResult stopped = run(small_canvas(), s, &trying, stopping, {nullptr, &keeper});
   EXPECT_TRUE(stopped.unfinished) << "interrupted while pieces settled";
-  EXPECT_FALSE(keeper.latest.moving.empty());
+  EXPECT_FALSE(keeper.latest.loop.moving.empty());
   SilentObserver silent;
   const CollageResult found = run(small_canvas(), s, nullptr, silent, {&keeper.latest, nullptr});
   EXPECT_EQ(found.placements, whole.placements);
@@ -195,8 +195,8 @@ class ForeignPhase : public test::ForeignStateTest {
     run(small_canvas(), settings_, &giving_up, silent, {nullptr, &keeper});
     state_ = keeper.latest;
     state_.name = "checkpoint.h5";
-    ASSERT_GT(state_.moving.size(), 2u);
-    ASSERT_TRUE(state_.improving);
+    ASSERT_GT(state_.loop.moving.size(), 2u);
+    ASSERT_EQ(state_.loop.phase, LoopPhase::replacing);
   }
 
   void go_on() const override {
@@ -211,46 +211,46 @@ class ForeignPhase : public test::ForeignStateTest {
 TEST_F(ForeignPhase, IsFineBeforeTheChange) { EXPECT_EQ(complaint(), "none"); }
 
 TEST_F(ForeignPhase, MovingPiecesOfUnknownShapes) {
-  state_.moving.back().shape = ShapeId{12};
+  state_.loop.moving.back().shape = ShapeId{12};
   expect_complaint("shape 12 of 12");
 }
 
 TEST_F(ForeignPhase, AbsurdPoses) {
   for (const float absurd : {1e30f, -1e9f, std::numeric_limits<float>::quiet_NaN()}) {
     const CheckpointState whole = state_;
-    state_.moving.back().canvas_from_shape.tx = absurd;
+    state_.loop.moving.back().canvas_from_shape.tx = absurd;
     expect_complaint("a piece out of all proportion");
     state_ = whole;
-    state_.moving.back().canvas_from_shape.a = absurd;
+    state_.loop.moving.back().canvas_from_shape.a = absurd;
     expect_complaint("a piece out of all proportion");
     state_ = whole;
   }
-  state_.moving.back().canvas_from_shape.a = 1e-5f;
-  state_.moving.back().canvas_from_shape.b = 0;
+  state_.loop.moving.back().canvas_from_shape.a = 1e-5f;
+  state_.loop.moving.back().canvas_from_shape.b = 0;
   expect_complaint("a piece out of all proportion");
 }
 
 TEST_F(ForeignPhase, GivenOnesThatMoved) {
-  state_.moving.front().canvas_from_shape.tx += 1;
+  state_.loop.moving.front().canvas_from_shape.tx += 1;
   expect_complaint("pieces move that may not");
-  state_.moving.clear();
-  state_.moving.push_back(state_.placements.back());
+  state_.loop.moving.clear();
+  state_.loop.moving.push_back(state_.placements.back());
   expect_complaint("pieces move that may not");
 }
 
 TEST_F(ForeignPhase, PiecesThatMoveWhileTheCanvasIsFilled) {
-  state_.improving = false;
+  state_.loop.phase = LoopPhase::filling;
   expect_complaint("pieces move that may not");
 }
 
 TEST_F(ForeignPhase, MorePiecesThanHaveRoom) {
-  state_.moving.insert(state_.moving.end(), 1000, state_.moving.back());
+  state_.loop.moving.insert(state_.loop.moving.end(), 1000, state_.loop.moving.back());
   expect_complaint("more pieces move than have room");
 }
 
 /// More trials than there can be: the phase is over.
 TEST_F(ForeignPhase, AnyNumberOfTrialsIsFine) {
-  state_.replaced = std::numeric_limits<std::uint64_t>::max();
+  state_.loop.replaced = std::numeric_limits<std::uint64_t>::max();
   EXPECT_EQ(complaint(), "none");
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/replacing/repetition_costs.h"
 #include "replacing_batches.h"
 
 namespace tessera::master {
@@ -102,24 +103,6 @@ TEST(ReplacementWindows, MirrorImagesAreOneDrawing) {
   EXPECT_EQ(replacer.windows().at(0).repetition, repetition_costs(settings_40_to_80(), 6, 800. * 700));
 }
 
-TEST(ReplacementWindows, AnEvenShareIsThatOfAllDrawingsOrAPieceOfTheMiddleSize) {
-  const CollageSettings s = settings_40_to_80();
-  EXPECT_DOUBLE_EQ(repetition_costs(s, 6, 800. * 700).even_share_px2, 800. * 700 / 6);
-  EXPECT_DOUBLE_EQ(repetition_costs(s, 1000, 800. * 700).even_share_px2, 40. * 80);
-  EXPECT_DOUBLE_EQ(repetition_costs(s, 0, 800. * 700).even_share_px2, 40. * 80);
-}
-
-/// A copy in each area of as many pieces as there are drawings: of few drawings as many lie near each other.
-TEST(ReplacementWindows, CopiesReachFartherTheMoreDrawingsThereAre) {
-  const auto reach_sizes = [](std::size_t drawings) {
-    return repetition_costs(settings_40_to_80(), drawings, 1).reach_sizes;
-  };
-  EXPECT_EQ(reach_sizes(1), 0.5f) << "not even neighbours";
-  EXPECT_EQ(reach_sizes(36), 3);
-  EXPECT_EQ(reach_sizes(100), 5);
-  EXPECT_EQ(reach_sizes(5000), 5);
-}
-
 /// A drawing that neither moves in the window nor may come in is none of its business.
 TEST(ReplacementWindows, WhatOtherDrawingsCoverIsLeftOut) {
   CollageSettings s = settings_40_to_80();
@@ -199,57 +182,6 @@ TEST(ReplacementWindows, DistancesAndSizesAreThoseOfTheJob) {
   EXPECT_NEAR(w.distances.hard_px, 3.1, 1e-5);
   EXPECT_EQ(w.least_scale_px, 40);
   EXPECT_EQ(w.most_scale_px, 80);
-}
-
-/// So far windows know of the canvas' edge, or as far as pieces are kept away from it.
-constexpr float kFar_px = 64;
-
-/// As far as pieces of a window may feel it, with the edge's own place, padding or not.
-TEST(ReplacementWindows, TheEdgeIsThatOfTheCanvas) {
-  for (const float padding_px : {0.f, 3.f, 100.f}) {
-    CollageSettings s = settings_40_to_80();
-    s.pieces.padding_px = padding_px;
-    for (const Canvas& canvas : {large_canvas(), make_seamless_canvas(800, 700, true, false)}) {
-      Batches batches(canvas, s);
-      test::AskedReplacer replacer;
-      batches.batch(replacer);
-      for (const ReplacementWindow& w : replacer.windows()) {
-        const EdgeDistance edge(w.edge.distance, w.edge.node_px);
-        for (float y = w.box.low.y - 70; y < w.box.high.y + 70; y += 13.3f) {
-          for (float x = w.box.low.x - 70; x < w.box.high.x + 70; x += 17.7f) {
-            const float to_top = std::min(y, 700 - y);
-            const float to_side = canvas.period.x_px > 0 ? to_top : std::min(x, 800 - x);
-            if (std::min(to_top, to_side) < 0) continue;
-            const float felt_px = std::max(kFar_px, padding_px);
-            EXPECT_NEAR(std::min(edge.at({x, y}).value, felt_px), std::min({to_top, to_side, felt_px}), 1.1f)
-                << x << ", " << y;
-          }
-        }
-      }
-    }
-  }
-}
-
-/// Windows far from the edge have no raster of it; nothing in them would feel one.
-TEST(ReplacementWindows, FarFromTheEdgeThereIsNone) {
-  Batches batches(make_rectangle_canvas(1500, 1300));
-  test::AskedReplacer replacer;
-  float least_far_px = 1e6f;
-  for (std::uint64_t done = 0; done < 8; ++done) {
-    batches.batch(replacer, 0, {done, 100'000});
-    for (const ReplacementWindow& w : replacer.windows()) {
-      const float nearest_px = std::min({w.box.low.x, w.box.low.y, 1500 - w.box.high.x, 1300 - w.box.high.y}) - 80;
-      const bool none = w.edge.distance.value.width() == 3;
-      EXPECT_TRUE(none ? nearest_px > kFar_px : nearest_px < kFar_px + 4) << nearest_px;
-      if (!none) continue;
-      least_far_px = std::min(least_far_px, nearest_px);
-      const EdgeDistance edge(w.edge.distance, w.edge.node_px);
-      for (float y = w.box.low.y - 79; y < w.box.high.y + 79; y += 58) {
-        for (float x = w.box.low.x - 79; x < w.box.high.x + 79; x += 62) EXPECT_GE(edge.at({x, y}).value, 1000);
-      }
-    }
-  }
-  EXPECT_LT(least_far_px, 200) << "such windows were looked at";
 }
 
 }  // namespace test_replacement_windows

@@ -104,26 +104,23 @@ TEST(Restart, AfterEveryRoundAndTrialGivesTheSameCollage) {
   }
 }
 
+/// Without replacements, which ask by time (test_replacement_restart): the same questions come in every run.
 TEST(Restart, InTheMiddleOfATrialGivesTheSameCollage) {
+  CollageSettings s = improved();
+  s.pieces.uses = 1000;
   CountQuestions count;
-  const CollageResult whole = run(improved(), {}, count);
+  const CollageResult whole = run(s, {}, count);
   ASSERT_GT(count.questions, 2 * whole.statistics.trials) << "asked within trials, too";
-  std::size_t runs = 0;
-  std::size_t finished = 0;
   EXPECT_TRUE(rc::check([&] {
     KeepLatest keeper;
     StopAtQuestion stop(*rc::gen::inRange<std::size_t>(1, count.questions));
-    const CollageResult interrupted = run(improved(), {}, stop, {nullptr, &keeper});
-    ++runs;
-    if (!interrupted.unfinished) {  // replacing asks once a millisecond: a faster run asks fewer times than `count`
-      ++finished;
-      return expect_same(interrupted, whole);
-    }
+    const CollageResult interrupted = run(s, {}, stop, {nullptr, &keeper});
+    RC_ASSERT(interrupted.unfinished);
+    RC_ASSERT(!interrupted.gave_up_question);
     RC_ASSERT(interrupted.statistics.stopped_by == StopReason::signal);
     SilentObserver silent;
-    expect_same(run(improved(), {4}, silent, {&keeper.latest, nullptr}), whole);
+    expect_same(run(s, {4}, silent, {&keeper.latest, nullptr}), whole);
   }));
-  EXPECT_LT(4 * finished, runs) << "most runs were interrupted";
 }
 
 /// Where hardly anything fits, much of the pool is tried before a piece is chosen.
@@ -170,10 +167,10 @@ TEST(Restart, OfAFinishedFillingGoesOnImproving) {
   CollageSettings s = improved();
   s.improve.relax = false;  // each step is one trial
   EXPECT_EQ(run(s, {}, stop, {nullptr, &keeper}).statistics.stopped_by, StopReason::signal);
-  EXPECT_TRUE(keeper.latest.improving);
-  EXPECT_EQ(keeper.latest.statistics.trials, 3u);
-  EXPECT_GT(keeper.latest.statistics.improve_s, 0);
-  EXPECT_GT(keeper.latest.statistics.total_s, keeper.latest.statistics.improve_s);
+  EXPECT_EQ(keeper.latest.loop.phase, LoopPhase::trying);
+  EXPECT_EQ(keeper.latest.loop.trials, 3u);
+  EXPECT_GT(keeper.latest.loop.improve_s, 0);
+  EXPECT_GT(keeper.latest.loop.run_s, keeper.latest.loop.improve_s);
 }
 
 TEST(Restart, TimeBeforeTheInterruptionCounts) {
@@ -182,12 +179,35 @@ TEST(Restart, TimeBeforeTheInterruptionCounts) {
   run(settings(), {}, stop, {nullptr, &keeper});
   CollageSettings s = settings();
   s.stop.seconds = 1000;
-  keeper.latest.statistics.total_s = 2000;
+  keeper.latest.loop.run_s = 2000;
   SilentObserver silent;
   const CollageResult result = run(s, {}, silent, {&keeper.latest, nullptr});
   EXPECT_EQ(result.placements.size(), 3u);
   EXPECT_EQ(result.statistics.stopped_by, StopReason::seconds);
   EXPECT_FALSE(result.unfinished);
+}
+
+/// Whatever was counted before, the loop goes on as it would have done.
+TEST(Restart, StatisticsDecideNothing) {
+  const Whole whole(improved());
+  for (const std::size_t steps : {whole.steps / 3, whole.steps - 3}) {
+    KeepLatest keeper;
+    StopAfter stop(steps);
+    ASSERT_TRUE(run(improved(), {}, stop, {nullptr, &keeper}).unfinished);
+    for (std::uint64_t* count : {&keeper.latest.statistics.trials, &keeper.latest.statistics.rounds,
+                                 &keeper.latest.statistics.target_samples}) {
+      *count += 1000;
+    }
+    keeper.latest.statistics.improve_s = keeper.latest.statistics.total_s = 1e9;
+    CollageSettings s = improved();
+    s.stop.seconds = 1e6;
+    s.improve.seconds = 1e6;
+    SilentObserver silent;
+    const CollageResult found = run(s, {}, silent, {&keeper.latest, nullptr});
+    EXPECT_EQ(found.placements, whole.result.placements);
+    EXPECT_EQ(found.statistics.trials, whole.result.statistics.trials);
+    EXPECT_LT(found.statistics.total_s, 1e6);
+  }
 }
 
 }  // namespace test_restart

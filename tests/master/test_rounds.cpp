@@ -32,7 +32,7 @@ std::vector<Placement> placed_in_rounds(const Canvas& canvas, int rounds, bool c
   RunStatistics statistics;
   for (int round = 0; round < rounds; ++round) {
     matcher.update_field(read_patch(field.value, field.value.bounds()));
-    const std::vector<TargetSample> samples = collage.take_stale_samples();
+    const std::vector<TargetSample> samples = collage.schedule().take();
     int calls = 0;
     const MatchRound found = match(matcher, samples, {20, 150}, 1000, statistics, [&] {
       ++calls;
@@ -131,10 +131,10 @@ TEST(Rounds, PiecesTakenOutAndPutBackLeaveNoTrace) {
     EXPECT_EQ(worn.free().free_256ths_px2(), fresh.free().free_256ths_px2());
     EXPECT_EQ(worn.free().field().value.data(), fresh.free().field().value.data());
     const Window all = fresh.free().grid().nodes();
-    fresh.mark_stale(all);
-    worn.mark_stale(all);
-    const std::vector<TargetSample> expected = fresh.take_stale_samples();
-    const std::vector<TargetSample> found = worn.take_stale_samples();
+    fresh.schedule().mark(all);
+    worn.schedule().mark(all);
+    const std::vector<TargetSample> expected = fresh.schedule().take();
+    const std::vector<TargetSample> found = worn.schedule().take();
     ASSERT_EQ(found.size(), expected.size());
     for (std::size_t k = 0; k < found.size(); ++k) {
       EXPECT_EQ(found[k].id, expected[k].id);

@@ -1,5 +1,5 @@
 // What a candidate is worth beside the pieces that stand.
-#include "master/scoring.h"
+#include "master/rules/scoring.h"
 
 #include <gtest/gtest.h>
 

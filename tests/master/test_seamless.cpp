@@ -164,12 +164,12 @@ TEST(Seamless, AWindowAcrossASeamMarksTheSamplesOnBothSides) {
   Scene scene;
   Collage& collage = scene.collage;
   collage.replace_placements({test::piece(3, 60, {0, 90})});
-  collage.take_stale_samples();
+  collage.schedule().take();
   const Window& nodes = collage.free().grid().one_period();
-  collage.mark_stale({nodes.x0 - 20, nodes.y0, nodes.x0 + 20, nodes.y1});
+  collage.schedule().mark({nodes.x0 - 20, nodes.y0, nodes.x0 + 20, nodes.y1});
   bool left = false;
   bool right = false;
-  for (const TargetSample& sample : collage.take_stale_samples()) {
+  for (const TargetSample& sample : collage.schedule().take()) {
     left |= sample.position.x <= 21;
     right |= sample.position.x >= 219;
     EXPECT_TRUE(sample.position.x <= 21 || sample.position.x >= 219) << sample.position.x;
@@ -183,7 +183,7 @@ TEST(Seamless, APieceThatIsPushedAcrossASeamComesInAtTheOtherSide) {
   const auto settled_at = [&](float standing_px, float offered_px) {
     Scene scene(settings(), canvas);
     scene.collage.replace_placements({test::piece(3, 60, {standing_px, 100})});
-    scene.collage.mark_stale(scene.collage.free().grid().nodes());
+    scene.collage.schedule().mark(scene.collage.free().grid().nodes());
     scene.matcher.offers = {test::piece(5, 60, {offered_px, 100})};
     EXPECT_TRUE(scene.filling.place_one());
     return scene.collage.placements().back().canvas_from_shape.tx;
@@ -202,12 +202,13 @@ TEST(Seamless, PiecesOnBothSidesOfASeamAreTakenOutTogether) {
   Improving improving(scene.collage, scene.filling, settings(), canvas.area_px2, scene.shapes);
   bool across = false;
   for (std::uint32_t trial = 0; trial < 60; ++trial) {
-    improving.try_once(trial, [&] {
+    const StopCheck look_and_stop = [&] {
       const std::vector<Placement>& left = scene.collage.placements();
       across |= std::find(left.begin(), left.end(), row.front()) == left.end() &&
                 std::find(left.begin(), left.end(), row.back()) == left.end();
-      return StopReason::signal;
-    });
+      throw Interrupted{StopReason::signal};
+    };
+    EXPECT_THROW(improving.try_once(trial, look_and_stop), Interrupted);
   }
   EXPECT_TRUE(across);
 }

@@ -10,7 +10,7 @@
 #include "core/matching/sized_settings.h"
 #include "interrupted_collage.h"
 #include "master/collage.h"
-#include "master/outward_growth.h"
+#include "master/rules/outward_growth.h"
 #include "support/input_error.h"
 #include "whole_collage.h"
 
@@ -305,12 +305,12 @@ TEST(OutwardGrowth, TargetSamplesLieOnWhatStandsNeverOnTheEdge) {
     int on_zone = 0;
     int on_piece = 0;
     for (int pass = 0; pass < 2; ++pass) {
-      for (const TargetSample& sample : beginning.collage.take_stale_samples()) {
+      for (const TargetSample& sample : beginning.collage.schedule().take()) {
         const Vec2 p = sample.position;
         EXPECT_GT(std::min({p.x, p.y, 300 - p.x, 240 - p.y}), padding_px + 2);
         distance_px(kTitle, p) < padding_px + 2 ? ++on_zone : ++on_piece;
       }
-      beginning.collage.mark_stale({0, 0, 400, 400});
+      beginning.collage.schedule().mark({0, 0, 400, 400});
     }
     EXPECT_GT(on_zone, 20);
     EXPECT_GT(on_piece, 20);

@@ -3,7 +3,7 @@
 
 #include "core/relax/schedules.h"
 #include "master/improving.h"
-#include "master/kept_apart.h"
+#include "master/rules/kept_apart.h"
 #include "offered_filling.h"
 
 namespace tessera::master {
@@ -31,7 +31,8 @@ class TrialsTest : public test::OfferedFilling {
 
   Trial try_with(const test::Offers& offers, bool stopped = false) {
     matcher_.offers = offers;
-    return improving_.try_once(trial_++, [stopped] { return stopped ? std::optional(StopReason::signal) : std::nullopt; });
+    return improving_.try_once(
+        trial_++, stop_check([stopped] { return stopped ? std::optional(StopReason::signal) : std::nullopt; }));
   }
 
   const std::vector<Placement> before_ = {piece(0, 30, {18, 18}), piece(3, 24, {187, 127})};
@@ -64,7 +65,7 @@ TEST_F(TrialsTest, WhatCoversAsMuchIsPutBack) {
 }
 
 TEST_F(TrialsTest, AnInterruptedTrialIsPutBack) {
-  EXPECT_EQ(try_with({piece(1, 60, {100, 70})}, true), Trial::interrupted);
+  EXPECT_THROW(try_with({piece(1, 60, {100, 70})}, true), Interrupted);
   EXPECT_EQ(collage_.placements(), before_);
 }
 
@@ -175,9 +176,7 @@ TEST(PaysToRelax, OnceInAsManyTrialsAsThereArePiecesButNotOftenerThanIn64) {
 
 /// Of a region that is begun later.
 TEST_F(RelaxingTest, TheFirstTrialIsThatOfTheRegion) {
-  EXPECT_EQ(improving_.try_once(
-                7, [] { return std::nullopt; }, 7),
-            Trial::kept);
+  EXPECT_EQ(improving_.try_once(7, never_stop, 7), Trial::kept);
   for (const Placement& p : collage_.placements()) EXPECT_GT(p.canvas_from_shape.scale(), 80);
 }
 
@@ -185,7 +184,7 @@ TEST_F(RelaxingTest, TheFirstTrialIsThatOfTheRegion) {
 TEST_F(RelaxingTest, PiecesSettleFromWhereTheyAre) {
   const std::vector<Placement> moving = {piece(1, 50, {50, 70}), piece(3, 50, {95, 70}), piece(0, 40, {160, 80})};
   matcher_.offers = {};
-  EXPECT_EQ(improving_.settle(moving, 9, [] { return std::nullopt; }), Trial::kept);
+  EXPECT_EQ(improving_.settle(moving, 9, never_stop), Trial::kept);
   ASSERT_EQ(collage_.placements().size(), 3u);
   for (std::size_t i = 0; i < moving.size(); ++i) EXPECT_EQ(collage_.placements()[i].shape, moving[i].shape);
   const Vec2 apart = collage_.placements()[1].canvas_from_shape.translation() -
@@ -195,15 +194,16 @@ TEST_F(RelaxingTest, PiecesSettleFromWhereTheyAre) {
 
 TEST_F(RelaxingTest, WhatSettlesToLessIsPutBack) {
   matcher_.offers = {};
-  ASSERT_EQ(improving_.try_once(0, [] { return std::nullopt; }), Trial::kept);
+  ASSERT_EQ(improving_.try_once(0, never_stop), Trial::kept);
   const std::vector<Placement> large = collage_.placements();
-  EXPECT_EQ(improving_.settle({piece(1, 20, {60, 70})}, 9, [] { return std::nullopt; }), Trial::put_back);
+  EXPECT_EQ(improving_.settle({piece(1, 20, {60, 70})}, 9, never_stop), Trial::put_back);
   EXPECT_EQ(collage_.placements(), large);
 }
 
 TEST_F(RelaxingTest, AnInterruptedSettlingIsPutBack) {
   int asked = 0;
-  EXPECT_EQ(improving_.settle({piece(1, 60, {60, 70})}, 9, [&] { return ++asked > 20 ? std::optional(StopReason::signal) : std::nullopt; }), Trial::interrupted);
+  const StopCheck stop = stop_check([&] { return ++asked > 20 ? std::optional(StopReason::signal) : std::nullopt; });
+  EXPECT_THROW(improving_.settle({piece(1, 60, {60, 70})}, 9, stop), Interrupted);
   EXPECT_EQ(collage_.placements(), before_);
 }
 
@@ -213,8 +213,13 @@ TEST_F(RelaxingTest, AnInterruptedRelaxationIsPutBack) {
   for (int questions = 1;; questions += 3) {
     matcher_.offers = {piece(1, 25, {100, 70}), piece(2, 21, {30, 120})};
     int asked = 0;
-    if (improving_.try_once(0, [&] { return ++asked > questions ? std::optional(StopReason::signal) : std::nullopt; }) != Trial::interrupted) break;
-    ++interrupted;
+    try {
+      improving_.try_once(
+          0, stop_check([&] { return ++asked > questions ? std::optional(StopReason::signal) : std::nullopt; }));
+      break;
+    } catch (const Interrupted&) {
+      ++interrupted;
+    }
     ASSERT_EQ(collage_.placements(), before_) << "after " << questions << " questions";
   }
   EXPECT_GT(interrupted, 20);
@@ -235,7 +240,7 @@ class RepetitionTest : public TrialsTest {
   /// Nothing hinders them from growing to the largest size.
   Trial settles_to(std::uint32_t a, std::uint32_t b) {
     matcher_.offers = {};
-    return improving_.settle({piece(a, 88, {50, 70}), piece(b, 88, {150, 70})}, 9, [] { return std::nullopt; });
+    return improving_.settle({piece(a, 88, {50, 70}), piece(b, 88, {150, 70})}, 9, never_stop);
   }
 };
 

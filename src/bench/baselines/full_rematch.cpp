@@ -21,9 +21,9 @@ master::CollageResult make_collage_afresh(const Canvas& canvas, const CollageSet
   matcher.start_field(field.value.width(), field.value.height(), field.origin);
   RunStatistics statistics;
   for (int empty = 0; empty < kEmptyRounds;) {
-    collage.mark_stale(collage.free().field().value.bounds());
+    collage.schedule().mark(collage.free().field().value.bounds());
     matcher.update_field(read_patch(field.value, field.value.bounds()));
-    const std::vector<TargetSample> samples = collage.take_stale_samples();
+    const std::vector<TargetSample> samples = collage.schedule().take();
     collage.add_candidates(samples, match(matcher, samples, plan, pads, statistics));
     Candidate best;
     if (collage.choose(best)) {

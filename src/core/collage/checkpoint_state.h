@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/run_statistics.h"
+#include "core/collage/loop_state.h"
 #include "core/collage/placement.h"
 #include "core/collage/pool.h"
 #include "core/field/target_sample.h"
@@ -41,21 +42,18 @@ struct KeptAttempt {
 
 struct CheckpointState {
   std::string name;                   // for messages: the file that it came from
-  bool improving = false;             // else still filling
-  std::uint32_t region = 0;           // of the canvas, that is being filled
+  LoopState loop;                     // where the loop is
   std::uint32_t given = 0;            // so many of the placements, the first ones, stood when the region was begun
   SizeSearchState sizes;              // at which every shape is to find a place
   KeptAttempt best;                   // of the attempts before; while the search goes on
   std::uint64_t begun_with = 0;       // digest of the pieces that the job gives
   int empty_passes = 0;               // how often all samples were matched again since the last piece, while filling
   std::vector<Placement> placements;  // in the order in which they were placed
-  std::vector<Placement> moving;      // while pieces are replaced: where they are, the given ones first; else empty
-  std::uint64_t replaced = 0;         // replacement trials so far
   std::vector<PooledSample> pool;     // ascending samples, as in the lists below
   std::vector<SampleId> stale;        // target samples to be matched
   std::vector<SamplePasses> passes;
   std::vector<MatchedPad> matched;
-  RunStatistics statistics;          // so far; stopped_by is empty
+  RunStatistics statistics;          // so far, told of the loop's trials and times; stopped_by is empty
   std::uint64_t rebuilt_digest = 0;  // of the free field and the target samples, to see that they came back
 };
 

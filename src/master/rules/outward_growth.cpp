@@ -1,4 +1,4 @@
-#include "master/outward_growth.h"
+#include "master/rules/outward_growth.h"
 
 #include <algorithm>
 #include <cmath>

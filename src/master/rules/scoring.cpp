@@ -1,4 +1,4 @@
-#include "master/scoring.h"
+#include "master/rules/scoring.h"
 
 #include <algorithm>
 #include <cmath>

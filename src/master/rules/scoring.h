@@ -11,7 +11,7 @@
 #include "core/matching/stances.h"
 #include "core/matching/use_limits.h"
 #include "core/settings/settings.h"
-#include "master/neighbour_colours.h"
+#include "master/rules/neighbour_colours.h"
 
 namespace tessera::master {
 

@@ -1,4 +1,4 @@
-#include "master/kept_apart.h"
+#include "master/rules/kept_apart.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "master/neighbour_colours.h"
+#include "master/rules/neighbour_colours.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "master/standing_pieces.h"
+#include "master/rules/standing_pieces.h"
 
 #include <algorithm>
 #include <cstddef>

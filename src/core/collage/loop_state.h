@@ -1,0 +1,51 @@
+// Where the loop of a collage is, between two rounds or trials. Checkpoints keep it.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/base/run_statistics.h"
+#include "core/collage/placement.h"
+
+namespace tessera {
+
+enum class LoopPhase : std::uint8_t {
+  filling,    // pieces are placed one by one, until none fits (paper, Fig. 15)
+  trying,     // the region is full, and trials improve it
+  replacing,  // batches of trials replace single pieces, while the pieces round them make room
+};
+
+/// What decides how the loop goes on, beside the job, the library and the collage itself.
+struct LoopState {
+  std::uint32_t region = 0;  // of the canvas, that is being filled
+  LoopPhase phase = LoopPhase::filling;
+  std::vector<Placement> moving = {};  // while replacing: all pieces as they lie, the given ones first; else empty
+  std::uint64_t replaced = 0;          // replacement trials so far, of the region
+  std::uint64_t trials = 0;            // of improving so far, in all regions; their random numbers follow from it
+  double improve_s = 0;                // that improving took so far
+  double run_s = 0;                    // that the run took so far, improving included
+
+  void begin_region(std::uint32_t begun) {
+    region = begun;
+    phase = LoopPhase::filling;
+    moving.clear();
+    replaced = 0;
+  }
+  /// Replaces pieces of these placements from now on. Trials go on where there are none.
+  void replace_in(std::vector<Placement> placements) {
+    moving = std::move(placements);
+    phase = moving.empty() ? LoopPhase::trying : LoopPhase::replacing;
+  }
+
+  friend bool operator==(const LoopState&, const LoopState&) = default;
+};
+
+/// Tells the statistics of a run in this state of its trials and times.
+inline void tell(RunStatistics& statistics, const LoopState& state) {
+  statistics.trials = state.trials;
+  statistics.improve_s = state.improve_s;
+  statistics.total_s = state.run_s;
+}
+
+}  // namespace tessera

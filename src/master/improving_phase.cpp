@@ -1,0 +1,105 @@
+#include "master/improving_phase.h"
+
+#include <utility>
+
+#include "core/base/stop.h"
+#include "master/replacing.h"
+
+namespace tessera::master {
+namespace {
+
+/// The first trial lets all pieces move.
+constexpr std::uint32_t kTrialsBeforeReplacing = 1;
+
+}  // namespace
+
+ImprovingPhase::ImprovingPhase(Parts parts)
+    : parts_(std::move(parts)),
+      state_(parts_.state),
+      collage_(parts_.region.collage),
+      budget_(parts_.canvas, parts_.settings),
+      first_trial_(std::uint32_t(budget_.first_trial(state_.region))),
+      area_px2_(budget_.area_px2(state_.region)),
+      earlier_s_(state_.improve_s),
+      improving_(collage_, parts_.region.filling, parts_.region.sized, area_px2_, parts_.shapes) {
+  parts_.region.filling.count_into(parts_.statistics.improving);
+}
+
+void ImprovingPhase::run() {
+  try {
+    while (goes_on()) step();
+  } catch (const Interrupted&) {
+    take_time();
+    throw;
+  }
+}
+
+/// Pieces that were replaced come to rest, whatever limit was reached, and also if that was interrupted.
+bool ImprovingPhase::goes_on() { return state_.phase == LoopPhase::replacing || (may_improve() && !reached_limit()); }
+
+void ImprovingPhase::step() {
+  parts_.end.check_stop();
+  if (state_.phase == LoopPhase::trying && state_.trials == first_trial_ + kTrialsBeforeReplacing) begin_replacing();
+  if (state_.phase == LoopPhase::trying) return try_once();
+  const std::uint64_t all = replacements();
+  if (state_.replaced < all) {
+    replace(all);
+  } else {
+    settle();
+  }
+}
+
+void ImprovingPhase::try_once() {
+  count(improving_.try_once(
+      std::uint32_t(state_.trials), [this] { parts_.end.check_stop(); }, first_trial_));
+}
+
+/// Each piece is to be replaced once at least.
+void ImprovingPhase::begin_replacing() {
+  state_.replaced = 0;
+  if (pays_to_replace(parts_.region.sized) && replacements() >= free_pieces()) state_.replace_in(collage_.placements());
+}
+
+/// As many as the phase has in all; no more than there were where time is over.
+std::uint64_t ImprovingPhase::replacements() {
+  if (state_.phase == LoopPhase::replacing && (!may_improve() || reached_limit())) return state_.replaced;
+  return budget_.replacements(state_.region, free_pieces(), {state_.replaced, state_.improve_s, parts_.end.run_s()});
+}
+
+void ImprovingPhase::replace(std::uint64_t all) {
+  const StandingRules& rules = collage_.rules();
+  Replacing replacing(
+      collage_.free(), rules.stances(), parts_.region.sized, area_px2_, parts_.shapes,
+      [&rules](const Placement& p) { return rules.poses_of(p); }, parts_.replacer);
+  ReplacementProgress progress{state_.replaced, all};
+  const Stopwatch asked;
+  state_.replace_in(replacing.batch(state_.moving, rules.given(), progress, [this] { parts_.end.check_stop(); }));
+  parts_.statistics.improving.replace_s += asked.seconds();
+  state_.trials += progress.done / kReplacementsPerTrial - state_.replaced / kReplacementsPerTrial;
+  state_.replaced = progress.done;
+  take_time();
+  parts_.after_step();
+}
+
+/// The pieces come to rest, and are kept or put back.
+void ImprovingPhase::settle() {
+  const Trial trial =
+      improving_.settle(state_.moving, std::uint32_t(state_.trials), [this] { parts_.end.check_stop(); });
+  state_.replace_in({});
+  count(trial);
+}
+
+void ImprovingPhase::count(Trial trial) {
+  parts_.statistics.filling.trials_kept += trial == Trial::kept;
+  ++state_.trials;
+  take_time();
+  parts_.after_step();
+}
+
+bool ImprovingPhase::may_improve() const { return budget_.may_go_on(state_.region, state_.trials, state_.improve_s); }
+
+bool ImprovingPhase::reached_limit() { return parts_.end.reached_limit(collage_.covered_px2()); }
+
+std::size_t ImprovingPhase::free_pieces() const { return collage_.placements().size() - collage_.rules().given(); }
+
+}  // namespace tessera::master

@@ -1,0 +1,130 @@
+#include "master/rules/standing_rules.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "core/matching/size_schedule.h"
+#include "core/settings/tuning.h"
+
+namespace tessera::master {
+namespace {
+
+/// Files of results have poses to three decimals, of px and degrees.
+bool is_rounded_out_of(const PoseRange& poses, Similarity pose) {
+  constexpr float kRounding_px = 0.0006f;
+  constexpr float kRounding_rad = 1e-5f;
+  const Vec2 written{pose.a, pose.b};
+  poses.pull_in(pose);
+  return norm(Vec2{pose.a, pose.b} - written) < kRounding_px + kRounding_rad * pose.scale();
+}
+
+/// `all` without `some`; both lists are ascending, as in the next function.
+std::vector<ShapeId> without(const std::vector<ShapeId>& all, const std::vector<ShapeId>& some) {
+  std::vector<ShapeId> rest;
+  std::set_difference(all.begin(), all.end(), some.begin(), some.end(), std::back_inserter(rest));
+  return rest;
+}
+
+std::vector<ShapeId> joined(const std::vector<ShapeId>& a, const std::vector<ShapeId>& b) {
+  std::vector<ShapeId> both;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+  return both;
+}
+
+}  // namespace
+
+StandingRules::StandingRules(const MatchingContext& context, const PieceSettings& pieces, const Scoring& scoring,
+                             ShapeSource& shapes, float size_factor)
+    : context_(context),
+      all_stances_(context.stances),
+      fit_all_(pieces.fit_all),
+      scoring_(scoring),
+      shapes_(shapes) {
+  limit({.size_factor = size_factor});
+  region_stances_ = context_.stances;
+}
+
+void StandingRules::begin(std::uint32_t region, std::size_t given) {
+  limit({.region = region, .size_factor = limits_.size_factor});
+  region_stances_ = context_.stances;
+  given_ = given;
+}
+
+void StandingRules::limit(const StandingLimits& limits) {
+  limits_ = limits;
+  ++version_;
+  tessera::limit(context_, all_stances_, limits);
+}
+
+bool StandingRules::update(const std::vector<ShapeId>& shut_out, double free_px2) {
+  std::vector<ShapeId> missing = this->missing();
+  // Other shapes do not wait for one that has no place now. With fit = "all" they do: it needs smaller sizes.
+  if (!fit_all_) missing = without(missing, shut_out);
+  StandingLimits now{.region = limits_.region, .size_factor = limits_.size_factor};
+  now.used_up = joined(scoring_.closed_shapes(missing), shut_out);
+  if (fit_all_ && !missing.empty()) now.most_scale_px = most_scale_for(missing, free_px2);
+  if (now == limits_) return false;
+  limit(now);
+  return true;
+}
+
+float StandingRules::most_scale_for(const std::vector<ShapeId>& missing, double free_px2) const {
+  std::vector<WantedPieces> left;
+  for (const ShapeId shape : missing) {
+    if (shapes_.drawing(shape) != shape) continue;  // one of the two takes the places of both
+    const StanceList& stances = region_stances_.list(shape);
+    left.push_back({{stances.min_scale_px, stances.max_scale_px}, double(scoring_.missing_uses(shape))});
+  }
+  return most_scale_px(free_px2, left);
+}
+
+bool StandingRules::may_stand(const Candidate& candidate) const {
+  return context_.stances.list(candidate.shape).count > 0 &&
+         candidate.canvas_from_shape.scale() <= limits_.most_scale_px * (1 + kScaleRounding);
+}
+
+std::vector<ShapeId> StandingRules::missing() const {
+  if (!scoring_.limits_uses()) return {};
+  std::vector<ShapeId> missing;
+  for (std::uint32_t i = 0; i < region_stances_.open_shapes(); ++i) {
+    const ShapeId shape = region_stances_.open_shape(i);
+    if (scoring_.missing_uses(shape) > 0) missing.push_back(shape);
+  }
+  return missing;
+}
+
+Shortage StandingRules::shortage() const {
+  if (!scoring_.limits_uses()) return {};
+  Shortage shortage;
+  double wanted_px2 = 0;
+  double missing_px2 = 0;
+  for (std::uint32_t i = 0; i < region_stances_.open_shapes(); ++i) {
+    const ShapeId shape = region_stances_.open_shape(i);
+    if (shapes_.drawing(shape) != shape) continue;  // one of the two takes the places of both
+    const StanceList& stances = region_stances_.list(shape);
+    const double px2 = double(stances.min_scale_px) * double(stances.max_scale_px);
+    wanted_px2 += scoring_.least_uses(shape) * px2;
+    missing_px2 += scoring_.missing_uses(shape) * px2;
+    shortage.pieces += std::uint64_t(scoring_.missing_uses(shape));
+  }
+  if (shortage.pieces > 0) shortage.placed = 1 - missing_px2 / wanted_px2;
+  return shortage;
+}
+
+bool StandingRules::may_go_on() const {
+  StandingLimits by_uses = limits_;
+  by_uses.used_up = scoring_.closed_shapes(missing());
+  return all_stances_.limited(by_uses).open_shapes() > 0;
+}
+
+PoseRange StandingRules::poses_of(const Placement& p) const {
+  for (const Stance& stance : region_stances_.of(region_stances_.list(p.shape))) {
+    const PoseRange poses = sized_at(context_, stance, p.canvas_from_shape.translation()).poses;
+    if (poses.contains(p.canvas_from_shape) || is_rounded_out_of(poses, p.canvas_from_shape)) return poses;
+  }
+  const Similarity& pose = p.canvas_from_shape;
+  const float scale_px = pose.scale();
+  return {scale_px, scale_px, {{pose.a / scale_px, pose.b / scale_px}, {1, 0}}};
+}
+
+}  // namespace tessera::master

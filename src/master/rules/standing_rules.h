@@ -1,0 +1,69 @@
+// What may stand for the moment: the stances of the region that is being filled, without the shapes that are used up
+// or find no place, and, with fit = "all", no larger than leaves room for the pieces that are missing.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/collage/placement.h"
+#include "core/collage/pool.h"
+#include "core/matching/matching_context.h"
+#include "core/settings/settings.h"
+#include "core/shape/shape_source.h"
+#include "master/rules/scoring.h"
+#include "master/rules/shortage.h"
+
+namespace tessera::master {
+
+class StandingRules {
+ public:
+  /// `context`: at size factor 1. `pieces` have their sizes times `size_factor`. `scoring` knows which pieces stand; it
+  /// and `shapes` outlive the rules.
+  StandingRules(const MatchingContext& context, const PieceSettings& pieces, const Scoring& scoring,
+                ShapeSource& shapes, float size_factor);
+
+  /// Begins a region of the canvas. The first `given` pieces of the collage stand to its end.
+  void begin(std::uint32_t region, std::size_t given);
+  std::size_t given() const { return given_; }
+
+  /// Brings limits() up to date with the pieces that stand; the result follows from these pieces alone. `shut_out`: the
+  /// shapes that find no place for other reasons, ascending; `free_px2`: the free area of the canvas. Returns whether
+  /// other pieces may stand than before.
+  bool update(const std::vector<ShapeId>& shut_out, double free_px2);
+
+  const StandingLimits& limits() const { return limits_; }
+  /// Another number after each change of limits(), never 0.
+  std::uint64_t version() const { return version_; }
+  /// The numbers of matching within the limits.
+  const MatchingContext& context() const { return context_; }
+  /// The stances in which shapes may come in now.
+  const StanceTable& stances() const { return context_.stances; }
+  /// Whether the limits allow the candidate.
+  bool may_stand(const Candidate& candidate) const;
+
+  /// The shapes of which fewer stand than are wanted at least, ascending.
+  std::vector<ShapeId> missing() const;
+  Shortage shortage() const;
+  /// Whether the library is not used up: by its uses some shape may still stand.
+  bool may_go_on() const;
+
+  /// The poses that a piece that stands may have: those of its stance; where no wish knows of one, its own pose.
+  PoseRange poses_of(const Placement& placement) const;
+
+ private:
+  void limit(const StandingLimits& limits);
+  float most_scale_for(const std::vector<ShapeId>& missing, double free_px2) const;
+
+  MatchingContext context_;     // within the limits
+  StanceTable all_stances_;     // at size factor 1
+  StanceTable region_stances_;  // of the region
+  StandingLimits limits_;
+  std::uint64_t version_ = 0;
+  std::size_t given_ = 0;
+  bool fit_all_;
+  const Scoring& scoring_;
+  ShapeSource& shapes_;
+};
+
+}  // namespace tessera::master

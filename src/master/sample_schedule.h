@@ -1,0 +1,61 @@
+// Which target samples are to be matched, and with which random dockings.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "core/collage/checkpoint_state.h"
+#include "core/field/free_field.h"
+#include "core/field/target_curve.h"
+#include "master/rules/outward_growth.h"
+
+namespace tessera::master {
+
+class SampleSchedule {
+ public:
+  /// The samples of `curve`, which bounds `free`. Where there is a `growth`, only samples count at which pieces may
+  /// dock. All arguments outlive the schedule.
+  SampleSchedule(const FreeField& free, const TargetCurve& curve, const std::optional<OutwardGrowth>& growth)
+      : free_(free),
+        curve_(curve),
+        growth_(growth) {}
+
+  /// The samples to be matched (again), ascending, which count as matched from now on. Their random dockings are those
+  /// of TargetSample::pass: one pass more each time.
+  std::vector<TargetSample> take();
+  /// Undoes take(), which gave these samples, where they were not matched after all.
+  void put_back(const std::vector<TargetSample>& samples);
+
+  /// The sample is to be matched again.
+  void mark(SampleId id) { stale_.insert(id); }
+  /// The samples in the window and its images are to be matched again.
+  void mark(const Window& window);
+  /// The curve has changed: removed samples are not matched any more, renewed samples are matched again.
+  void follow(const TargetCurve::Change& change);
+  /// No sample is to be matched, and none has been matched.
+  void clear();
+  /// The number of the pass in which a sample is matched for the first time.
+  void set_first_pass(std::uint32_t pass) { first_pass_ = pass; }
+
+  /// Whether pieces may dock at any sample.
+  bool any_may_dock() const;
+
+  void save(CheckpointState& state) const;
+  /// Restores the state into a schedule that is clear.
+  void restore(const CheckpointState& state);
+
+ private:
+  bool may_dock(SampleId id) const;
+
+  const FreeField& free_;
+  const TargetCurve& curve_;
+  const std::optional<OutwardGrowth>& growth_;
+  std::set<SampleId> stale_;                  // to be matched
+  std::map<SampleId, std::uint32_t> passes_;  // how often a sample was matched
+  std::uint32_t first_pass_ = 0;
+};
+
+}  // namespace tessera::master
