@@ -102,7 +102,7 @@ class RankPlay {
     }
   }
 
-  /// Those with most trials first, each by the core that is free first (core/replacing/window_queue.h).
+  /// Those with most trials first, each by the core that is free first (core/replacing/replaced_windows.h).
   double on_own_cores_s(Windows windows) const {
     std::stable_sort(windows.begin(), windows.end(),
                      [&](std::size_t a, std::size_t b) { return case_.windows[a].trials > case_.windows[b].trials; });

@@ -14,7 +14,7 @@
 #include "text/number_text.h"
 #include "text/text_table.h"
 #include "worker/device_group.h"
-#include "worker/shard.h"
+#include "worker/shard/shard.h"
 
 namespace tessera::bench {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/collage/quality.h"
+#include "core/quality/quality.h"
 
 #include <algorithm>
 #include <filesystem>

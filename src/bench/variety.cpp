@@ -5,7 +5,7 @@
 #include "bench/inputs/model_file.h"
 #include "bench/inputs/varied_shapes.h"
 #include "core/base/error.h"
-#include "core/collage/quality.h"
+#include "core/quality/quality.h"
 #include "master/collage_loop.h"
 #include "text/number_text.h"
 #include "text/text_table.h"

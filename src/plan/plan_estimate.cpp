@@ -12,7 +12,7 @@
 #include "master/replacing.h"
 #include "run/time_estimate.h"
 #include "worker/device_room.h"
-#include "worker/shard.h"
+#include "worker/shard/shard.h"
 
 namespace tessera {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "core/base/stop.h"
-#include "core/collage/quality.h"
 #include "core/colour/seen_from_afar.h"
+#include "core/quality/quality.h"
 
 namespace tessera {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/run_statistics.h"
-#include "core/collage/quality.h"
+#include "core/quality/quality.h"
 #include "core/ranks/rank_statistics.h"
 #include "core/settings/settings.h"
 #include "result/afar_section.h"

@@ -5,7 +5,7 @@
 #include <system_error>
 
 #include "core/base/error.h"
-#include "core/collage/quality.h"
+#include "core/quality/quality.h"
 #include "files/atomic_file.h"
 #include "files/output_folder.h"
 #include "job/pieces/job_library.h"

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "core/collage/judged_piece.h"
 #include "core/field/canvas.h"
 #include "core/geometry/polygon.h"
+#include "core/quality/judged_piece.h"
 #include "result/placed_pieces.h"
 
 namespace tessera {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/collage/judged_piece.h"
 #include "core/field/canvas.h"
+#include "core/quality/judged_piece.h"
 
 namespace tessera {
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "core/collage/quality.h"
+#include "core/quality/quality.h"
 #include "job/canvas/canvas_file.h"
 #include "job/canvas/canvas_page.h"
 #include "job/job_keys.h"

@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/ranks/partition.h"
 #include "worker/opencl_matcher.h"
-#include "worker/shard.h"
+#include "worker/shard/shard.h"
 
 namespace tessera::worker {
 namespace {

@@ -1,9 +1,9 @@
 // Docking on a device (kernels/docking.cl): from pairs and from random draws to each target sample's shortlist.
 #pragma once
 
-#include "worker/device_deck.h"
 #include "worker/devices/device_kernel.h"
 #include "worker/pair_stage.h"
+#include "worker/shard/device_deck.h"
 
 namespace tessera::worker {
 

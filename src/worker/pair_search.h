@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "worker/device_library.h"
 #include "worker/devices/device_kernel.h"
+#include "worker/shard/device_library.h"
 
 namespace tessera::worker {
 

@@ -1,8 +1,8 @@
 // Refinement and measuring on a device (kernels/refinement.cl, docking_terms.cl).
 #pragma once
 
-#include "worker/device_library.h"
 #include "worker/devices/device_kernel.h"
+#include "worker/shard/device_library.h"
 
 namespace tessera::worker {
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/collage/quality.h"
+#include "core/quality/quality.h"
 #include "support/synthetic_library.h"
 
 namespace tessera::bench {

@@ -1,7 +1,7 @@
 // Whole collages of synthetic shapes, with the plain C++ matcher.
 #pragma once
 
-#include "core/collage/quality.h"
+#include "core/quality/quality.h"
 #include "master/collage_loop.h"
 #include "support/divided_matcher.h"
 

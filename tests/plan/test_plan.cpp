@@ -6,7 +6,7 @@
 #include "core/matching/matching_context.h"
 #include "plan/plan_estimate.h"
 #include "plan/plan_text.h"
-#include "worker/shard.h"
+#include "worker/shard/shard.h"
 
 namespace tessera::cli {
 namespace test_plan {

@@ -7,8 +7,8 @@
 
 #include <cmath>
 
-#include "core/collage/quality.h"
 #include "core/geometry/winding.h"
+#include "core/quality/quality.h"
 #include "result/geojson_output.h"
 #include "support/input_error.h"
 #include "support/limited_child.h"

@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "worker/devices/opencl_devices.h"
-#include "worker/shard.h"
+#include "worker/shard/shard.h"
 
 namespace tessera::worker {
 namespace test_device_room {

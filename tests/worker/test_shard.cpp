@@ -7,7 +7,7 @@
 #include <random>
 
 #include "support/synthetic_library.h"
-#include "worker/shard.h"
+#include "worker/shard/shard.h"
 
 namespace tessera::worker {
 namespace test_shard {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "core/collage/size_balance.h"
+#include "core/quality/size_balance.h"
 #include "job/job_file.h"
 
 namespace tessera {

@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/collage/quality.h"
 #include "core/deform/boundary_map.h"
 #include "core/deform/identity.h"
 #include "core/deform/unfolded_fit.h"
 #include "core/deform/warp_fit.h"
+#include "core/quality/quality.h"
 #include "support/rank_breadth.h"
 #include "support/synthetic_shapes.h"
 

@@ -9,7 +9,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "core/collage/quality.h"
+#include "core/quality/quality.h"
 #include "core/relax/schedules.h"
 #include "core/replaced_pieces.h"
 #include "core/replacing/repetition.h"

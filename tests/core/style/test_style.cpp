@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/base/portable_math.h"
-#include "core/collage/style_spread.h"
+#include "core/quality/style_spread.h"
 #include "core/style/style_groups.h"
 #include "core/style/style_measure.h"
 #include "core/style/style_weight.h"

@@ -1,0 +1,15 @@
+// How closely pieces fit: the share of their boundaries that runs along other pieces or along the canvas' edge.
+#pragma once
+
+#include <vector>
+
+#include "core/field/canvas.h"
+#include "core/quality/judged_piece.h"
+
+namespace tessera {
+
+/// Share (0..1) of the pieces' boundary length, holes included, within `reach_px` of the boundary of another piece or
+/// of the canvas' edge. It is 0 without pieces.
+double shared_boundary_fraction(const Canvas& canvas, const std::vector<JudgedPiece>& pieces, float reach_px);
+
+}  // namespace tessera

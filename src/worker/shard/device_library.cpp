@@ -1,0 +1,109 @@
+#include "worker/shard/device_library.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "core/base/rank_pool.h"
+#include "worker/devices/arithmetic_probe.h"
+#include "worker/devices/opencl_devices.h"
+
+namespace tessera::worker {
+
+namespace {
+
+/// On their way to the device: 40 MB, and up to a segment's PADs for the index.
+constexpr std::uint32_t kShapesAtATime = 512;
+
+}  // namespace
+
+DeviceLibrary::DeviceLibrary(const cl::Device& device, const MatchingContext& context, const ShapeRange& shapes,
+                             std::shared_ptr<const ModelSource> models, const BetweenLaunches& between_launches,
+                             const HeldShapes& held, std::optional<DockingLanes> lanes)
+    : models_(std::move(models)),
+      pad_levels_(context.pad.levels),
+      reads_(models_->reads_singly() && !held.holds_all(shapes.size())),
+      lanes_(lanes ? *lanes : lanes_for(device)),
+      session_(device, kernel_source, kernel_options(context.pad.levels, lanes_), between_launches),
+      match_(make_match_record(context, shapes)),
+      match_buffer_(session_, {match_}),
+      index_(session_, match_, index_kind(context), *models_),
+      keypoints_(match_, pad_levels_, *models_, reads_),
+      sketches_(session_, {}),
+      contours_(session_, shapes, *models_, reads_ ? std::optional(held.contours) : std::nullopt),
+      shapes_(session_, {}),
+      field_(session_),
+      size_map_(session_, context.size_map ? context.size_map->part.data() : std::vector<float>()),
+      all_stances_(context.stances),
+      context_(context),
+      stances_(session_),
+      colours_(session_, context) {
+  check_arithmetic(session_);
+  stances_.write(all_stances_, shapes);
+  load(between_launches);
+}
+
+void DeviceLibrary::load(const BetweenLaunches& between_launches) {
+  // Without key points there are no chords.
+  const bool keypoints = !reads_ || index_.kind().with_chords;
+  const ModelParts parts{.contours = !reads_, .pads = keypoints, .keypoints = keypoints};
+  const std::uint32_t end = match_.first_shape + match_.shapes;
+  const auto read_from = [&](std::uint32_t first) {
+    const ShapeRange range{std::min(first, end), std::min(end, first + kShapesAtATime)};
+    Loaded loaded;
+    if (range.size() > 0) loaded.models = models_->models(range, parts);
+    if (range.size() > 0 && !parts.pads) loaded.pads = models_->pads(range);
+    return loaded;
+  };
+  // The next shapes are read while these are put on the device. One thread at a time reads.
+  Loaded next = read_from(match_.first_shape);
+  for (std::uint32_t first = match_.first_shape; first < end; first += kShapesAtATime) {
+    Loaded loaded = std::move(next);
+    run_both([&] { add(std::move(loaded), first - match_.first_shape); },
+             [&] { next = read_from(first + kShapesAtATime); });
+    if (between_launches) between_launches();
+  }
+}
+
+void DeviceLibrary::add(Loaded loaded, std::uint32_t first) {
+  const std::vector<ShapeModel>& models = loaded.models;
+  const Shard part = make_shard(match_, index_.kind(), models, std::move(loaded.pads));
+  index_.add(part.pads);
+  keypoints_.add(models);
+  sketches_.write_part(part.sketches, first, models.size(), match_.shapes);
+  contours_.add(models);
+  shapes_.write_part(part.shapes, first, models.size(), match_.shapes);
+}
+
+void DeviceLibrary::limit(const StandingLimits& limits) {
+  tessera::limit(context_, all_stances_, limits);
+  stances_.write(context_.stances, {match_.first_shape, match_.first_shape + match_.shapes});
+  colours_.start(context_);
+  if (limits.size_factor == size_factor_) return;
+  size_factor_ = limits.size_factor;
+  set_sizes(match_, context_);
+  match_buffer_.write({match_});
+}
+
+void DeviceLibrary::start_field(int width, int height, Vec2 origin) {
+  match_.field_width = width;
+  match_.field_height = height;
+  match_.field_origin_x = origin.x;
+  match_.field_origin_y = origin.y;
+  match_buffer_.write({match_});
+  field_.reserve(std::size_t(width) * height);
+}
+
+void DeviceLibrary::update_field(const FieldPatch& patch) {
+  if (patch.window.empty()) return;
+  using Place = std::array<cl::size_type, 3>;
+  const Place at = {patch.window.x0 * sizeof(float), cl::size_type(patch.window.y0), 0};
+  const Place size = {patch.window.width() * sizeof(float), cl::size_type(patch.window.height()), 1};
+  // Waits, as the patch is the caller's; whatever was posted before still reads the field as it was.
+  checked(session_.name(), [&] {
+    session_.queue().enqueueWriteBufferRect(field_.get(), CL_TRUE, at, Place{0, 0, 0}, size,
+                                            match_.field_width * sizeof(float), 0, size[0], 0, patch.value.data());
+  });
+}
+
+}  // namespace tessera::worker
