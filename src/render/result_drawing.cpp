@@ -37,7 +37,7 @@
 #include "result/placed_pieces.h"
 #include "result/result_file.h"
 #include "result/result_manifest.h"
-#include "result/run_record.h"
+#include "text/digest_text.h"
 #include "text/number_text.h"
 #include "text/utf8_text.h"
 

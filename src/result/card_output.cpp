@@ -7,6 +7,7 @@
 #include "result/card_lines.h"
 #include "result/deformation_table.h"
 #include "result/rank_table.h"
+#include "text/digest_text.h"
 #include "text/number_text.h"
 #include "text/utf8_text.h"
 

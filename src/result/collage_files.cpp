@@ -50,8 +50,8 @@ ResultManifest manifest_of(const CollageReport& report, const CheckpointOrigin& 
                            const std::string& pieces, const std::string& job) {
   ResultManifest manifest;
   manifest.finished = finished;
-  manifest.pieces_digest = digest_text(pieces);
-  manifest.job_digest = digest_text(job);
+  manifest.pieces_digest = text_digest(pieces);
+  manifest.job_digest = text_digest(job);
   manifest.library = library_text(*report.job);
   manifest.library_digest = origin.library_digest;
   manifest.canvas_digest = origin.canvas_digest;

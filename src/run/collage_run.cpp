@@ -28,6 +28,7 @@
 #include "run/collage_worker.h"
 #include "run/command_line.h"
 #include "run/messages/collage_warnings.h"
+#include "run/program_identity.h"
 #include "run/rank_agreement.h"
 #include "run/result_drawing_run.h"
 #include "run/time_limit.h"
