@@ -157,7 +157,7 @@ CollageEnd compute(const CollageArguments& arguments, const CollageInput& input,
   journal->ranks_are(comm::gather_sites(ranks, matching.site));
   if (input.start == Start::restart) input.checkpoints.remove();
 
-  CollageCheckpoints checkpoints(input.checkpoints, input.origin);
+  CollageCheckpoints checkpoints(input.checkpoints, input.origin, job.checkpoint.every_s);
   comm::LoopClock clock(ranks);
   const master::CollageResult result =
       run_loop(arguments, input, limit, *matching.matcher, *replacer, shapes, checkpoints);
