@@ -18,8 +18,8 @@ namespace {
 
 SharedBytes shared(Bytes bytes) { return std::make_shared<const Bytes>(std::move(bytes)); }
 
-/// The messages of a job's end come from any rank, also from one whose program turned out to be another one. What such a
-/// rank says may be unreadable, which is no reason not to end.
+/// The messages of a job's end come from any rank, also from one whose program turned out to be another one. What such
+/// a rank says may be unreadable, which is no reason not to end.
 template <class T>
 std::optional<T> readable(const Bytes& bytes) {
   try {

@@ -13,10 +13,10 @@ namespace tessera {
 
 class AfarMeasure {
  public:
-  /// Reads `image` (colour.image) as finely as the run did, which goes by the size of the smallest piece, in px; nothing
-  /// where that is not known any more. The report has the pieces as they were placed, not yet deformed. Where the
-  /// picture cannot be had, or is another than when the collage was made, the note says so: drawing does not need it.
-  /// Throws EnvironmentError where it cannot be decoded for want of processes, DrawingStopped.
+  /// Reads `image` (colour.image) as finely as the run did, which goes by the size of the smallest piece, in px;
+  /// nothing where that is not known any more. The report has the pieces as they were placed, not yet deformed. Where
+  /// the picture cannot be had, or is another than when the collage was made, the note says so: drawing does not need
+  /// it. Throws EnvironmentError where it cannot be decoded for want of processes, DrawingStopped.
   AfarMeasure(const CollageReport& report, const std::string& image, std::optional<float> smallest_px,
               Drawers& drawers);
 

@@ -10,8 +10,8 @@ namespace tessera {
 /// "tessera 0.1.0, commit 4554c24, kernels 5a0c1e4bd1f0a977"
 std::string program_identity();
 
-/// Rank 0: tells all other ranks which program is the master's. It is the first broadcast of a job, and the only one that
-/// is no typed message (comm/encode.h): plain text.
+/// Rank 0: tells all other ranks which program is the master's. It is the first broadcast of a job, and the only one
+/// that is no typed message (comm/encode.h): plain text.
 void announce_program(comm::Communicator& ranks, const std::string& program);
 
 /// Every other rank, first: throws EnvironmentError where `program`, its own, is not the master's.

@@ -1,4 +1,4 @@
-// Keys of a job as messages name them, each with the value that the job has.
+// The keys of a job as its file has them, for messages that say which of them to change.
 #pragma once
 
 #include <string>
@@ -7,13 +7,23 @@
 
 namespace tessera {
 
-/// "pieces.scale_px (now [20, 160])"; in mm where the canvas has a size on paper: "pieces.scale_mm (now [8, 60])".
-std::string with_value(const Job& job, const char* section, const char* name);
+/// It says what a key's value is, and gives none to compute with: sizes and limits that count are CollageProblem's.
+class WrittenKeys {
+ public:
+  /// The job outlives it.
+  explicit WrittenKeys(const Job& job) : job_(job) {}
 
-/// Whether the job has the key's default.
-bool is_default(const Job& job, const char* section, const char* name);
+  /// "pieces.scale_px (now [20, 160])": in mm where the canvas has a size on paper.
+  std::string with_value(const char* section, const char* name) const;
+  bool is_default(const char* section, const char* name) const;
+  /// Whether a row of that table ([[shapes]]) has a value in that column.
+  bool has_column(const char* table, const std::string& column) const;
+  bool has_rows(const char* table) const;
+  /// "41.2 px"; in mm where the canvas has a size on paper.
+  std::string length_text(double length_px) const;
 
-/// "41 px", or "10.4 mm" where the canvas has a size on paper.
-std::string length_text(const Job& job, double length_px);
+ private:
+  const Job& job_;
+};
 
 }  // namespace tessera
