@@ -17,6 +17,31 @@ std::string differing_file(const char* key, const std::string& then, const std::
   return std::string("; ") + key + ": another content: " + names;
 }
 
+/// `before` and `after` are the jobs of `then` and `now`.
+std::string differences_of(const Job& before, const Job& after, const CheckpointOrigin& then,
+                           const CheckpointOrigin& now, const std::function<bool(const JobKey&)>& concerned) {
+  std::string differences =
+      job_differences(before, after, [&](const JobKey& key) { return counts(key) && concerned(key); });
+  if (then.library_digest != now.library_digest) {
+    differences += differing_file("library.file", library_text(before), library_text(after));
+  }
+  // The canvas of other keys is another one anyway.
+  const auto told = [&](const char* key) { return differences.find(key) != std::string::npos; };
+  if (then.canvas_digest != now.canvas_digest && !told("; canvas.") && !told("; [[keep_out]]")) {
+    const bool zones = !before.canvas.keep_out.empty() || !after.canvas.keep_out.empty();
+    const bool mask = !before.canvas.file.empty() || !after.canvas.file.empty();
+    if (mask || !zones) differences += differing_file("canvas.file", before.canvas.file, after.canvas.file);
+    if (zones) differences += differing_file("canvas.keep_out", before.canvas.keep_out, after.canvas.keep_out);
+  }
+  if (then.overlay_digest != now.overlay_digest) {
+    const bool colours = !before.colour.image.empty() || !after.colour.image.empty();
+    const bool sizes = !before.size_map.empty() || !after.size_map.empty();
+    if (colours) differences += differing_file("colour.image", before.colour.image, after.colour.image);
+    if (sizes) differences += differing_file("pieces.size_map", before.size_map, after.size_map);
+  }
+  return differences;
+}
+
 }  // namespace
 
 std::uint64_t canvas_digest(const Canvas& canvas) {
@@ -32,43 +57,25 @@ std::uint64_t canvas_digest(const Canvas& canvas) {
 }
 
 CheckpointOrigin make_origin(const Job& job, const ShapeLibrary& library, std::uint64_t canvas_digest) {
-  return {&job, library.content_digest(), canvas_digest, job.overlay_digest};
+  return {to_toml(job), library.content_digest(), canvas_digest, job.overlay_digest};
 }
 
 Checkpoint make_checkpoint(const CheckpointOrigin& origin, const CheckpointState& state) {
-  return {to_toml(*origin.job), origin.library_digest, origin.canvas_digest, origin.overlay_digest, state};
+  return {origin.job, origin.library_digest, origin.canvas_digest, origin.overlay_digest, state};
 }
 
 std::string origin_differences(const CheckpointOrigin& then, const CheckpointOrigin& now,
                                const std::function<bool(const JobKey&)>& concerned) {
-  std::string differences =
-      job_differences(*then.job, *now.job, [&](const JobKey& key) { return counts(key) && concerned(key); });
-  if (then.library_digest != now.library_digest) {
-    differences += differing_file("library.file", library_text(*then.job), library_text(*now.job));
-  }
-  // The canvas of other keys is another one anyway.
-  const auto told = [&](const char* key) { return differences.find(key) != std::string::npos; };
-  if (then.canvas_digest != now.canvas_digest && !told("; canvas.") && !told("; [[keep_out]]")) {
-    const CanvasSpec& before = then.job->canvas;
-    const CanvasSpec& after = now.job->canvas;
-    const bool zones = !before.keep_out.empty() || !after.keep_out.empty();
-    const bool mask = !before.file.empty() || !after.file.empty();
-    if (mask || !zones) differences += differing_file("canvas.file", before.file, after.file);
-    if (zones) differences += differing_file("canvas.keep_out", before.keep_out, after.keep_out);
-  }
-  if (then.overlay_digest != now.overlay_digest) {
-    const bool colours = !then.job->colour.image.empty() || !now.job->colour.image.empty();
-    const bool sizes = !then.job->size_map.empty() || !now.job->size_map.empty();
-    if (colours) differences += differing_file("colour.image", then.job->colour.image, now.job->colour.image);
-    if (sizes) differences += differing_file("pieces.size_map", then.job->size_map, now.job->size_map);
-  }
-  return differences;
+  return differences_of(job_from_toml(then.job, "the job of then"), job_from_toml(now.job, "the job of now"), then, now,
+                        concerned);
 }
 
 void check_origin(const Checkpoint& checkpoint, const CheckpointOrigin& now) {
-  const Job then = job_from_toml(checkpoint.job, checkpoint.state.name + ", its job");
+  const CheckpointOrigin then{checkpoint.job, checkpoint.library_digest, checkpoint.canvas_digest,
+                              checkpoint.overlay_digest};
+  const Job before = job_from_toml(then.job, checkpoint.state.name + ", its job");
   const std::string differences =
-      origin_differences({&then, checkpoint.library_digest, checkpoint.canvas_digest, checkpoint.overlay_digest}, now);
+      differences_of(before, job_from_toml(now.job, "the job of now"), then, now, [](const JobKey&) { return true; });
   if (differences.empty()) return;
   throw InputError(checkpoint.state.name + ": written for another job" + differences +
                    "; give what it was then, or another --out");

@@ -13,9 +13,8 @@
 
 namespace tessera {
 
-/// It only points to the job, which must outlive it.
 struct CheckpointOrigin {
-  const Job* job = nullptr;
+  std::string job;  // the effective one, as to_toml writes it
   std::uint64_t library_digest = 0;
   std::uint64_t canvas_digest = 0;
   std::uint64_t overlay_digest = 0;  // Job::overlay_digest

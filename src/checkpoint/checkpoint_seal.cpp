@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/base/digest.h"
 #include "core/base/error.h"
 #include "files/regular_file.h"
+#include "text/digest_text.h"
 
 namespace tessera {
 namespace {
@@ -20,9 +21,10 @@ constexpr std::size_t kBlockBytes = std::size_t(1) << 20;
 using Seal = std::array<char, kSealBytes>;
 
 Seal make_seal(std::uint64_t bytes, std::uint64_t digest) {
+  const std::string text = std::string(kMagic) + "version " + std::to_string(kCheckpointVersion) + "\nbytes " +
+                           std::to_string(bytes) + "\ndigest " + digest_text(digest) + "\n";
   Seal seal{};
-  std::snprintf(seal.data(), seal.size(), "%sversion %d\nbytes %llu\ndigest %016llx\n", kMagic.data(),
-                kCheckpointVersion, static_cast<unsigned long long>(bytes), static_cast<unsigned long long>(digest));
+  std::copy_n(text.begin(), std::min(text.size(), seal.size()), seal.begin());
   return seal;
 }
 

@@ -38,7 +38,7 @@ int run(const PlanArguments& arguments) {
                      std::to_string(arguments.on.ranks) + ")");
   }
   const CanvasProblem problem(load_job(arguments.job, arguments.overrides));
-  if (problem.found().room_part >= 1) print_warning(outline_alone_warning(problem.job(), problem.canvas()));
+  if (problem.found().room_part >= 1) print_warning(outline_alone_warning(problem.job().canvas, problem.canvas()));
   const PlanInput input = plan_input(problem, arguments.on);
   const PlanEstimate plan = estimate(input);
   print_warning(idle_workers_warning(input, plan));

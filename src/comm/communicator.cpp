@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <optional>
+#include <string>
 
 #include "comm/encode.h"
 #include "comm/idle_wait.h"
 #include "comm/messages.h"
+#include "core/base/error.h"
 #include "core/base/stop.h"
 #include "core/base/stopwatch.h"
 
@@ -14,6 +17,24 @@ namespace tessera::comm {
 namespace {
 
 SharedBytes shared(Bytes bytes) { return std::make_shared<const Bytes>(std::move(bytes)); }
+
+/// The messages of a job's end come from any rank, also from one whose program turned out to be another one. What such
+/// a rank says may be unreadable, which is no reason not to end.
+template <class T>
+std::optional<T> readable(const Bytes& bytes) {
+  try {
+    return decode<T>(bytes);
+  } catch (const EnvironmentError&) {
+    return std::nullopt;
+  }
+}
+
+Failure unreadable_failure(const std::string& place) {
+  return {kEnvironmentExitCode,
+          place +
+              " failed, and its message cannot be read; allowed: the same program on all ranks; install it anew on "
+              "every node"};
+}
 
 }  // namespace
 
@@ -32,11 +53,13 @@ void Communicator::take_in_arrivals() {
     traffic_.received_by_tag[std::size_t(message->tag)].add(message->bytes.size());
     switch (message->tag) {
       case Tag::failure:
-        if (!failure_) failure_ = decode<Failure>(message->bytes);
+        if (failure_) break;
+        failure_ = readable<Failure>(message->bytes).value_or(unreadable_failure(place_of(message->from)));
         break;
-      case Tag::end: end_ = decode<Ending>(message->bytes); break;
+      case Tag::end: end_ = readable<Ending>(message->bytes).value_or(Ending::orderly); break;
       case Tag::heartbeat:
-        if (watch_) watch_->heard(message->from, decode<Heartbeat>(message->bytes));
+        if (!watch_) break;
+        if (const auto beat = readable<Heartbeat>(message->bytes)) watch_->heard(message->from, *beat);
         break;
       case Tag::bye: ++byes_; break;
       case Tag::leave: may_leave_ = true; break;

@@ -3,12 +3,9 @@
 // process alive.
 #pragma once
 
-#include <boost/serialization/is_bitwise_serializable.hpp>
-#include <boost/serialization/level.hpp>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
-#include <type_traits>
 
 namespace tessera::comm {
 
@@ -35,6 +32,3 @@ class Heart {
 };
 
 }  // namespace tessera::comm
-
-BOOST_IS_BITWISE_SERIALIZABLE(tessera::comm::Heartbeat)
-BOOST_CLASS_IMPLEMENTATION(tessera::comm::Heartbeat, boost::serialization::primitive_type)

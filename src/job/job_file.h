@@ -135,7 +135,7 @@ struct Job {
   std::string wishes;  // absolute path of a table whose rows come before those of [[shapes]]; empty once they are there
   std::vector<std::string> wishes_places;   // "FILE:LINE" of each row that came from it
   Mirroring mirrored = Mirroring::never;    // of shapes that no table says otherwise of
-  QualityWord quality = QualityWord::good;  // none once settings.improve has what it says
+  QualityWord quality = QualityWord::good;  // none once settings.improve has what it says (quality_word.h)
   CanvasSpec canvas;
   StartSpec start;
   std::string devices = "all";  // "all", "cpu", "gpu" or a list of distinct indices "0,2"

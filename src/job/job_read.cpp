@@ -323,8 +323,8 @@ Job read_job(const std::string& text, const std::string& path, const std::vector
   entries.apply_all_but_mm(job);
   set_size_on_paper(entries.has("canvas", "size_px"), job);
   entries.apply_mm(job);
-  if (entries.quality_counts()) set_improving_by_quality(job);
-  job.quality = QualityWord::none;  // from here on the numbers count, in job.toml too
+  if (!entries.quality_counts()) job.quality = QualityWord::none;
+  if (!quality_waits_for_sizes(job)) set_improving_by_quality(job);  // else CanvasProblem does
   add_rows(table, path, job);
   set_regions(job);
   for (const JobRow& row : rows_of(job, "keep_out")) job.canvas.keep_out_rectangles.push_back(keep_out_rectangle(row));

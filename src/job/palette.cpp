@@ -4,11 +4,11 @@
 #include <array>
 #include <cctype>
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <sstream>
 
+#include "artwork/images/colour_conversion.h"
 #include "core/base/error.h"
 #include "core/base/split_text.h"
 #include "files/regular_file.h"
@@ -48,9 +48,8 @@ std::string gimp_colour(const std::string& line) {
   for (int& value : rgb) {
     if (!(words >> value) || value < 0 || value > 255) return {};
   }
-  std::array<char, 8> text;
-  std::snprintf(text.data(), text.size(), "#%02x%02x%02x", rgb[0], rgb[1], rgb[2]);
-  return text.data();
+  const auto byte = [&](std::size_t channel) { return std::uint8_t(rgb[channel]); };
+  return hex_of({byte(2), byte(1), byte(0)});
 }
 
 bool is_gimp_header(const std::string& line) {

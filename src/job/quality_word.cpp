@@ -13,9 +13,21 @@ constexpr double kGoodTrialsPerPiece = 300 * 30 * 150 / 1e6;
 // Coverage of that job: 88.2 % without trials, 90.3 % with 300, 91.1 % with 2,400.
 constexpr double kBestTrialsPerPiece = 8 * kGoodTrialsPerPiece;
 
+/// Of [pieces]; those of single shapes do not count. With fit = "all" drawn sizes are known when shapes are.
+Interval sizes_of(const Job& job) {
+  const PieceSettings& pieces = job.settings.pieces;
+  if (job.drawn_sizes && pieces.fit_all) return {pieces.min_scale_px, pieces.max_scale_px};
+  Interval sizes = pieces.poses().scale_px.front();
+  for (const Interval& scale_px : pieces.poses().scale_px) {
+    sizes.min = std::min(sizes.min, scale_px.min);
+    sizes.max = std::max(sizes.max, scale_px.max);
+  }
+  return sizes;
+}
+
 /// As if all had the geometric mean of the least and the greatest size and covered the rectangle or box.
-double expected_pieces(const CanvasSpec& canvas, const PieceSettings& pieces) {
-  return double(canvas.width_px) * canvas.height_px / (double(pieces.min_scale_px) * pieces.max_scale_px);
+double expected_pieces(const CanvasSpec& canvas, const Interval& scale_px) {
+  return double(canvas.width_px) * canvas.height_px / (double(scale_px.min) * scale_px.max);
 }
 
 /// To two significant digits: more would say that somebody knows them.
@@ -33,10 +45,16 @@ int trials(QualityWord word, double pieces) {
 
 }  // namespace
 
-void set_improving_by_quality(Job& job) {
+bool quality_waits_for_sizes(const Job& job) {
+  return job.settings.pieces.fit_all && (job.quality == QualityWord::good || job.quality == QualityWord::best);
+}
+
+void set_improving_by_quality(Job& job, double size_factor) {
   if (job.quality == QualityWord::none) return;
-  job.settings.improve.trials = trials(job.quality, expected_pieces(job.canvas, job.settings.pieces));
+  const double pieces = expected_pieces(job.canvas, sizes_of(job)) / (size_factor * size_factor);
+  job.settings.improve.trials = trials(job.quality, pieces);
   job.settings.improve.seconds = 0;
+  job.quality = QualityWord::none;
 }
 
 }  // namespace tessera

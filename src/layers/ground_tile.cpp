@@ -42,8 +42,8 @@ cv::Size2d size_in_file(std::span<const std::uint8_t> bytes, cv::Size page) {
 }
 
 /// As fine as the picture shows it.
-int page_side_px(const Job& job, const Canvas& canvas, cv::Size2d tile_px) {
-  const double picture_px = double(picture_width_px(job.output)) / canvas.width_px;
+int page_side_px(const OutputSpec& output, const Canvas& canvas, cv::Size2d tile_px) {
+  const double picture_px = double(picture_width_px(output)) / canvas.width_px;
   const double side_px = std::ceil(picture_px * std::max(tile_px.width, tile_px.height));
   return int(std::clamp(side_px, 1., double(kMaxArtworkSide_px)));
 }
@@ -58,21 +58,21 @@ cv::Mat embedded(const cv::Mat& page) {
   return small;
 }
 
-GroundTile drawn(const Job& job, const Canvas& canvas, Drawers& drawers) {
-  const std::string& path = job.output.ground;
+GroundTile drawn(const OutputSpec& output, const Canvas& canvas, Drawers& drawers) {
+  const std::string& path = output.ground;
   const std::vector<std::uint8_t> bytes = read_artwork_file(path);
   GroundTile tile;
   if (looks_like_svg(bytes)) {
     const cv::Size2d natural = drawers.natural_size(bytes, path);
-    tile.size_px = tile_size_px(natural, job.output.ground_px, canvas);
-    const cv::Mat page = drawers.render(bytes, path, page_side_px(job, canvas, tile.size_px));
+    tile.size_px = tile_size_px(natural, output.ground_px, canvas);
+    const cv::Mat page = drawers.render(bytes, path, page_side_px(output, canvas, tile.size_px));
     tile.page = whole_px(page, natural);
     EmbeddedDrawing embedded = embedded_drawing(bytes, path, kGroundId, drawers);
     tile.svg = std::move(embedded.svg);
     tile.svg_size = embedded.size;
   } else {
     tile.page = drawers.whole_picture(bytes, path, kMaxArtworkSide_px);
-    tile.size_px = tile_size_px(size_in_file(bytes, tile.page.size()), job.output.ground_px, canvas);
+    tile.size_px = tile_size_px(size_in_file(bytes, tile.page.size()), output.ground_px, canvas);
     const cv::Mat image = embedded(tile.page);
     tile.svg = svg_image(image, kGroundId);
     tile.svg_size = image.size();
@@ -92,10 +92,10 @@ cv::Size2d tile_size_px(cv::Size2d drawing, double width_px, const Canvas& canva
   return size_px;
 }
 
-GroundTile draw_ground(const Job& job, const Canvas& canvas, Drawers& drawers) {
-  if (job.output.ground.empty()) return {};
+GroundTile draw_ground(const OutputSpec& output, const Canvas& canvas, Drawers& drawers) {
+  if (output.ground.empty()) return {};
   try {
-    return drawn(job, canvas, drawers);
+    return drawn(output, canvas, drawers);
   } catch (const InputError& error) {
     throw InputError(std::string("output.ground: ") + error.what());
   }

@@ -25,8 +25,8 @@ struct GroundTile {
 /// tiles fits into the period.
 cv::Size2d tile_size_px(cv::Size2d drawing, double width_px, const Canvas& canvas);
 
-/// Drawn fine enough for pictures of the job's output. Throws InputError, which names the key, where the file cannot be read or
-/// drawn, and DrawingStopped.
-GroundTile draw_ground(const Job& job, const Canvas& canvas, Drawers& drawers);
+/// That of output.ground, drawn fine enough for pictures of that output. Throws InputError, which names the key, where
+/// the file cannot be read or drawn, and DrawingStopped.
+GroundTile draw_ground(const OutputSpec& output, const Canvas& canvas, Drawers& drawers);
 
 }  // namespace tessera

@@ -16,8 +16,8 @@ namespace {
 constexpr const char* kKeepOutId = "keep-out";
 
 /// Twice as fine as the picture, as the sprites of pieces are.
-int page_side_px(const Job& job, const Canvas& canvas, const cv::Rect2d& place_px) {
-  const double picture_px = double(picture_width_px(job.output)) / canvas.width_px;
+int page_side_px(const OutputSpec& output, const Canvas& canvas, const cv::Rect2d& place_px) {
+  const double picture_px = double(picture_width_px(output)) / canvas.width_px;
   const double side = 2 * picture_px * std::max(place_px.width, place_px.height);
   return int(std::clamp(side, double(kEdgeSide_px), double(kMaxArtworkSide_px)));
 }
@@ -33,14 +33,14 @@ std::vector<std::vector<Vec2>> clip_of(const cv::Mat& page, const cv::Rect2d& pl
 
 }  // namespace
 
-KeepOutDrawing draw_keep_out(const Job& job, const Canvas& canvas, Drawers& drawers) {
-  const std::string& path = job.canvas.keep_out;
+KeepOutDrawing draw_keep_out(const std::string& path, const OutputSpec& output, const Canvas& canvas,
+                             Drawers& drawers) {
   if (path.empty()) return {};
   const auto bytes = read_canvas_file(path, "canvas.keep_out");
   const cv::Size2d natural = drawers.natural_size(bytes, path);
   KeepOutDrawing drawing;
   drawing.place_px = place_on_canvas(natural, canvas);
-  drawing.page = drawers.render(bytes, path, page_side_px(job, canvas, drawing.place_px));
+  drawing.page = drawers.render(bytes, path, page_side_px(output, canvas, drawing.place_px));
   drawing.clip = clip_of(drawing.page, drawing.place_px);
   EmbeddedDrawing embedded = embedded_drawing(bytes, path, kKeepOutId, drawers);
   drawing.svg = std::move(embedded.svg);

@@ -20,8 +20,8 @@ struct KeepOutDrawing {
   std::vector<std::vector<Vec2>> clip;
 };
 
-/// Drawn fine enough for the job's pictures, up to the largest page that is drawn. Throws InputError where it cannot be
-/// drawn, and DrawingStopped.
-KeepOutDrawing draw_keep_out(const Job& job, const Canvas& canvas, Drawers& drawers);
+/// Of the file `path` (canvas.keep_out; empty: none), drawn fine enough for pictures of that output, up to the largest
+/// page that is drawn. Throws InputError where it cannot be drawn, and DrawingStopped.
+KeepOutDrawing draw_keep_out(const std::string& path, const OutputSpec& output, const Canvas& canvas, Drawers& drawers);
 
 }  // namespace tessera

@@ -11,6 +11,7 @@ namespace {
 // Without the picture's path: cards may be handed on.
 constexpr const char* kUnreadable = "colour.image cannot be read any more";
 constexpr const char* kAnother = "colour.image has changed since the collage";
+constexpr const char* kUnknownSizes = "the pieces that the collage began from cannot be read any more";
 constexpr const char* kTransparent = "colour.image is transparent here";
 
 /// Whether pieces that were chosen by this picture cover the colours that the report says.
@@ -20,19 +21,23 @@ bool is_of_collage(const ColourImage& image, const CollageReport& report) {
 
 }  // namespace
 
-AfarMeasure::AfarMeasure(const CollageReport& report, Drawers& drawers)
+AfarMeasure::AfarMeasure(const CollageReport& report, const std::string& image, std::optional<float> smallest_px,
+                         Drawers& drawers)
     : canvas_(*report.canvas),
       pieces_(report.placements.size()),
-      mosaic_(picture_size_px(report.job->output, *report.canvas)) {
+      mosaic_(picture_size_px(report.output, *report.canvas)) {
+  if (!smallest_px) {
+    not_measured_ = kUnknownSizes;
+    return;
+  }
   try {
-    const ColourImage image =
-        read_colour_image(*report.canvas, *report.job, report.job->settings.pieces.min_scale_px, drawers);
-    if (!is_of_collage(image, report)) {
+    const ColourImage shown = read_colour_image(*report.canvas, image, *smallest_px, drawers);
+    if (!is_of_collage(shown, report)) {
       not_measured_ = kAnother;
       return;
     }
-    const cv::Size size_px = picture_size_px(report.job->output, *report.canvas);
-    picture_ = cells_of_picture(image.bgra, comparison_cells(size_px));
+    const cv::Size size_px = picture_size_px(report.output, *report.canvas);
+    picture_ = cells_of_picture(shown.bgra, comparison_cells(size_px));
   } catch (const InputError&) {
     not_measured_ = kUnreadable;
   }

@@ -1,6 +1,7 @@
 // Measures the pixels of a collage, while they are drawn, against the picture that its pieces show (colour.image).
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "artwork/drawers/drawers.h"
@@ -12,10 +13,12 @@ namespace tessera {
 
 class AfarMeasure {
  public:
-  /// Reads colour.image of the report's job, which has one. The report has the pieces as they were placed, not yet
-  /// deformed. Where the picture cannot be had, or is another than when the collage was made, the note says so: drawing
-  /// does not need it. Throws EnvironmentError where it cannot be decoded for want of processes, DrawingStopped.
-  AfarMeasure(const CollageReport& report, Drawers& drawers);
+  /// Reads `image` (colour.image) as finely as the run did, which goes by the size of the smallest piece, in px;
+  /// nothing where that is not known any more. The report has the pieces as they were placed, not yet deformed. Where
+  /// the picture cannot be had, or is another than when the collage was made, the note says so: drawing does not need
+  /// it. Throws EnvironmentError where it cannot be decoded for want of processes, DrawingStopped.
+  AfarMeasure(const CollageReport& report, const std::string& image, std::optional<float> smallest_px,
+              Drawers& drawers);
 
   /// Takes the picture's rows, beside the files that are written.
   PictureFile& rows() { return mosaic_; }

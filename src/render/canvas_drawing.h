@@ -16,16 +16,17 @@ struct CanvasDrawing {
   GroundTile ground;
 };
 
-/// For drawers of the job's canvas, when its pictures are made. Each drawing may take three times as long as
+/// For drawers of the canvas' files, when its pictures are made. Each drawing may take three times as long as
 /// check_canvas_drawing allows, so that what passed before the run does not fail after it on a busy machine.
-DrawerSettings canvas_picture_settings(const Job& job);
+DrawerSettings canvas_picture_settings(const CanvasSpec& spec, const OutputSpec& output);
 
-/// Job::output is that of the pictures (on_paper). Throws InputError where a file cannot be read or drawn, and
+/// `output` is that of the pictures (on_paper). Throws InputError where a file cannot be read or drawn, and
 /// DrawingStopped.
-CanvasDrawing draw_canvas(const Job& job, const Canvas& canvas, Drawers& drawers);
+CanvasDrawing draw_canvas(const CanvasSpec& spec, const OutputSpec& output, const Canvas& canvas, Drawers& drawers);
 
-/// Before a long run: draws all files that draw_canvas will draw, as large. Throws InputError, which names job, key, file
+/// Before a long run: draws all files that draw_canvas will draw, as large. Throws InputError, which names key, file
 /// and reason, where that cannot be, and EnvironmentError where the program that draws is missing.
-void check_canvas_drawing(const Job& job, const Canvas& canvas, double seconds = DrawerSettings{}.seconds_per_drawing);
+void check_canvas_drawing(const CanvasSpec& spec, const OutputSpec& output, const Canvas& canvas,
+                          double seconds = DrawerSettings{}.seconds_per_drawing);
 
 }  // namespace tessera

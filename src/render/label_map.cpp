@@ -58,7 +58,7 @@ PictureFormat label_format(const CollageReport& report) {
     throw InputError("output.labels: found " + std::to_string(count) +
                      " pieces, allowed: " + std::to_string(kMostPieces) + ", as many as 16 bits have numbers for");
   }
-  return {.size = picture_size_px(report.job->output, *report.canvas),
+  return {.size = picture_size_px(report.output, *report.canvas),
           .grey_bits = count <= std::numeric_limits<std::uint8_t>::max() ? 8 : 16};
 }
 

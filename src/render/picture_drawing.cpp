@@ -66,11 +66,11 @@ class PictureBands {
       : report_(report),
         artworks_(artworks),
         limits_(limits),
-        size_(picture_size_px(report.job->output, *report.canvas)),
+        size_(picture_size_px(report.output, *report.canvas)),
         picture_px_(double(size_.width) / report.canvas->width_px),
-        opaque_(report.job->output.background != kNoColour),
-        background_(opaque_ ? bgr_of(flat_background(report.job->output)) : cv::Vec3b()),
-        line_colour_(bgr_of(report.job->output.outline_colour)),
+        opaque_(report.output.background != kNoColour),
+        background_(opaque_ ? bgr_of(flat_background(report.output)) : cv::Vec3b()),
+        line_colour_(bgr_of(report.output.outline_colour)),
         ground_(report.ground, picture_px_, size_),
         overlay_(report.overlay, picture_px_, size_),
         keep_out_(report.keep_out, picture_px_, size_),
@@ -112,7 +112,7 @@ class PictureBands {
 
  private:
   /// Along the outlines, px of the picture.
-  double line_px() const { return report_.job->output.outline_px * picture_px_; }
+  double line_px() const { return report_.output.outline_px * picture_px_; }
 
   std::vector<std::size_t> pieces_between(int top, int bottom) const {
     std::vector<std::size_t> reaching;
@@ -257,10 +257,10 @@ void draw_picture(const CollageReport& report, ShapeArtworks& artworks, const Pi
 }
 
 PictureFormat picture_format(const CollageReport& report) {
-  const OutputSpec& output = report.job->output;
+  const OutputSpec& output = report.output;
   return {.size = picture_size_px(output, *report.canvas),
           .alpha = output.background == kNoColour,
-          .size_mm = page_size_mm(output, report.job->canvas, *report.canvas)};
+          .size_mm = page_size_mm(output, report.box, *report.canvas)};
 }
 
 void write_picture(const CollageReport& report, ShapeArtworks& artworks, const std::vector<PictureFile*>& files,

@@ -89,8 +89,7 @@ bool draws_palette(const ColourSpec& colour, const ShapeLibrary& library) {
 }
 
 std::vector<std::string> piece_colours(const CollageReport& report, const std::vector<Placement>& placements,
-                                       const std::vector<std::string>& palette) {
-  const float padding_px = report.job->settings.pieces.padding_px;
+                                       const std::vector<std::string>& palette, float padding_px) {
   std::vector<Piece> pieces;
   std::vector<std::size_t> chosen;
   for (const Placement& placement : placements) {

@@ -31,8 +31,7 @@ const Shape& shape_of(const CollageReport& report, const Placement& placement) {
 
 /// Pieces that were put where they are for good stay as they are, those that keep a distance from their like, too, and
 /// what has no area, as only a damaged library holds.
-bool stays(const CollageReport& report, std::size_t piece) {
-  const CollageSettings& settings = report.job->settings;
+bool stays(const CollageReport& report, const CollageSettings& settings, std::size_t piece) {
   const Wishes& wishes = settings.wishes;
   const ShapeId shape = report.placements[piece].shape;
   if (piece < wishes.locked() && wishes.given[piece].for_good) return true;
@@ -42,11 +41,11 @@ bool stays(const CollageReport& report, std::size_t piece) {
   return !wish.deforms || (wish.apart && wish.apart->distance_px > 0);
 }
 
-std::vector<DeformablePiece> deformable(const CollageReport& report) {
+std::vector<DeformablePiece> deformable(const CollageReport& report, const CollageSettings& settings) {
   std::vector<DeformablePiece> pieces;
   for (std::size_t i = 0; i < report.placements.size(); ++i) {
     const Placement& placement = report.placements[i];
-    pieces.push_back({&shape_of(report, placement), placement.canvas_from_shape, stays(report, i)});
+    pieces.push_back({&shape_of(report, placement), placement.canvas_from_shape, stays(report, settings, i)});
   }
   return pieces;
 }
@@ -91,7 +90,7 @@ void give_shapes(CollageReport& report, std::vector<Outline> outlines, std::vect
   for (std::size_t i = 0; i < report.placements.size(); ++i) {
     Placement& placement = report.placements[i];
     const Shape& original = shape_of(report, placement);
-    if (report.job->output.clip == kNoClip) warps[i] = spread_over_page(warps[i], original);
+    if (report.output.clip == kNoClip) warps[i] = spread_over_page(warps[i], original);
     const float margin_px = std::ceil(farthest(warps[i]) * original.artwork.unit_px) + kPageRim_px;
     shapes.add_apart(ShapeId(i), deformed_shape(original, std::move(outlines[i]), margin_px));
     deformed.shapes.push_back(placement.shape);
@@ -176,13 +175,10 @@ std::vector<Vec2> displacements(const Outline& before, const Outline& after) {
 
 }  // namespace
 
-bool deforms(const Job& job) { return job.settings.deform.kind != DeformKind::none; }
-
-void deform_pieces(CollageReport& report) {
-  const CollageSettings& settings = report.job->settings;
+void deform_pieces(CollageReport& report, const CollageSettings& settings) {
   const Quality before = quality_before(report);
   const Stopwatch watch;
-  std::vector<DeformedPiece> pieces = deformed_pieces(*report.canvas, deformable(report), settings.deform,
+  std::vector<DeformedPiece> pieces = deformed_pieces(*report.canvas, deformable(report, settings), settings.deform,
                                                       settings.match.pad, settings.pieces.padding_px);
   DeformationFigures figures = figures_of(pieces);
   figures.seconds = watch.seconds();

@@ -19,6 +19,8 @@
 #include "job/palette.h"
 #include "job/picture_size.h"
 #include "job/pieces/job_library.h"
+#include "job/pieces/shape_group.h"
+#include "job/pieces/size_factor.h"
 #include "render/afar_measure.h"
 #include "render/canvas_drawing.h"
 #include "render/card_drawing.h"
@@ -37,7 +39,7 @@
 #include "result/placed_pieces.h"
 #include "result/result_file.h"
 #include "result/result_manifest.h"
-#include "result/run_record.h"
+#include "text/digest_text.h"
 #include "text/number_text.h"
 #include "text/utf8_text.h"
 
@@ -101,12 +103,14 @@ OutputSpec output_of(const WholeResult& result, const PictureRequest& request, c
 
 struct DrawnCanvas {
   Canvas canvas;
+  CanvasSpec box;     // on paper the page
+  OutputSpec output;  // goes by the canvas
   CanvasDrawing drawing;
 };
 
-/// Also makes the job's output that of the pictures, which goes by the canvas, and the canvas' box on paper the page.
-DrawnCanvas canvas_of(const WholeResult& result, const PictureRequest& request, Job& job, DrawingObserver& observer) {
-  Drawers drawers(canvas_picture_settings(job));
+DrawnCanvas canvas_of(const WholeResult& result, const PictureRequest& request, const Job& job,
+                      DrawingObserver& observer) {
+  Drawers drawers(canvas_picture_settings(job.canvas, job.output));
   const StopWatcher stop(observer, drawers);
   Canvas canvas = load_canvas(job.canvas, drawers);
   if (canvas_digest(canvas) != result.manifest.canvas_digest) {
@@ -114,11 +118,12 @@ DrawnCanvas canvas_of(const WholeResult& result, const PictureRequest& request, 
     const std::string both = spec.file + (spec.file.empty() || spec.keep_out.empty() ? "" : " or ") + spec.keep_out;
     throw InputError(both + ": another content than when the collage was made; put the file back to draw it");
   }
-  shrink_box_to_page(job.canvas, canvas, drawers);
-  job.output = output_of(result, request, job.canvas, canvas);
-  check_picture_size(job.output, canvas);
-  CanvasDrawing drawing = draw_canvas(job, canvas, drawers);
-  return {std::move(canvas), std::move(drawing)};
+  CanvasSpec box = job.canvas;
+  shrink_box_to_page(box, canvas, drawers);
+  OutputSpec output = output_of(result, request, box, canvas);
+  check_picture_size(output, canvas);
+  CanvasDrawing drawing = draw_canvas(box, output, canvas, drawers);
+  return {std::move(canvas), std::move(box), std::move(output), std::move(drawing)};
 }
 
 std::vector<Placement> placements_of(const std::string& dir, const ResultManifest& manifest, std::size_t shapes) {
@@ -196,7 +201,7 @@ class ResultPictures {
     if (png) names.push_back("collage.png");
     if (tiff) names.push_back("collage.tiff");
     for (const char* name : names) begin(name);
-    const std::size_t rows = std::size_t(picture_size_px(report_.job->output, *report_.canvas).height);
+    const std::size_t rows = std::size_t(picture_size_px(report_.output, *report_.canvas).height);
     const PictureFormat format = picture_format(report_);
     std::vector<std::unique_ptr<PictureFile>> owned;
     if (png) owned.push_back(std::make_unique<PngStream>(path_in_result(dir_, "collage.png"), format));
@@ -240,9 +245,9 @@ class ResultPictures {
   }
 
   void end(const char* name) {
-    manifest_.pictures.push_back({name, report_.job->output});
-    if (!manifest_.covered.empty()) manifest_.pictures.back().shift = report_.job->colour.shift;
-    manifest_.pictures.back().overlay = report_.job->colour.overlay;
+    manifest_.pictures.push_back({name, report_.output});
+    if (!manifest_.covered.empty()) manifest_.pictures.back().shift = report_.shift;
+    manifest_.pictures.back().overlay = report_.overlay_opacity;
     manifest_.pictures.back().harmony = report_.harmony;
     if (report_.colours != manifest_.colours) manifest_.pictures.back().colours = distinct(report_.colours);
     tell();
@@ -254,7 +259,7 @@ class ResultPictures {
 
   double width_pt() const {
     constexpr double kPointsPerInch = 72, kPxPerInch = 96;  // CSS
-    const OutputSpec& output = report_.job->output;
+    const OutputSpec& output = report_.output;
     return kPointsPerInch * (output.width_mm == 0 ? output.width_px / kPxPerInch : output.width_mm / kMmPerInch);
   }
 
@@ -278,65 +283,107 @@ class ResultPictures {
   ShapeArtworks artworks_;
 };
 
+/// A result as it is drawn.
+struct DrawnResult {
+  const std::string& folder;
+  const WholeResult& result;
+  const DrawnJob& drawn;
+  const LibraryView& library;
+};
+
+/// The pieces as they were placed, on their canvas, in no other colours than the result's. `canvas` outlives it.
+CollageReport report_of(const DrawnResult& result, DrawnCanvas& canvas, const StopWatcher& stop) {
+  const Job& job = result.drawn.job;
+  const ResultManifest& manifest = result.result.manifest;
+  CollageReport report;
+  report.output = canvas.output;
+  report.box = canvas.box;
+  report.canvas = &canvas.canvas;
+  report.canvas_edge = std::move(canvas.drawing.edge);
+  report.keep_out = std::move(canvas.drawing.keep_out);
+  report.ground = canvas.output.background == kImageBackground
+                      ? image_background(result.folder, canvas.output, canvas.canvas)
+                      : std::move(canvas.drawing.ground);
+  report.overlay = image_overlay(result.folder, job.colour.overlay, canvas.canvas);
+  report.overlay_opacity = job.colour.overlay;
+  report.placements = placements_of(result.folder, manifest, result.library.size());
+  const LibraryParts parts{.outline = true, .field = true, .levels = 0, .artwork = true, .original = true};
+  report.shapes = read_placed_shapes(result.library, report.placements, parts, [&] { stop.check(); });
+  const std::vector<std::string> groups =
+      shape_groups(job, report.shapes.names(), names_like_patterns(result.library, job));
+  report.groups = of_placements(groups, report.shapes, report.placements);
+  report.covered = manifest.covered;
+  if (!result.drawn.other_colours) report.colours = manifest.colours;
+  return report;
+}
+
+/// `palette`: of the job, where other colours are asked for than those of the result.
+void add_colours(const DrawnResult& result, const std::vector<std::string>& palette, Drawers& drawers,
+                 CollageReport& report) {
+  const Job& job = result.drawn.job;
+  if (result.drawn.other_colours && draws_palette(job.colour, result.library))
+    report.colours = piece_colours(report, report.placements, palette, job.settings.pieces.padding_px);
+  report.shift = job.colour.shift;
+  if (report.shift > 0 && !report.covered.empty()) {
+    const std::vector<DrawnColours> drawn = drawn_colours(report.shapes, drawers);
+    report.tones = tones_towards_picture(report, drawn, shown_picture(result.folder), report.shift);
+  }
+  harmonise(report, job.colour.harmony);
+}
+
+/// Nothing where what the collage began from cannot be read any more.
+std::optional<float> smallest_size_of(const DrawnResult& result, const Canvas& canvas) {
+  try {
+    return smallest_size_px(canvas, result.library, result.result.job);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+AfarMeasure afar_measure(const DrawnResult& result, const CollageReport& report, DrawingObserver& observer) {
+  Drawers photo_drawer(photo_drawer_settings(1));
+  const StopWatcher stop(observer, photo_drawer);
+  AfarMeasure measure(report, result.drawn.job.colour.image, smallest_size_of(result, *report.canvas), photo_drawer);
+  stop.check();
+  return measure;
+}
+
+void check_can_be_pdf(const std::string& dir, const CollageReport& report, const std::string& harmony) {
+  const auto is_turned = [](const Tone& tone) { return tone.turn_deg != 0; };
+  if (std::any_of(report.tones.begin(), report.tones.end(), is_turned)) throw no_pdf(dir, harmony);
+}
+
 }  // namespace
 
 DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, DrawingObserver& observer) {
   const Stopwatch watch;
-  const WholeResult result = read_result(dir);
-  const ResultManifest& manifest = result.manifest;
-  auto [job, other_colours] = job_of(result, request);
+  const WholeResult whole = read_result(dir);
+  const DrawnJob drawn = job_of(whole, request);
+  const Job& job = drawn.job;
   const std::string folder = request.to.empty() ? dir : request.to;
   check_can_be_drawn(folder, request, job.output);
   const std::vector<std::string> palette =
-      other_colours ? load_palette(job) : std::vector<std::string>();  // that of the job may be gone
+      drawn.other_colours ? load_palette(job) : std::vector<std::string>();  // that of the job may be gone
   Drawers drawers({.processes = rank_cores()});
   const StopWatcher stop(observer, drawers);
   stop.check();
-  const LibraryView library = library_of(dir, job, manifest);
+  const LibraryView library = library_of(dir, job, whole.manifest);
   stop.check();
-  DrawnCanvas canvas = canvas_of(result, request, job, observer);
-  CollageReport report;
-  report.job = &job;
-  report.canvas = &canvas.canvas;
-  report.canvas_edge = std::move(canvas.drawing.edge);
-  report.keep_out = std::move(canvas.drawing.keep_out);
-  report.ground = job.output.background == kImageBackground ? image_background(dir, job.output, canvas.canvas)
-                                                            : std::move(canvas.drawing.ground);
-  report.overlay = image_overlay(dir, job.colour.overlay, canvas.canvas);
-  report.placements = placements_of(dir, manifest, library.size());
-  const LibraryParts parts{.outline = true, .field = true, .levels = 0, .artwork = true, .original = true};
-  report.shapes = read_placed_shapes(library, report.placements, parts, [&] { stop.check(); });
-  report.names_like_patterns = names_like_patterns(library, job);
-  report.covered = manifest.covered;
-  if (!other_colours) {
-    report.colours = manifest.colours;
-  } else if (draws_palette(job.colour, library)) {
-    report.colours = piece_colours(report, report.placements, palette);
-  }
-  if (job.colour.shift > 0 && !report.covered.empty()) {
-    const std::vector<DrawnColours> drawn = drawn_colours(report.shapes, drawers);
-    report.tones = tones_towards_picture(report, drawn, shown_picture(dir), job.colour.shift);
-  }
-  harmonise(report, job.colour.harmony);
-  const auto is_turned = [](const Tone& tone) { return tone.turn_deg != 0; };
-  if (request.pdf && std::any_of(report.tones.begin(), report.tones.end(), is_turned)) {
-    throw no_pdf(dir, job.colour.harmony);
-  }
+  DrawnCanvas canvas = canvas_of(whole, request, job, observer);
+  const DrawnResult result{dir, whole, drawn, library};
+  CollageReport report = report_of(result, canvas, stop);
+  add_colours(result, palette, drawers, report);
+  if (request.pdf) check_can_be_pdf(dir, report, job.colour.harmony);
   const bool is_result = request.to.empty();
   const bool pixels = request.png || request.tiff;
   std::optional<AfarMeasure> measure;
-  if (is_result && pixels && !job.colour.image.empty()) {
-    Drawers photo_drawer(photo_drawer_settings(1));
-    const StopWatcher photo_stop(observer, photo_drawer);
-    measure.emplace(report, photo_drawer);
-    photo_stop.check();
-  }
-  if (manifest.deformed) take_up_deformed_pieces(dir, report, [&] { stop.check(); });
-  ResultPictures pictures({folder, is_result}, report, manifest, drawers, stop, observer);
+  if (is_result && pixels && !job.colour.image.empty()) measure.emplace(afar_measure(result, report, observer));
+  if (whole.manifest.deformed) take_up_deformed_pieces(dir, report, [&] { stop.check(); });
+  ResultPictures pictures({folder, is_result}, report, whole.manifest, drawers, stop, observer);
   if (request.svg) pictures.svg();
   if (pixels) pictures.pixels(request.png, request.tiff, measure ? &*measure : nullptr);
   if (request.pdf) pictures.pdf();
-  if (request.png && job.output.labels) pictures.labels();
+  if (request.png && report.output.labels) pictures.labels();
   DrawingNotes notes = pictures.notes();
   notes.layers = drawers.layers();
   if (measure) notes.afar = measure->note();

@@ -4,7 +4,6 @@
 #include <cctype>
 #include <map>
 
-#include "job/pieces/shape_group.h"
 #include "text/utf8_text.h"
 
 namespace tessera {
@@ -23,9 +22,8 @@ SvgLayer layer_of(const std::string& group, std::size_t groups_before) {
 std::vector<SvgLayer> piece_layers(const CollageReport& report) {
   std::vector<SvgLayer> layers;
   std::map<std::string, std::size_t> layer_of_group;
-  const std::vector<std::string> groups = shape_groups(*report.job, report.shapes.names(), report.names_like_patterns);
   for (std::size_t i = 0; i < report.placements.size(); ++i) {
-    const std::string& group = groups[report.shapes.slot_of(report.placements[i].shape)];
+    const std::string group = report.groups.empty() ? "" : report.groups[i];
     const auto [at, is_new] = layer_of_group.try_emplace(group, layers.size());
     if (is_new) layers.push_back(layer_of(group, layers.size()));
     layers[at->second].pieces.push_back(i);

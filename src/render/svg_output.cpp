@@ -70,7 +70,7 @@ constexpr const char* kOverlayId = "overlay";
 
 /// What the canvas is filled with.
 std::string canvas_fill(const CollageReport& report) {
-  return report.ground.svg.empty() ? flat_background(report.job->output) : std::string("url(#") + kGroundId + ")";
+  return report.ground.svg.empty() ? flat_background(report.output) : std::string("url(#") + kGroundId + ")";
 }
 
 /// Its tiles, on the background.
@@ -110,7 +110,7 @@ void write_canvas(const CollageReport& report, XmlWriter& svg) {
   const std::string fill = canvas_fill(report);
   const CanvasEdge& edge = report.canvas_edge;
   if (fill == kNoColour) return;
-  const bool opaque = report.job->output.background != kNoColour;
+  const bool opaque = report.output.background != kNoColour;
   start_layer(kCanvasLayer, svg);
   if (opaque) write_rectangle("#ffffff", svg);
   if (edge.curves.empty() || edge.grounds.empty() || !opaque) {
@@ -126,7 +126,7 @@ void write_overlay(const CollageReport& report, XmlWriter& svg) {
   if (report.overlay.svg.empty()) return;
   svg.raw("\n");
   start_layer(kOverlayLayer, svg);
-  svg.attribute("opacity", fixed(report.job->colour.overlay, 4));
+  svg.attribute("opacity", fixed(report.overlay_opacity, 4));
   write_canvas_shape(report.canvas_edge, std::string("url(#") + kOverlayId + ")", svg);
   svg.end();
 }
@@ -230,7 +230,7 @@ void write_patches(const CollageReport& report, const std::vector<SvgSymbol>& sy
 
 /// Over the canvas and as far around it as what lies there darkens it.
 void write_shadow_filter(const CollageReport& report, XmlWriter& svg) {
-  const OutputSpec& output = report.job->output;
+  const OutputSpec& output = report.output;
   const double around_px = 3 * output.shadow_blur_px;
   svg.raw("\n").start("filter").attribute("id", "shadow").attribute("filterUnits", "userSpaceOnUse");
   svg.attribute("x", fixed(-around_px, 3)).attribute("y", fixed(-around_px, 3));
@@ -248,7 +248,7 @@ void write_outline(const Shape& shape, const SvgSymbol& symbol, std::size_t slot
 
 void write_definitions(const CollageReport& report, const ShapeArtworks& artworks,
                        const std::vector<SvgSymbol>& symbols, XmlWriter& svg) {
-  const OutputSpec& output = report.job->output;
+  const OutputSpec& output = report.output;
   const bool patches = has_patches(report);
   svg.raw("\n").start("defs");
   for (std::size_t slot = 0; slot < symbols.size(); ++slot) {
@@ -274,7 +274,7 @@ void write_definitions(const CollageReport& report, const ShapeArtworks& artwork
 /// All shadows together, so that where two meet it is no darker.
 void write_shadow(const CollageReport& report, const std::vector<DrawnPiece>& drawn,
                   const std::vector<SvgSymbol>& symbols, XmlWriter& svg) {
-  const OutputSpec& output = report.job->output;
+  const OutputSpec& output = report.output;
   if (!has_shadow(output)) return;
   start_layer(kShadowLayer, svg);
   svg.start("g").attribute("filter", "url(#shadow)").attribute("opacity", fixed(output.shadow_strength, 3));
@@ -293,7 +293,7 @@ void write_shadow(const CollageReport& report, const std::vector<DrawnPiece>& dr
 
 /// Along the piece's outline, in the units of its symbol.
 void write_line(const CollageReport& report, const Placement& placement, const Drawing& drawing, XmlWriter& svg) {
-  const OutputSpec& output = report.job->output;
+  const OutputSpec& output = report.output;
   const Artwork& artwork = report.shapes[drawing.slot].artwork;
   const double canvas_px =
       double(placement.canvas_from_shape.scale()) / double(artwork.unit_px) * drawing.artwork_px_per_unit;  // of a unit
@@ -315,7 +315,7 @@ void write_piece(const CollageReport& report, const std::vector<SvgSymbol>& symb
   svg.attribute("transform", matrix_text(canvas_from_symbol(placement, shape.artwork, drawing.artwork_px_per_unit)));
   svg.start("title").text(title).end();
   svg.start("use").attribute("xlink:href", "#" + symbol_id(drawing.slot));
-  const OutputSpec& output = report.job->output;
+  const OutputSpec& output = report.output;
   const auto turn_hues = [&] {
     const int turn_deg = report.tones.empty() ? 0 : report.tones[drawn.piece].turn_deg;
     if (turn_deg != 0) svg.attribute("filter", "url(#" + turn_id(turn_deg) + ")");
@@ -364,8 +364,8 @@ void write_view_box(const cv::Size2d& page_px, XmlWriter& svg) {
 }
 
 void write_size_on_paper(const CollageReport& report, XmlWriter& svg) {
-  const cv::Size2d page_px = page_size_px(report.job->canvas, *report.canvas);
-  const cv::Size2d page_mm = page_size_mm(report.job->output, report.job->canvas, *report.canvas);
+  const cv::Size2d page_px = page_size_px(report.box, *report.canvas);
+  const cv::Size2d page_mm = page_size_mm(report.output, report.box, *report.canvas);
   svg.attribute("width", fixed(page_mm.width, 3) + "mm").attribute("height", fixed(page_mm.height, 3) + "mm");
   write_view_box(page_px, svg);
   // Copies of a canvas that repeats are to meet: its px fill the page, though they have its aspect to a px only.
@@ -375,7 +375,7 @@ void write_size_on_paper(const CollageReport& report, XmlWriter& svg) {
 }
 
 void write_size(const CollageReport& report, XmlWriter& svg) {
-  const OutputSpec& output = report.job->output;
+  const OutputSpec& output = report.output;
   if (output.width_mm > 0) return write_size_on_paper(report, svg);
   const cv::Size size = picture_size_px(output, *report.canvas);
   svg.attribute("width", std::to_string(size.width)).attribute("height", std::to_string(size.height));

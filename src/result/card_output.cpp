@@ -8,6 +8,7 @@
 #include "result/card_lines.h"
 #include "result/deformation_table.h"
 #include "result/rank_table.h"
+#include "text/digest_text.h"
 #include "text/number_text.h"
 #include "text/utf8_text.h"
 
@@ -63,7 +64,7 @@ Json quality_json(const Quality& q) {
 /// Empty while the run goes on.
 std::string end_word(const RunStatistics& run) { return run.stopped_by ? std::string(stop_word(*run.stopped_by)) : ""; }
 
-Json run_json(const RunStatistics& run, const ImproveSettings& improve) {
+Json run_json(const RunStatistics& run, int trials_limit) {
   const StageShares share = stage_shares(run);
   const auto seconds = [](double v) { return rounded(v, 3); };
   const auto percent = [](double fraction) { return rounded(100 * fraction, 3); };
@@ -79,7 +80,7 @@ Json run_json(const RunStatistics& run, const ImproveSettings& improve) {
           {"last_tenth_percent", run.last_tenth ? Json(percent(*run.last_tenth)) : Json()},
           {"improve_s", seconds(run.improve_s)},
           {"trials", run.trials},
-          {"trials_limit", improve.trials},
+          {"trials_limit", trials_limit},
           {"trials_kept", run.trials_kept},
           {"prune_s", seconds(run.prune_s)},
           {"dock_s", seconds(run.dock_s)},
@@ -128,9 +129,9 @@ std::string scales_text(const Quality& q) {
 }
 
 /// What keeps pieces further apart leaves nothing to share.
-std::string shared_boundary_text(const Quality& q, const PieceSettings& pieces) {
+std::string shared_boundary_text(const Quality& q, float padding_px) {
   const std::string text = percent_text(q.shared_boundary, 1) + "  (within 2 px";
-  return text + (pieces.padding_px > 0 ? "; padding keeps " + fixed(pieces.padding_px, 1) + " px)" : ")");
+  return text + (padding_px > 0 ? "; padding keeps " + fixed(padding_px, 1) + " px)" : ")");
 }
 
 std::string pieces_text(const Quality& q) {
@@ -174,11 +175,11 @@ std::string style_text(const Quality& q) {
   return q.style_distance ? fixed(*q.style_distance, 2) + " apart  (two pieces, mean by area; 0 = one)" : "not known";
 }
 
-std::string quality_text(const Quality& q, const PieceSettings& pieces) {
+std::string quality_text(const Quality& q, float padding_px) {
   return std::string("Quality\n") + card_line("coverage", percent_text(q.coverage)) +
          card_line("overlap", percent_text(q.overlap, 3)) + card_line("outside", percent_text(q.outside, 3)) +
          card_line("pieces", pieces_text(q)) + card_line("variety", variety_text(q)) +
-         card_line("shared boundary", shared_boundary_text(q, pieces)) + card_line("scale", scales_text(q)) +
+         card_line("shared boundary", shared_boundary_text(q, padding_px)) + card_line("scale", scales_text(q)) +
          card_line("", "(min / 10 % / median / 90 % / max)") +
          card_line("largest gap", fixed(q.largest_gap_px, 1) + " px  (radius)") +
          card_line("balance of sizes", balance_text(q)) + card_line("dwarfs", dwarfs_text(q)) +
@@ -200,16 +201,16 @@ std::string improvement_text(const RunStatistics& run) {
 }
 
 /// "full", "full, then 12 of 12 trials" or "coverage after 3 of 12 trials": improving begins when the canvas is full.
-std::string end_text(const RunStatistics& run, const ImproveSettings& improve) {
+std::string end_text(const RunStatistics& run, int trials_limit) {
   if (run.trials == 0) return end_word(run);
-  const std::uint64_t most = improve.trials > 0 ? std::uint64_t(improve.trials) : run.trials;
-  const std::string limit = improve.trials > 0 ? " of " + grouped(most) : "";
+  const std::uint64_t most = trials_limit > 0 ? std::uint64_t(trials_limit) : run.trials;
+  const std::string limit = trials_limit > 0 ? " of " + grouped(most) : "";
   const bool then = run.stopped_by == StopReason::full || run.stopped_by == StopReason::used_up;
   return end_word(run) + (then ? ", then " : " after ") + grouped(run.trials) + limit +
          by_count(most, " trial", " trials");
 }
 
-std::string run_text(const RunStatistics& run, const ImproveSettings& improve) {
+std::string run_text(const RunStatistics& run, int trials_limit) {
   const StageShares share = stage_shares(run);
   return std::string("Run (the paper's Table 2)\n") +
          card_line("candidates", grouped(run.shapes) + "  (shapes in the library)") +
@@ -219,7 +220,7 @@ std::string run_text(const RunStatistics& run, const ImproveSettings& improve) {
          card_line("total time", fixed(run.total_s, 1) + " s") + last_tenth_text(run) + improvement_text(run) +
          card_line("prune / dock", percent_text(share.prune, 1) + " / " + percent_text(share.dock, 1)) +
          card_line("objective / merge", percent_text(share.objective, 1) + " / " + percent_text(share.merge, 1)) +
-         card_line("stopped by", end_text(run, improve));
+         card_line("stopped by", end_text(run, trials_limit));
 }
 
 /// The shapes are the first ones where many are missing: the card stays small enough to be read again.
@@ -251,10 +252,10 @@ std::string missing_lines(const std::vector<MissingShape>& missing) {
 
 }  // namespace
 
-std::string card_json(const Quality& quality, const RunStatistics& run, const CollageSettings& settings,
+std::string card_json(const Quality& quality, const RunStatistics& run, const CardSettings& settings,
                       const RankStatistics& ranks, const RunRecord& record,
                       const std::optional<DeformationFigures>& deformation, const std::vector<MissingShape>& missing) {
-  Json card{{"quality", quality_json(quality)}, {"run", run_json(run, settings.improve)}};
+  Json card{{"quality", quality_json(quality)}, {"run", run_json(run, settings.trials)}};
   if (!missing.empty()) card["missing"] = missing_json(missing);
   if (deformation) card["deformation"] = deformation_json(*deformation);
   if (!ranks.workers.empty()) card["ranks"] = ranks_json(ranks);
@@ -274,13 +275,13 @@ std::string score_json(const std::optional<Quality>& quality, const std::optiona
 }
 
 std::string score_text(const std::optional<Quality>& quality, const std::optional<AfarNote>& afar) {
-  return (quality ? quality_text(*quality, {}) : "") + (afar ? afar_text(*afar) : "");
+  return (quality ? quality_text(*quality, 0) : "") + (afar ? afar_text(*afar) : "");
 }
 
-std::string card_text(const Quality& quality, const RunStatistics& run, const CollageSettings& settings,
+std::string card_text(const Quality& quality, const RunStatistics& run, const CardSettings& settings,
                       const std::optional<DeformationFigures>& deformation, const std::vector<MissingShape>& missing) {
-  return quality_text(quality, settings.pieces) + missing_lines(missing) +
-         (deformation ? deformation_text(*deformation) : "") + run_text(run, settings.improve);
+  return quality_text(quality, settings.padding_px) + missing_lines(missing) +
+         (deformation ? deformation_text(*deformation) : "") + run_text(run, settings.trials);
 }
 
 }  // namespace tessera

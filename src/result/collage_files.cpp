@@ -8,9 +8,6 @@
 #include "core/quality/quality.h"
 #include "files/atomic_file.h"
 #include "files/output_folder.h"
-#include "job/pieces/job_library.h"
-#include "job/pieces/start_pieces.h"
-#include "job/pieces/wished_sizes.h"
 #include "result/card_output.h"
 #include "result/geojson_output.h"
 #include "result/result_file.h"
@@ -23,11 +20,11 @@ namespace fs = std::filesystem;
 
 std::string in_directory(const std::string& dir, const char* name) { return (fs::path(dir) / name).string(); }
 
-Quality measured_quality(const CollageReport& report) {
+Quality measured_quality(const CollageReport& report, const std::optional<SizeRange>& sizes) {
   std::vector<JudgedPiece> pieces =
       judged_pieces(report.placements, [&](ShapeId id) -> const Shape& { return report.shape(id); });
   for (std::size_t i = 0; i < report.styles.size(); ++i) pieces[i].style = report.styles[i];
-  return measure_quality(*report.canvas, pieces, wished_sizes(*report.job));
+  return measure_quality(*report.canvas, pieces, sizes);
 }
 
 void remove_file(const std::string& path) {
@@ -46,18 +43,18 @@ void withdraw(const std::string& dir) {
   }
 }
 
-ResultManifest manifest_of(const CollageReport& report, const CheckpointOrigin& origin, bool finished,
-                           const std::string& pieces, const std::string& job) {
+ResultManifest manifest_of(const CollageReport& report, const ResultSource& source, bool finished,
+                           const std::string& pieces) {
   ResultManifest manifest;
   manifest.finished = finished;
-  manifest.pieces_digest = digest_text(pieces);
-  manifest.job_digest = digest_text(job);
-  manifest.library = library_text(*report.job);
-  manifest.library_digest = origin.library_digest;
-  manifest.canvas_digest = origin.canvas_digest;
-  manifest.overlay_digest = origin.overlay_digest;
-  manifest.start = start_file(*report.job);
-  manifest.start_digest = report.job->start.digest;
+  manifest.pieces_digest = text_digest(pieces);
+  manifest.job_digest = text_digest(source.origin.job);
+  manifest.library = source.library;
+  manifest.library_digest = source.origin.library_digest;
+  manifest.canvas_digest = source.origin.canvas_digest;
+  manifest.overlay_digest = source.origin.overlay_digest;
+  manifest.start = source.start;
+  manifest.start_digest = source.start_digest;
   manifest.deformed = report.deformed.has_value();
   if (report.deformed) {
     manifest.shapes = report.deformed->shapes;
@@ -71,13 +68,12 @@ ResultManifest manifest_of(const CollageReport& report, const CheckpointOrigin& 
 }
 
 /// Returns the text of the card.
-std::string write_cards(const std::string& dir, const CollageReport& report) {
-  const Quality quality = measured_quality(report);
-  const CollageSettings& settings = report.job->settings;
+std::string write_cards(const std::string& dir, const CollageReport& report, const ResultSource& source) {
+  const Quality quality = measured_quality(report, source.sizes);
   std::optional<DeformationFigures> deformation;
   if (report.deformed) deformation = report.deformed->figures;
-  const std::string card = card_text(quality, report.statistics, settings, deformation, report.missing);
-  write_file_atomically(in_directory(dir, "card.json"), card_json(quality, report.statistics, settings, report.ranks,
+  const std::string card = card_text(quality, report.statistics, source.card, deformation, report.missing);
+  write_file_atomically(in_directory(dir, "card.json"), card_json(quality, report.statistics, source.card, report.ranks,
                                                                   report.record, deformation, report.missing));
   write_file_atomically(in_directory(dir, "card.txt"), card);
   return card;
@@ -123,20 +119,19 @@ void check_nothing_foreign_is_replaced(const std::string& dir, const std::string
   }
 }
 
-std::string publish_result(const std::string& dir, const CollageReport& report, const CheckpointOrigin& origin,
+std::string publish_result(const std::string& dir, const CollageReport& report, const ResultSource& source,
                            bool finished) {
   withdraw(dir);
   const std::string pieces = geojson_text(report);
-  const std::string job = to_toml(*report.job);
   write_file_atomically(in_directory(dir, "pieces.geojson"), pieces);
-  write_file_atomically(in_directory(dir, "job.toml"), job);
-  if (report.job->shown_png) write_file_atomically(in_directory(dir, kShownPictureName), *report.job->shown_png);
-  const ResultManifest manifest = manifest_of(report, origin, finished, pieces, job);
+  write_file_atomically(in_directory(dir, "job.toml"), source.origin.job);
+  if (source.shown_png) write_file_atomically(in_directory(dir, kShownPictureName), *source.shown_png);
+  const ResultManifest manifest = manifest_of(report, source, finished, pieces);
   if (!finished) {
     for (const char* card : {"card.json", "card.txt"}) remove_file(in_directory(dir, card));
     write_manifest(dir, manifest);
   }
-  const std::string card = write_cards(dir, report);
+  const std::string card = write_cards(dir, report, source);
   if (finished) write_manifest(dir, manifest);
   return card;
 }

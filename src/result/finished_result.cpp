@@ -59,11 +59,11 @@ bool is_finished_result_of(const EarlierResult& earlier, const Job& job) {
   throw InputError(another_job(earlier.folder, differences) + "another --out, or remove that folder");
 }
 
-void check_finished_result(const EarlierResult& earlier, const CheckpointOrigin& now) {
+void check_finished_result(const EarlierResult& earlier, const CheckpointOrigin& now, std::uint64_t start_digest) {
   const ResultManifest& manifest = earlier.whole->manifest;
   std::string differences = origin_differences(
-      {&earlier.whole->job, manifest.library_digest, manifest.canvas_digest, manifest.overlay_digest}, now);
-  const bool same_start = manifest.start.empty() || manifest.start_digest == now.job->start.digest;
+      {to_toml(earlier.whole->job), manifest.library_digest, manifest.canvas_digest, manifest.overlay_digest}, now);
+  const bool same_start = manifest.start.empty() || manifest.start_digest == start_digest;
   if (!same_start) differences += "; start.pieces: another content";
   if (differences.empty()) return;
   throw InputError(another_job(earlier.folder, differences) + "or leave --resume out to replace it");

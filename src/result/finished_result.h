@@ -1,6 +1,7 @@
 // What a folder already holds, compared with what a job would give.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -41,8 +42,9 @@ EarlierResult find_earlier_result(const std::string& dir);
 /// another job, which would be lost.
 bool is_finished_result_of(const EarlierResult& earlier, const Job& job);
 
-/// Throws InputError where the finished result is one of another job, library or canvas than `now`.
-void check_finished_result(const EarlierResult& earlier, const CheckpointOrigin& now);
+/// Throws InputError where the finished result is one of another job, library or canvas than `now`, or began from a
+/// result with another digest than `start_digest` (StartSpec::digest).
+void check_finished_result(const EarlierResult& earlier, const CheckpointOrigin& now, std::uint64_t start_digest);
 
 /// "; KEY: then A, now B" for each key that makes the result of `now` another one than that of `then`. Empty where they
 /// are the same.

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "job/pieces/shape_group.h"
 #include "text/number_text.h"
 #include "text/pose.h"
 
@@ -105,14 +104,11 @@ void append_feature(const Placement& placement, const Feature& feature, const Sh
 
 std::string geojson_text(const CollageReport& report) {
   std::string text = R"({"type":"FeatureCollection","features":[)";
-  const std::vector<std::string> groups = shape_groups(*report.job, report.shapes.names(), report.names_like_patterns);
-  const Wishes& wishes = report.job->settings.wishes;
-  const std::size_t locked = wishes.locked();  // the first of the placements
   for (std::size_t i = 0; i < report.placements.size(); ++i) {
     const Placement& placement = report.placements[i];
     text += i ? ",\n" : "\n";
-    const std::size_t slot = report.shapes.slot_of(placement.shape);
-    append_feature(placement, {i, groups[slot], i < locked && wishes.given[i].for_good}, report.shapes[slot], text);
+    const Feature feature{i, report.groups.empty() ? "" : report.groups[i], !report.locked.empty() && report.locked[i]};
+    append_feature(placement, feature, report.shape(placement.shape), text);
   }
   text += "\n]}\n";
   return text;

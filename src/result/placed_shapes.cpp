@@ -39,6 +39,13 @@ std::size_t PlacedShapes::slot_of_drawing(std::size_t slot) const {
   return drawn == slot_as_drawn_.end() ? slot : drawn->second;
 }
 
+std::vector<std::string> of_placements(const std::vector<std::string>& of_shapes, const PlacedShapes& shapes,
+                                       const std::vector<Placement>& placements) {
+  std::vector<std::string> texts;
+  for (const Placement& placement : placements) texts.push_back(of_shapes[shapes.slot_of(placement.shape)]);
+  return texts;
+}
+
 PlacedShapes read_placed_shapes(const ShapeLibrary& library, const std::vector<Placement>& placements,
                                 const LibraryParts& parts, const StopCheck& check_stop) {
   std::set<ShapeId> placed;

@@ -40,6 +40,10 @@ class PlacedShapes {
   std::unordered_map<std::string, std::size_t> slot_as_drawn_;  // by name, of shapes that are no mirror images
 };
 
+/// For each placement what is said of its shape; `of_shapes` has a text for each of the shapes, in their order.
+std::vector<std::string> of_placements(const std::vector<std::string>& of_shapes, const PlacedShapes& shapes,
+                                       const std::vector<Placement>& placements);
+
 /// Those parts of the shapes, one after the other, by their place in the library; before each `check_stop` is called and may
 /// throw.
 PlacedShapes read_placed_shapes(const ShapeLibrary& library, const std::vector<Placement>& placements,

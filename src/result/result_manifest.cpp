@@ -1,7 +1,5 @@
 #include "result/result_manifest.h"
 
-#include <charconv>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <span>
 
@@ -10,6 +8,7 @@
 #include "files/atomic_file.h"
 #include "job/picture_size.h"
 #include "result/result_file.h"
+#include "text/digest_text.h"
 
 namespace tessera {
 namespace {
@@ -21,20 +20,6 @@ using ReadJson = nlohmann::json;  // an ordered one would take very long for an 
 constexpr int kFormat = 1;
 /// A list of shapes and two of colours, of some hundred thousand pieces.
 constexpr JsonBounds kBounds{.values = 2'000'000, .levels = 32};
-
-std::string hex(std::uint64_t value) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
-  return text;
-}
-
-std::uint64_t number(const std::string& hex_digits) {
-  std::uint64_t value = 0;
-  const char* end = hex_digits.data() + hex_digits.size();
-  const auto [at, error] = std::from_chars(hex_digits.data(), end, value, 16);
-  if (error != std::errc() || at != end) throw InputError("\"" + hex_digits + "\" is no digest");
-  return value;
-}
 
 void check_colours(const std::vector<std::string>& colours, std::size_t pieces, bool may_be_none) {
   if (colours.empty()) return;
@@ -106,12 +91,12 @@ ResultManifest from_json(const ReadJson& json) {
   manifest.deformed = json.at("pieces").value("deformed", false);
   manifest.job_digest = json.at("job").at("digest");
   manifest.library = json.at("library").at("file");
-  manifest.library_digest = number(json.at("library").at("digest"));
-  manifest.canvas_digest = number(json.at("canvas").at("digest"));
-  if (json.contains("overlays")) manifest.overlay_digest = number(json.at("overlays").at("digest"));
+  manifest.library_digest = digest_of_text(json.at("library").at("digest"));
+  manifest.canvas_digest = digest_of_text(json.at("canvas").at("digest"));
+  if (json.contains("overlays")) manifest.overlay_digest = digest_of_text(json.at("overlays").at("digest"));
   if (json.contains("start")) {
     manifest.start = json.at("start").at("pieces");
-    manifest.start_digest = number(json.at("start").at("digest"));
+    manifest.start_digest = digest_of_text(json.at("start").at("digest"));
   }
   if (json.contains("colours")) manifest.colours = json.at("colours").get<std::vector<std::string>>();
   if (json.contains("covered")) manifest.covered = json.at("covered").get<std::vector<std::string>>();
@@ -144,16 +129,16 @@ void check_digest(const std::string& dir, const char* name, const std::string& e
   FileBlocks blocks = open_result_file(dir, name, kMostPiecesBytes);
   while (!blocks.next().empty()) {
   }
-  if (hex(blocks.digest()) == expected) return;
+  if (digest_text(blocks.digest()) == expected) return;
   throw InputError(path_in_result(dir, name) + ": not the file that " + kManifestName + " was written with");
 }
 
 }  // namespace
 
-std::string digest_text(const std::string& bytes) {
+std::string text_digest(const std::string& bytes) {
   Digest digest;
   digest.add_all(std::span(bytes));
-  return hex(digest.value());
+  return digest_text(digest.value());
 }
 
 void write_manifest(const std::string& dir, const ResultManifest& manifest) {
@@ -165,13 +150,14 @@ void write_manifest(const std::string& dir, const ResultManifest& manifest) {
             {"state", manifest.finished ? "finished" : "unfinished"},
             {"pieces", {{"digest", manifest.pieces_digest}, {"shapes", manifest.shapes}}},
             {"job", {{"digest", manifest.job_digest}}},
-            {"library", {{"file", manifest.library}, {"digest", hex(manifest.library_digest)}}},
-            {"canvas", {{"digest", hex(manifest.canvas_digest)}}},
+            {"library", {{"file", manifest.library}, {"digest", digest_text(manifest.library_digest)}}},
+            {"canvas", {{"digest", digest_text(manifest.canvas_digest)}}},
             {"pictures", pictures}};
   if (manifest.missing > 0) json["pieces"]["missing"] = manifest.missing;
   if (manifest.deformed) json["pieces"]["deformed"] = true;
-  if (manifest.overlay_digest != 0) json["overlays"] = {{"digest", hex(manifest.overlay_digest)}};
-  if (!manifest.start.empty()) json["start"] = {{"pieces", manifest.start}, {"digest", hex(manifest.start_digest)}};
+  if (manifest.overlay_digest != 0) json["overlays"] = {{"digest", digest_text(manifest.overlay_digest)}};
+  if (!manifest.start.empty())
+    json["start"] = {{"pieces", manifest.start}, {"digest", digest_text(manifest.start_digest)}};
   if (!manifest.colours.empty()) json["colours"] = manifest.colours;
   if (!manifest.covered.empty()) json["covered"] = manifest.covered;
   write_file_atomically(path_in_result(dir, kManifestName),

@@ -52,8 +52,8 @@ struct ResultManifest {
   friend bool operator==(const ResultManifest&, const ResultManifest&) = default;
 };
 
-/// The digest of a file's bytes.
-std::string digest_text(const std::string& bytes);
+/// The digest of a file's bytes, as the manifest has it.
+std::string text_digest(const std::string& bytes);
 
 /// Writes dir/manifest.json, which is on the disk when this returns. Throws EnvironmentError.
 void write_manifest(const std::string& dir, const ResultManifest& manifest);

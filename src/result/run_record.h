@@ -27,9 +27,6 @@ struct RunRecord {
   std::vector<std::string> warnings;
 };
 
-/// 16 hexadecimal digits.
-std::string digest_text(std::uint64_t digest);
-
 /// "gpu "NAME" of PLATFORM, driver VERSION", several with ", " between them; "no devices".
 std::string devices_text(const std::vector<DeviceDescription>& devices);
 

@@ -9,9 +9,11 @@
 #include "files/output_lock.h"
 #include "job/job_file.h"
 #include "job/pieces/variations.h"
+#include "job/quality_word.h"
 #include "result/card_input.h"
 #include "result/collage_files.h"
 #include "result/finished_result.h"
+#include "run/collage_problem.h"
 #include "run/collage_run.h"
 #include "run/ranking_run.h"
 #include "terminal/terminal.h"
@@ -31,11 +33,14 @@ std::string campaign_folder(const CampaignArguments& arguments) {
   return "out/" + std::filesystem::path(arguments.job).stem().string() + "-campaign";
 }
 
+/// The job as a result holds it.
+Job effective_job(const Job& job) { return quality_waits_for_sizes(job) ? CanvasProblem(job).job() : job; }
+
 /// How the run in this folder ended, if its collage is computed and drawn. Throws InputError where the folder holds the
 /// finished result of another job, which would be lost.
 std::optional<CollageEnd> earlier_end(const std::string& folder, const Job& job) {
   const EarlierResult earlier = find_earlier_result(folder);
-  if (!is_finished_result_of(earlier, job) || !earlier.whole->drawn) return {};
+  if (!earlier.finished() || !is_finished_result_of(earlier, effective_job(job)) || !earlier.whole->drawn) return {};
   return end_of_finished(earlier.whole->manifest);
 }
 

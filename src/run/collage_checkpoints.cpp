@@ -86,14 +86,12 @@ std::optional<CheckpointState> starting_state(const CheckpointFolder& folder, St
   }
 }
 
-CollageCheckpoints::CollageCheckpoints(const CheckpointFolder& folder, const CheckpointOrigin& origin)
+CollageCheckpoints::CollageCheckpoints(const CheckpointFolder& folder, const CheckpointOrigin& origin, double every_s)
     : folder_(folder),
-      origin_(origin) {}
+      origin_(origin),
+      every_s_(every_s) {}
 
-bool CollageCheckpoints::due() {
-  const double every_s = origin_.job->checkpoint.every_s;
-  return every_s > 0 && since_latest_.seconds() >= every_s;
-}
+bool CollageCheckpoints::due() { return every_s_ > 0 && since_latest_.seconds() >= every_s_; }
 
 void CollageCheckpoints::keep(const CheckpointState& state) {
   try {

@@ -35,7 +35,8 @@ std::optional<CheckpointState> starting_state(const CheckpointFolder& folder, St
 
 class CollageCheckpoints : public master::CheckpointKeeper {
  public:
-  CollageCheckpoints(const CheckpointFolder& folder, const CheckpointOrigin& origin);
+  /// One is due every `every_s`, s; 0: none is.
+  CollageCheckpoints(const CheckpointFolder& folder, const CheckpointOrigin& origin, double every_s);
 
   bool due() override;
   /// Where the state cannot be written, says so on stderr, once.
@@ -53,6 +54,7 @@ class CollageCheckpoints : public master::CheckpointKeeper {
  private:
   CheckpointFolder folder_;
   CheckpointOrigin origin_;
+  double every_s_;
   Stopwatch since_latest_;
   std::string failure_;
 };

@@ -29,7 +29,7 @@ CheckpointFolder checkpoints_in(const EarlierResult& earlier, Start start) {
 
 CheckpointOrigin checked_origin(const CollageArguments& arguments, const CanvasProblem& problem) {
   const CheckpointOrigin origin = make_origin(problem.job(), problem.library(), problem.canvas_digest());
-  if (arguments.refined) check_is_the_same_collage(*arguments.refined, origin);
+  if (arguments.refined) check_is_the_same_collage(*arguments.refined, origin, problem.settings().wishes.given);
   return origin;
 }
 
@@ -64,7 +64,7 @@ CollageInput::CollageInput(const CollageArguments& arguments, Job raw)
   checkpoints = checked_start(earlier, start);
   finished = start == Start::resume && !checkpoints.has_latest();
   if (finished) {
-    check_finished_result(earlier, origin);
+    check_finished_result(earlier, origin, problem.job().start.digest);
   } else {
     from = starting_state(checkpoints, start, origin);
   }

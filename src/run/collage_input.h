@@ -17,8 +17,6 @@ namespace tessera {
 struct CollageInput {
   /// Throws InputError and EnvironmentError.
   explicit CollageInput(const CollageArguments& arguments);
-  CollageInput(const CollageInput&) = delete;  // origin points into its problem
-  CollageInput& operator=(const CollageInput&) = delete;
 
   std::string folder;
   EarlierResult earlier;

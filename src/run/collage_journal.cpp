@@ -2,6 +2,7 @@
 
 #include "core/base/count_text.h"
 #include "run/messages/collage_warnings.h"
+#include "text/digest_text.h"
 #include "text/utc_time.h"
 
 namespace tessera {

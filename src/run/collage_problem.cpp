@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "checkpoint/checkpoint_origin.h"
+#include "core/base/error.h"
 #include "core/collage/former_pieces.h"
 #include "core/collage/region_below.h"
 #include "core/field/room.h"
@@ -15,6 +16,8 @@
 #include "job/palette.h"
 #include "job/picture_size.h"
 #include "job/pieces/job_library.h"
+#include "job/pieces/size_factor.h"
+#include "job/quality_word.h"
 #include "render/canvas_drawing.h"
 
 namespace tessera {
@@ -70,19 +73,19 @@ double limit_to_room(const ShapeLibrary& library, const Job& job, double size_fa
 }
 
 OutputSpec checked_output(const Job& job, const Canvas& canvas) {
-  Job drawn = job;
-  drawn.output = on_paper(job.output, job.canvas, canvas);
-  check_picture_size(drawn.output, canvas);
-  check_canvas_drawing(drawn, canvas);
-  return drawn.output;
+  OutputSpec output = on_paper(job.output, job.canvas, canvas);
+  check_picture_size(output, canvas);
+  try {
+    check_canvas_drawing(job.canvas, output, canvas);
+  } catch (const InputError& error) {
+    throw InputError(job.path + ": " + error.what());
+  }
+  return output;
 }
 
 CanvasFindings findings_on(const Canvas& canvas, const ShapeLibrary& library, const Job& job) {
   CanvasFindings found;
-  if (job.settings.pieces.fit_all) {
-    found.size_factor =
-        first_size_factor(job.settings, std::uint32_t(library.size()), canvas.area_px2, library.drawings());
-  }
+  found.size_factor = size_factor_on(canvas, library, job.settings);
   const PieceSettings pieces = sized_pieces(job, found.size_factor);
   found.overlays = read_overlays(canvas, job, pieces.min_scale_px);
   check_images(canvas, pieces);
@@ -123,6 +126,7 @@ struct CanvasProblem::Read {
         output(checked_output(job, canvas)),
         found(findings_on(canvas, library, job)),
         digest(tessera::canvas_digest(canvas)) {
+    set_improving_by_quality(job, found.size_factor);
     keep_removed_from_coming_back(library, canvas, job);
     found.room_part = limit_to_room(library, job, found.size_factor, canvas);
   }

@@ -15,6 +15,7 @@
 #include "core/base/error.h"
 #include "core/base/stop.h"
 #include "core/base/version.h"
+#include "job/job_tables.h"
 #include "job/pieces/job_library.h"
 #include "library/library_shapes.h"
 #include "library/one_colour.h"
@@ -28,6 +29,8 @@
 #include "run/collage_worker.h"
 #include "run/command_line.h"
 #include "run/messages/collage_warnings.h"
+#include "run/messages/place_advice.h"
+#include "run/program_identity.h"
 #include "run/rank_agreement.h"
 #include "run/result_drawing_run.h"
 #include "run/time_limit.h"
@@ -109,7 +112,8 @@ std::string standing_warning_of(const CanvasProblem& problem) {
   if (problem.settings().wishes.given.empty()) return "";
   constexpr LibraryParts kOutlines{.outline = true, .field = false, .levels = 0, .artwork = false};
   std::map<ShapeId, Shape> read;
-  return standing_warning(problem.job(), problem.canvas(), [&](ShapeId id) -> const Shape& {
+  const std::size_t rows = rows_of(problem.job(), "given").size();
+  return standing_warning(problem.settings(), rows, problem.canvas(), [&](ShapeId id) -> const Shape& {
     const auto [at, is_new] = read.try_emplace(id);
     if (is_new) at->second = std::move(problem.library().read(index_of(id), index_of(id) + 1, kOutlines).front());
     return at->second;
@@ -120,14 +124,42 @@ std::string unable_library_warning_of(const CollageArguments& arguments, const C
   const std::string& image = problem.job().colour.image;
   const bool was_told = arguments.refined && arguments.refined->whole.job.colour.image == image;
   if (image.empty() || was_told) return "";
-  return unable_library_warning(problem.job(), problem.library().size(), is_of_one_colour(problem.library()));
+  return unable_library_warning(problem.job().colour, problem.library().size(), is_of_one_colour(problem.library()));
 }
 
 /// A canvas of which only the room of removed pieces is filled says nothing of the drawing; the result that is refined
 /// was warned.
 std::string outline_alone_warning_of(const CollageArguments& arguments, const CanvasProblem& problem) {
   const bool is_part = problem.found().room_part < 1;
-  return arguments.refined || is_part ? "" : outline_alone_warning(problem.job(), problem.canvas());
+  return arguments.refined || is_part ? "" : outline_alone_warning(problem.job().canvas, problem.canvas());
+}
+
+/// Before it is too late, but no question: whoever edits a job and runs it again wants just that.
+void warn_of_problem(const CollageArguments& arguments, const CollageInput& input, CollageJournal& journal) {
+  const CanvasProblem& problem = input.problem;
+  const Job& job = problem.job();
+  journal.warn(replaced_result_warning(input.earlier, job));
+  journal.warn(idle_keys_warning_of(arguments, job));
+  journal.warn(unable_library_warning_of(arguments, problem));
+  journal.warn(outline_alone_warning_of(arguments, problem));
+  if (!arguments.refined) journal.warn(standing_warning_of(problem));  // a result's pieces lie as it put them
+  if (relaxes(arguments)) journal.warn(idle_relaxing_warning(job.settings));
+}
+
+void warn_of_result(const CollageArguments& arguments, const CollageInput& input, const master::CollageResult& result,
+                    const std::vector<MissingShape>& missing, CollageJournal& journal) {
+  const CanvasProblem& problem = input.problem;
+  const CollageSettings& settings = problem.settings();
+  const std::vector<GivenPiece>& removed = problem.job().start.removed;
+  const std::size_t given = settings.wishes.given.size();
+  const bool drawn_sizes = has_drawn_sizes(WrittenKeys(problem.job()));
+  journal.warn(unplaced_warning(input, result, missing, arguments.refined.get()));
+  journal.warn(never_fitting_warning(problem, result));
+  journal.warn(used_up_warning(settings.pieces, drawn_sizes, problem.canvas(), result));
+  if (relaxes(arguments)) journal.warn(nothing_gained_warning(settings, result));
+  journal.warn(empty_room_warning(removed.size(), given, result));
+  if (!removed.empty())
+    journal.warn(come_back_warning(removed, given, problem.canvas(), result, problem.library().variant_of()));
 }
 
 /// From the empty canvas or a checkpoint to the result without its pictures.
@@ -135,13 +167,7 @@ CollageEnd compute(const CollageArguments& arguments, const CollageInput& input,
                    comm::Communicator& ranks, const std::shared_ptr<CollageJournal>& journal) {
   const CanvasProblem& problem = input.problem;
   const Job& job = problem.job();
-  // Before it is too late, but no question: whoever edits a job and runs it again wants just that.
-  journal->warn(replaced_result_warning(input.earlier, job));
-  journal->warn(idle_keys_warning_of(arguments, job));
-  journal->warn(unable_library_warning_of(arguments, problem));
-  journal->warn(outline_alone_warning_of(arguments, problem));
-  if (!arguments.refined) journal->warn(standing_warning_of(problem));  // a result's pieces lie as it put them
-  if (relaxes(arguments)) journal->warn(idle_relaxing_warning(job));
+  warn_of_problem(arguments, input, *journal);
   journal->warn(short_limit_warning(limit.seconds(), leaving_s(ranks)));
   if (input.from) journal->resumed(*input.from);
   const StopQuestion shall_stop = watch_waits(ranks, job, limit, journal);
@@ -156,19 +182,13 @@ CollageEnd compute(const CollageArguments& arguments, const CollageInput& input,
   journal->ranks_are(comm::gather_sites(ranks, matching.site));
   if (input.start == Start::restart) input.checkpoints.remove();
 
-  CollageCheckpoints checkpoints(input.checkpoints, input.origin);
+  CollageCheckpoints checkpoints(input.checkpoints, input.origin, job.checkpoint.every_s);
   comm::LoopClock clock(ranks);
   const master::CollageResult result =
       run_loop(arguments, input, limit, *matching.matcher, *replacer, shapes, checkpoints);
   const RankStatistics times = times_of(clock, result);
   const std::vector<MissingShape> missing = missing_shapes(problem, result);
-  journal->warn(unplaced_warning(input, result, missing, arguments.refined.get()));
-  journal->warn(never_fitting_warning(problem, result));
-  journal->warn(used_up_warning(job, problem.canvas(), result));
-  if (relaxes(arguments)) journal->warn(nothing_gained_warning(job, result));
-  journal->warn(empty_room_warning(job, result));
-  if (!job.start.removed.empty())
-    journal->warn(come_back_warning(job, problem.canvas(), result, problem.library().variant_of()));
+  warn_of_result(arguments, input, result, missing, *journal);
   journal->keep_warning(checkpoints.warning());
   const RunRecord& record = journal->ended(result.statistics.stopped_by.value(), result.placements.size());
   if (leaves_older_result(input, result)) {

@@ -19,6 +19,7 @@
 #include "library/library_shapes.h"
 #include "library/storage/shape_models.h"
 #include "run/foreign_end.h"
+#include "run/program_identity.h"
 #include "run/rank_agreement.h"
 #include "worker/device_group.h"
 

@@ -11,9 +11,6 @@
 
 namespace tessera {
 
-/// "tessera 0.1.0, commit 4554c24, kernels 5a0c1e4bd1f0a977"
-std::string program_identity();
-
 /// Rank 0: tells all workers the master's program and its problem. `library_digest`: of its library's content, known
 /// already to the caller, as it takes time.
 void announce_problem(comm::Communicator& ranks, const std::string& program, const CollageProblem& problem,
@@ -27,11 +24,7 @@ Job receive_job(comm::Communicator& ranks, const std::string& program);
 /// rank's library has another content than the master's, or knows other colours of its drawings.
 CollageProblem receive_problem(comm::Communicator& ranks, Job job);
 
-/// The parts of announce_problem and receive_problem that say what was found on the canvas.
-void announce_findings(comm::Communicator& ranks, const CanvasFindings& found);
-CanvasFindings receive_findings(comm::Communicator& ranks);
-
-/// The part that announces the job.
+/// The part of announce_problem that receive_job answers.
 void announce_job(comm::Communicator& ranks, const std::string& program, const Job& job);
 
 }  // namespace tessera

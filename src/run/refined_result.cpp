@@ -117,18 +117,18 @@ Job with_pieces_of(const RefinedResult& result, Job job) {
   return checked_job(job);
 }
 
-void check_is_the_same_collage(const RefinedResult& result, const CheckpointOrigin& now) {
+void check_is_the_same_collage(const RefinedResult& result, const CheckpointOrigin& now,
+                               const std::vector<GivenPiece>& given) {
   const Job& then = result.whole.job;
   const ResultManifest& manifest = result.whole.manifest;
   const auto concerned = [](const JobKey& key) { return key.section == "library" || key.section == "canvas"; };
   const std::string differences = origin_differences(
-      {&then, manifest.library_digest, manifest.canvas_digest, manifest.overlay_digest}, now, concerned);
+      {to_toml(then), manifest.library_digest, manifest.canvas_digest, manifest.overlay_digest}, now, concerned);
   if (!differences.empty()) {
     throw InputError(result.folder + ": made from something else" + differences +
                      "; give what it was then (--set library.file=FILE where it has moved)");
   }
   const bool locks = !then.start.pieces.empty() && then.start.keep == StartKeep::locked;
-  const std::vector<GivenPiece>& given = now.job->settings.wishes.given;
   const auto for_good =
       std::count_if(given.begin(), given.end(), [](const GivenPiece& piece) { return piece.locked && piece.for_good; });
   if (locks && std::size_t(for_good) == rows_of(then, "given").size()) {

@@ -56,6 +56,7 @@ Job with_pieces_of(const RefinedResult& result, Job job);
 
 /// Of the job `now.job`, whose pieces were read. Throws InputError where its library, canvas or pictures are others
 /// than the result was made from, and where the result does not say which pieces are locked.
-void check_is_the_same_collage(const RefinedResult& result, const CheckpointOrigin& now);
+void check_is_the_same_collage(const RefinedResult& result, const CheckpointOrigin& now,
+                               const std::vector<GivenPiece>& given);
 
 }  // namespace tessera

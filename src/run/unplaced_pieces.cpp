@@ -10,8 +10,8 @@
 #include "core/matching/stances.h"
 #include "core/matching/use_limits.h"
 #include "run/messages/collage_warnings.h"
-#include "run/messages/key_text.h"
 #include "run/messages/place_advice.h"
+#include "run/messages/written_keys.h"
 
 namespace tessera {
 namespace {
@@ -37,73 +37,79 @@ std::vector<ShapeId> all_that_may_stand(const CanvasProblem& problem) {
   return shapes;
 }
 
-std::vector<std::string> with_canvas(std::vector<std::string> keys, const Job& job) {
-  if (job.settings.match.tangent_dockings == 0) {
-    keys.push_back("more " + with_value(job, "match", "tangent_dockings") +
-                   ": without, nothing docks along straight sides");
+std::vector<std::string> with_canvas(std::vector<std::string> advice, const CanvasProblem& problem,
+                                     const WrittenKeys& keys) {
+  if (problem.settings().match.tangent_dockings == 0) {
+    advice.push_back("more " + keys.with_value("match", "tangent_dockings") +
+                     ": without, nothing docks along straight sides");
   }
-  keys.push_back("a larger " + with_value(job, "canvas", job.canvas.width_mm > 0 ? "size_mm" : "size_px"));
-  return keys;
+  const bool in_mm = problem.job().canvas.width_mm > 0;
+  advice.push_back("a larger " + keys.with_value("canvas", in_mm ? "size_mm" : "size_px"));
+  return advice;
 }
 
 /// Where single pieces lack room that there would be for each of them alone.
-std::vector<std::string> keys_that_make_room(const Job& job) {
-  std::vector<std::string> keys;
-  if (job.settings.pieces.fit_all) {
-    if (!is_default(job, "pieces", "least_scale_px"))
-      keys.push_back("smaller pieces, " + with_value(job, "pieces", "least_scale_px"));
+std::vector<std::string> keys_that_make_room(const PieceSettings& pieces, const WrittenKeys& keys) {
+  std::vector<std::string> advice;
+  if (pieces.fit_all) {
+    if (!keys.is_default("pieces", "least_scale_px"))
+      advice.push_back("smaller pieces, " + keys.with_value("pieces", "least_scale_px"));
   } else {
-    keys.push_back("smaller pieces, " + where_sizes_stand(job));
-    if (may_fit_all(job)) keys.push_back("pieces.fit = \"all\", which finds their sizes");
+    advice.push_back("smaller pieces, " + where_sizes_stand(keys));
+    if (may_fit_all(keys)) advice.push_back("pieces.fit = \"all\", which finds their sizes");
   }
   for (const char* key : {"padding_px", "apart_px"}) {
-    if (!is_default(job, "pieces", key)) keys.push_back("less " + with_value(job, "pieces", key));
+    if (!keys.is_default("pieces", key)) advice.push_back("less " + keys.with_value("pieces", key));
   }
-  if (job.settings.pieces.least_uses > 1) keys.push_back("fewer " + with_value(job, "pieces", "uses"));
-  return keys;
+  if (pieces.least_uses > 1) advice.push_back("fewer " + keys.with_value("pieces", "uses"));
+  return advice;
+}
+
+/// The keys that keep all of these shapes out.
+std::vector<std::string> what_keeps_out(const CanvasProblem& problem, const std::vector<ShapeId>& shapes) {
+  return keys_that_keep_out(WrittenKeys(problem.job()), problem.job().canvas, smallest_sizes(problem.settings()),
+                            problem.library(), problem.canvas(), shapes);
 }
 
 /// For shapes of which none, or too few, found a place.
 std::vector<std::string> what_to_try(const CanvasProblem& problem, const std::vector<ShapeId>& shapes) {
-  const Job& job = problem.job();
-  std::vector<std::string> keys =
-      keys_that_keep_out(job, smallest_sizes(problem.settings()), problem.library(), problem.canvas(), shapes);
-  if (keys.empty()) keys = keys_that_make_room(job);
-  return with_canvas(std::move(keys), job);
+  const WrittenKeys keys(problem.job());
+  std::vector<std::string> advice = what_keeps_out(problem, shapes);
+  if (advice.empty()) advice = keys_that_make_room(problem.settings().pieces, keys);
+  return with_canvas(std::move(advice), problem, keys);
 }
 
 std::string empty_warning(const CanvasProblem& problem, const std::string& folder,
                           const master::CollageResult& result) {
   const std::vector<ShapeId> shapes = all_that_may_stand(problem);
   const bool is_full = !shapes.empty() && limit_that_ended(result.statistics).empty();
-  return empty_result_warning(folder, problem.job(), result,
+  return empty_result_warning(folder, WrittenKeys(problem.job()), result,
                               is_full ? what_to_try(problem, shapes) : std::vector<std::string>());
 }
 
 /// Refining what is to stay as it is lets no piece more come in than the result has; nobody gave that limit.
-bool keeps_number_of_pieces(const Job& job, const RefinedResult* refined, const std::string& limit) {
-  return refined != nullptr && limit == "pieces" &&
-         job.settings.stop.pieces != refined->whole.job.settings.stop.pieces &&
-         std::size_t(job.settings.stop.pieces) == refined->whole.manifest.shapes.size();
+bool keeps_number_of_pieces(const StopSettings& stop, const RefinedResult* refined, const std::string& limit) {
+  return refined != nullptr && limit == "pieces" && stop.pieces != refined->whole.job.settings.stop.pieces &&
+         std::size_t(stop.pieces) == refined->whole.manifest.shapes.size();
 }
 
 std::string missing_warning(const CanvasProblem& problem, const master::CollageResult& result,
                             const std::vector<MissingShape>& missing, const RefinedResult* refined) {
-  const Job& job = problem.job();
+  const WrittenKeys keys(problem.job());
+  const PieceSettings& sizes = problem.settings().pieces;
   const std::uint64_t pieces = pieces_of(missing);
   const std::string what =
       count_text(pieces, "piece is", "pieces are") + " missing: " + missing_text(missing, kNamesTold) + "; ";
   if (const std::string limit = limit_that_ended(result.statistics); !limit.empty()) {
-    if (keeps_number_of_pieces(job, refined, limit))
+    if (keeps_number_of_pieces(problem.settings().stop, refined, limit))
       return what + refined->folder + " lacks them, too, and refining it so lets no piece more come in";
-    return what + with_value(job, "stop", limit.c_str()) + " ended the collage before they found a place";
+    return what + keys.with_value("stop", limit.c_str()) + " ended the collage before they found a place";
   }
   std::vector<ShapeId> shapes;
   for (const MissingShape& shape : missing) shapes.push_back(shape.id);
   const std::string tried =
-      job.settings.pieces.fit_all
-          ? "no sizes down to " + length_text(job, double(job.settings.pieces.least_scale_px)) + " gave all a place"
-          : "they found no place";
+      sizes.fit_all ? "no sizes down to " + keys.length_text(double(sizes.least_scale_px)) + " gave all a place"
+                    : "they found no place";
   return what + tried + "; try " + joined_warnings(what_to_try(problem, shapes));
 }
 
@@ -122,8 +128,7 @@ std::vector<bool> absent_classes(const CanvasProblem& problem, const master::Col
 }
 
 std::string never_fitting_text(const CanvasProblem& problem, const std::vector<ShapeId>& shapes) {
-  const std::vector<std::string> keys = keys_that_keep_out(problem.job(), smallest_sizes(problem.settings()),
-                                                           problem.library(), problem.canvas(), shapes);
+  const std::vector<std::string> keys = what_keeps_out(problem, shapes);
   if (keys.empty()) return "";
   const std::size_t first = index_of(shapes.front());
   const std::string others = shapes.size() == 1 ? " fits" : " and " + count_text(shapes.size() - 1, "other") + " fit";

@@ -60,7 +60,7 @@ TEST(PictureGround, WhatIsNearerToTheGroundInColourIsNoLessOpaque) {
 /// As a collage shows it.
 TEST(PictureGround, ThePieceHidesTheCanvas) {
   test::SampleCollage sample;
-  sample.job.output.background = "#0000ff";
+  sample.report.output.background = "#0000ff";
   const Bytes jpeg = encoded(two_discs(), ".jpg");
   test::embed_artwork(sample.report.shapes[0], std::string(jpeg.begin(), jpeg.end()), 300, 300, 213);
   const cv::Mat picture = test::drawn_picture(sample.report);

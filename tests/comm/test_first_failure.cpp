@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <new>
+#include <string>
 
 #include "comm/failure.h"
 #include "comm/in_process_communicator.h"
@@ -20,6 +21,19 @@ TEST(FirstFailure, IsTheOneThatTheMasterTells) {
     ADD_FAILURE() << "nothing was thrown";
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(), "the cause");
+  }
+}
+
+/// As of a rank whose program is another one.
+TEST(FirstFailure, IsToldWithItsRankWhereItCannotBeRead) {
+  InProcessNetwork network(2);
+  const std::unique_ptr<Communicator> master = network.connect(0);
+  network.connect(1)->send(0, Tag::failure, Bytes{1, 2, 3});
+  try {
+    master->receive(1, Tag::hello);
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (const EnvironmentError& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with("rank 1 failed, and its message cannot be read; allowed: "));
   }
 }
 

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 #include <limits>
+#include <string>
 #include <system_error>
 
 #include "comm/encode.h"
@@ -203,6 +204,17 @@ TEST(Messages, TheSmallOnes) {
   EXPECT_EQ(there_and_back(StandingLimits{}), StandingLimits{}) << "infinity";
   const FieldStart start{1012, 1013, {-5.5f, -0.f}};
   EXPECT_EQ(there_and_back(start), start);
+  const RankSite site{"node7", {{"gpu", "H100", "CUDA", "535.1", 4000000000u}, {"cpu", "", "PoCL", "3.1", 0}}};
+  EXPECT_EQ(there_and_back(site), site);
+  WorkerTimes times;
+  times.dock_s = 0.1;
+  times.sent = {7, 8};
+  EXPECT_EQ(there_and_back(times), times);
+  const Heartbeat beat = there_and_back(Heartbeat{true, 1.5});
+  EXPECT_TRUE(beat.waiting);
+  EXPECT_EQ(beat.for_s, 1.5);
+  const CountRequest count{std::vector<TargetSample>(2), {7, 8}, 16};
+  EXPECT_EQ(encode(there_and_back(count)), encode(count));
   const Failure failure{2, "library.h5: not ours"};
   EXPECT_EQ(there_and_back(failure), failure);
 }
@@ -217,10 +229,77 @@ TEST(Messages, VectorsTravelInOneCopy) {
   EXPECT_LT(encode(std::vector<TargetSample>(100)).size(), 100 * sizeof(TargetSample) + 64);
 }
 
-TEST(Messages, TooFewBytesAreAnError) {
-  Bytes bytes = encode(std::vector<TargetSample>(3));
-  bytes.resize(bytes.size() - 1);
-  EXPECT_THROW(decode<std::vector<TargetSample>>(bytes), boost::archive::archive_exception);
+/// Whether reading throws what a user can mend, and no other exception.
+template <class T>
+bool is_refused(const Bytes& bytes) {
+  try {
+    decode<T>(bytes);
+    return false;
+  } catch (const EnvironmentError&) {
+    return true;
+  }
+}
+
+TEST(Messages, one_that_was_cut_off_is_refused_wherever_it_ends) {
+  ReplacementWindow window;
+  window.edge.distance.value = Grid<float>(2, 3, 1.f);
+  window.moving.resize(2);
+  window.still.resize(1);
+  window.incoming.resize(1);
+  window.drawn.resize(1);
+  window.elsewhere.resize(1);
+  const Bytes whole = encode(std::vector{window});
+  ASSERT_FALSE(is_refused<std::vector<ReplacementWindow>>(whole));
+  for (std::size_t size = 0; size < whole.size(); ++size) {
+    const Bytes part(whole.begin(), whole.begin() + std::ptrdiff_t(size));
+    EXPECT_TRUE(is_refused<std::vector<ReplacementWindow>>(part)) << size << " of " << whole.size() << " bytes";
+  }
+}
+
+TEST(Messages, one_with_more_than_its_values_is_refused) {
+  Bytes bytes = encode(Failure{2, "library.h5: not ours"});
+  bytes.push_back(0);
+  EXPECT_TRUE(is_refused<Failure>(bytes));
+}
+
+/// Whatever bytes arrive, reading ends with a value or with the one error.
+TEST(Messages, any_bytes_are_read_or_refused) {
+  EXPECT_TRUE(rc::check([] {
+    const auto bytes = *rc::gen::arbitrary<Bytes>();
+    is_refused<Failure>(bytes);
+    is_refused<std::vector<ReplacementWindow>>(bytes);
+    is_refused<std::vector<TargetSample>>(bytes);
+    is_refused<RankSite>(bytes);
+    Bytes changed = encode(std::vector{any_window()});
+    for (int i = 0; i < 4; ++i)
+      changed[*rc::gen::inRange<std::size_t>(0, changed.size())] = *rc::gen::arbitrary<char>();
+    is_refused<std::vector<ReplacementWindow>>(changed);
+  }));
+}
+
+/// Memory for what a message claims to hold would be out of reach.
+TEST(Messages, numbers_beyond_the_message_take_no_memory) {
+  const auto claim = [](auto... numbers) {
+    Bytes bytes;
+    MessageWriter writer(&bytes);
+    writer(numbers...);
+    return bytes;
+  };
+  for (const std::uint64_t count : {std::uint64_t(1) << 40, std::uint64_t(1) << 63, ~std::uint64_t(0)}) {
+    EXPECT_TRUE(is_refused<std::vector<TargetSample>>(claim(count)));
+    EXPECT_TRUE(is_refused<std::vector<ReplacementWindow>>(claim(count)));
+    EXPECT_TRUE(is_refused<std::string>(claim(count)));
+  }
+  const std::uint64_t none = 0;
+  EXPECT_TRUE(is_refused<Grid<float>>(claim(1 << 30, 1 << 30, none)));
+  EXPECT_TRUE(is_refused<Grid<float>>(claim(-1, -1, none)));
+  EXPECT_TRUE(is_refused<Grid<float>>(claim(1, 1, none, 0.f)));
+  EXPECT_FALSE(is_refused<Grid<float>>(claim(1, 1, none + 1, 0.f)));
+}
+
+TEST(Messages, what_is_neither_true_nor_false_is_refused) {
+  EXPECT_FALSE(is_refused<bool>({1}));
+  EXPECT_TRUE(is_refused<bool>({2}));
 }
 
 Failure described(const std::function<void()>& thrower) {

@@ -206,7 +206,7 @@ TEST_F(Overlaid, MistakesNameKeyAndFile) {
   EXPECT_EQ(mistake(good, false), "a.toml: colour.image: " + folder_.path("library.h5") +
                                       " does not know the colours of shape1's parts, as libraries of older versions; "
                                       "build it again");
-  job_.canvas.seamless = Seamless::both;
+  canvas_ = make_seamless_canvas(200, 100, true, true);
   EXPECT_EQ(mistake(good), "a.toml: colour.image: found with canvas.seamless, allowed: a canvas that does not repeat");
 }
 

@@ -30,7 +30,7 @@ cv::Mat noise(cv::Size size) {
 struct WithGround : SampleCollage {
   WithGround() {
     report.placements.clear();
-    job.output.width_px = 200;
+    report.output.width_px = 200;
   }
   void lay(const cv::Mat& picture, double width_px = 0, const char* name = "ground.png") {
     lay_file(folder.path(name), width_px, [&] { ASSERT_TRUE(test::write_image(folder.path(name), picture)); });
@@ -38,10 +38,10 @@ struct WithGround : SampleCollage {
   template <class Write>
   void lay_file(const std::string& path, double width_px, const Write& write) {
     write();
-    job.output.ground = path;
-    job.output.ground_px = width_px;
+    report.output.ground = path;
+    report.output.ground_px = width_px;
     Drawers drawers(canvas_drawer_settings(job.canvas));
-    report.ground = draw_ground(job, canvas, drawers);
+    report.ground = draw_ground(report.output, canvas, drawers);
   }
   ScratchFolder folder;
 };
@@ -82,7 +82,7 @@ TEST(Ground, AtItsOwnSizeItIsShownPixelByPixel) {
 
 TEST(Ground, DoesNotDependOnTheBands) {
   WithGround collage;
-  collage.job.output.width_px = 800;
+  collage.report.output.width_px = 800;
   collage.lay(noise({37, 23}));
   DrawnCollage drawn(collage.report);
   EXPECT_EQ(largest_difference(drawn.picture({.band_rows = 64}), drawn.picture()), 0);
@@ -133,7 +133,7 @@ TEST(Ground, LiesWithinTheCanvasBelowThePieces) {
 
 TEST(Ground, WithoutABackgroundItIsAllThatLiesBelowThePieces) {
   WithGround collage;
-  collage.job.output.background = kNoColour;
+  collage.report.output.background = kNoColour;
   collage.report.canvas_edge.curves = {{{50, 0}, {150, 0}, {150, 100}, {50, 100}}};
   cv::Mat half(10, 10, CV_8UC4, cv::Scalar(10, 20, 30, 255));
   half.rowRange(5, 10).setTo(cv::Scalar::all(0));
@@ -224,11 +224,11 @@ TEST(Ground, MayBeAPhoto) {
 TEST(Ground, ThatCannotBeReadIsAnErrorOfItsKey) {
   WithGround collage;
   const auto message = [&](const std::string& path) {
-    collage.job.output.ground = path;
-    return message_of([&] { check_canvas_drawing(collage.job, collage.canvas); });
+    collage.report.output.ground = path;
+    return message_of([&] { check_canvas_drawing(collage.job.canvas, collage.report.output, collage.canvas); });
   };
   const std::string missing = collage.folder.path("none.png");
-  EXPECT_EQ(message(missing).find("sample.toml: output.ground: " + missing + ": "), 0u) << message(missing);
+  EXPECT_EQ(message(missing).find("output.ground: " + missing + ": "), 0u) << message(missing);
   EXPECT_NE(message(collage.folder.write("text.png", "no image")).find("neither SVG nor a readable PNG"),
             std::string::npos);
   EXPECT_NE(message(collage.folder.path("")).find("output.ground: "), std::string::npos) << "a folder";

@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "support/library_columns.h"
+
 namespace tessera::test {
 namespace {
 
@@ -24,38 +26,7 @@ std::vector<hsize_t> corner_at(const OpenColumn& open, std::size_t row) {
 
 }  // namespace
 
-std::vector<Column> all_columns() {
-  const layout::Columns c = layout::library_columns(5);
-  std::vector<Column> all{c.name,
-                          c.perimeter,
-                          c.radius,
-                          c.mean_lab,
-                          c.first_curve,
-                          c.first_point,
-                          c.outline_points,
-                          c.field_distance,
-                          c.field_scale,
-                          c.field_extent,
-                          c.artwork_path,
-                          c.artwork_size,
-                          c.artwork_centroid,
-                          c.artwork_unit,
-                          c.first_thumbnail_byte,
-                          c.thumbnail_bytes,
-                          c.first_original_byte,
-                          c.original_bytes,
-                          c.part_digest,
-                          c.artwork_beside,
-                          c.artwork_sha256,
-                          c.variant_of,
-                          c.colour_spread,
-                          c.drawn_scale,
-                          c.colour_grid,
-                          c.style};
-  for (const layout::LevelColumns& level : c.levels)
-    all.insert(all.end(), {level.points, level.perimeter, level.lengths, level.keypoints, level.convexity});
-  return all;
-}
+std::vector<Column> all_columns() { return all_columns(layout::library_columns(5)); }
 
 void change_library(const std::string& path, const std::function<void(hid_t)>& change) {
   const Hdf5Silence silence;

@@ -28,7 +28,7 @@ struct SlowlyDrawn : test::SampleCollage {
   std::string message() {
     const Canvas loaded = load_canvas(job.canvas);
     const auto start = std::chrono::steady_clock::now();
-    const std::string text = test::message_of([&] { check_canvas_drawing(job, loaded, 1); });
+    const std::string text = test::message_of([&] { check_canvas_drawing(job.canvas, report.output, loaded, 1); });
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
     return text;
   }
@@ -40,7 +40,7 @@ struct SlowlyDrawn : test::SampleCollage {
 TEST(CanvasDrawing, ACanvasThatCanNeverBeDrawnIsRefused) {
   SlowlyDrawn collage;
   collage.job.canvas.file = collage.file;
-  EXPECT_EQ(collage.message(), "sample.toml: canvas.file: " + collage.file +
+  EXPECT_EQ(collage.message(), "canvas.file: " + collage.file +
                                    ": took longer than 1 s; the pictures need it 4096 px large or larger: make the "
                                    "drawing simpler, above all its filters");
 }
@@ -48,11 +48,11 @@ TEST(CanvasDrawing, ACanvasThatCanNeverBeDrawnIsRefused) {
 TEST(CanvasDrawing, SoIsWhatIsKeptOutOfWherePicturesShowIt) {
   SlowlyDrawn collage;
   collage.job.canvas.keep_out = collage.file;
-  collage.job.output.keep_out = "artwork";
+  collage.report.output.keep_out = "artwork";
   const std::string text = collage.message();
-  EXPECT_EQ(text.find("sample.toml: canvas.keep_out: " + collage.file + ": took longer than 1 s; "), 0u) << text;
+  EXPECT_EQ(text.find("canvas.keep_out: " + collage.file + ": took longer than 1 s; "), 0u) << text;
   EXPECT_NE(text.find("or give output.keep_out = \"none\""), std::string::npos) << text;
-  collage.job.output.keep_out = kNoKeepOut;
+  collage.report.output.keep_out = kNoKeepOut;
   EXPECT_EQ(collage.message(), "");
 }
 

@@ -109,17 +109,18 @@ class Measured : public testing::Test {
  protected:
   Measured() {
     const std::vector<std::uint8_t> bytes = test::encoded(picture_, ".png");
-    sample_.job.colour.image = folder_.write("picture.png", std::string(bytes.begin(), bytes.end()));
-    sample_.job.settings.pieces.min_scale_px = 16;
+    image_ = folder_.write("picture.png", std::string(bytes.begin(), bytes.end()));
   }
 
   AfarNote note(const cv::Mat& drawn) {
-    AfarMeasure measure(sample_.report, drawers_);
+    AfarMeasure measure(sample_.report, image_, smallest_px_, drawers_);
     measure.rows().write(drawn);
     measure.rows().finish();
     return measure.note();
   }
 
+  std::string image_;
+  std::optional<float> smallest_px_ = 16;
   const cv::Mat picture_ = gradient({600, 300});
   const test::ScratchFolder folder_;
   Drawers drawers_{photo_drawer_settings(1)};
@@ -137,24 +138,29 @@ TEST_F(Measured, APictureOfThePictureIsEqual) {
 }
 
 TEST_F(Measured, ALostPictureIsSaidWithoutItsPath) {
-  std::filesystem::remove(sample_.job.colour.image);
+  std::filesystem::remove(image_);
   const AfarNote found = note(without_alpha(gradient({400, 200})));
   EXPECT_FALSE(found.seen);
   EXPECT_EQ(found.not_measured, "colour.image cannot be read any more");
 }
 
 TEST_F(Measured, AnotherPictureThanThatOfTheCollageIsNotMeasured) {
-  sample_.report.covered = covered_colours(
-      sample_.report.placements, sample_.report.shapes,
-      *read_colour_image(sample_.canvas, sample_.job, sample_.job.settings.pieces.min_scale_px, drawers_).target);
+  sample_.report.covered = covered_colours(sample_.report.placements, sample_.report.shapes,
+                                           *read_colour_image(sample_.canvas, image_, *smallest_px_, drawers_).target);
   EXPECT_TRUE(note(without_alpha(gradient({400, 200}))).seen);
   sample_.report.covered.back() = "#123456";
   EXPECT_EQ(note(without_alpha(gradient({400, 200}))).not_measured, "colour.image has changed since the collage");
 }
 
+TEST_F(Measured, PiecesOfUnknownSizesAreSaid) {
+  smallest_px_.reset();
+  EXPECT_EQ(note(without_alpha(gradient({400, 200}))).not_measured,
+            "the pieces that the collage began from cannot be read any more");
+}
+
 TEST_F(Measured, CardsKeepTheFiguresOfTheLatestPixels) {
   const std::string dir = folder_.path("");
-  const std::string card = publish_result(dir, sample_.report, sample_.origin(), true);
+  const std::string card = publish_result(dir, sample_.report, sample_.source(), true);
   EXPECT_FALSE(read_card(dir).afar) << "before it is drawn";
   DrawingNotes notes{.pieces = 2};
   notes.afar = AfarNote{SeenFromAfar{{100, 50, 5.70249, 0.7034}, AfarFigures{40, 20, 3.5, 0.9}}, {}};
@@ -180,7 +186,7 @@ TEST_F(Measured, CardsKeepTheFiguresOfTheLatestPixels) {
 
 TEST_F(Measured, ForgedFiguresAreRefused) {
   const std::string dir = folder_.path("");
-  publish_result(dir, sample_.report, sample_.origin(), true);
+  publish_result(dir, sample_.report, sample_.source(), true);
   const auto whole = nlohmann::json::parse(read_result_file(dir, "card.json"));
   const auto message = [&](const std::string& section) {
     auto card = whole;

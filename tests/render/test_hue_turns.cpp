@@ -168,7 +168,7 @@ TEST(HueTurns, SvgAndPngAgree) {
 /// An SVG's patches end at the outlines, also where drawings do not.
 TEST(HueTurns, PatchesLeaveTheBackgroundAlone) {
   TwoFaces sample;
-  sample.job.output.clip = kNoClip;
+  sample.report.output.clip = kNoClip;
   const cv::Mat plain = drawn(drawn_svg(sample.report), 400);
   sample.report.tones.resize(sample.report.placements.size());
   for (std::size_t i = 0; i < sample.report.tones.size(); ++i) {

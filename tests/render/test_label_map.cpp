@@ -82,7 +82,7 @@ TEST(Labels, AreThoseOfTheFile) {
   for (const std::size_t pieces : {2u, 300u}) {
     const test::ScratchFolder folder;
     SampleCollage sample;
-    sample.job.output.width_px = 2000;  // more than one band
+    sample.report.output.width_px = 2000;  // more than one band
     while (sample.report.placements.size() < pieces) {
       const float i = float(sample.report.placements.size());
       sample.place(ShapeId{7}, 8, {4 + 0.64f * i, 4 + 0.3f * i}, 0);
@@ -101,7 +101,7 @@ TEST(Labels, AreThoseOfTheFile) {
 /// Another number of threads takes the strips in another order.
 TEST(Labels, DoNotDependOnTheThreads) {
   SampleCollage sample;
-  sample.job.output.width_px = 1500;
+  sample.report.output.width_px = 1500;
   const cv::Mat labels = labels_of(sample.report);
   cpu_set_t before, one;
   sched_getaffinity(0, sizeof before, &before);

@@ -21,7 +21,7 @@ struct Discs : test::SampleCollage {
       place(ShapeId{7}, 40, {30 + 46.f * float(i % 5), 30 + 46.f * float(i / 5)}, float(i));
   }
   std::vector<std::string> colours(const std::vector<std::string>& palette = kPalette) const {
-    return piece_colours(report, report.placements, palette);
+    return piece_colours(report, report.placements, palette, 0);
   }
 };
 

@@ -32,7 +32,7 @@ float farthest(const Outline& a, const Outline& b) {
 TEST(PieceDeformation, GivesEachPieceAShapeOfItsOwn) {
   Deformable sample;
   const Outline disc = sample.report.shapes[0].outline;
-  deform_pieces(sample.report);
+  deform_pieces(sample.report, sample.job.settings);
   ASSERT_TRUE(sample.report.deformed);
   EXPECT_EQ(sample.report.deformed->shapes, (std::vector<ShapeId>{ShapeId{7}, ShapeId{3}}));
   EXPECT_GT(farthest(sample.report.shape(sample.report.placements[0].shape).outline, disc), 0.02);
@@ -45,7 +45,7 @@ TEST(PieceDeformation, WhatIsLockedForGoodStays) {
   Deformable sample;
   sample.job.settings.wishes.given.push_back({ShapeId{7}, sample.report.placements[0].canvas_from_shape});
   const Outline disc = sample.report.shapes[0].outline;
-  deform_pieces(sample.report);
+  deform_pieces(sample.report, sample.job.settings);
   EXPECT_EQ(sample.report.shapes[0].outline, disc);
   EXPECT_EQ(sample.report.deformed->figures.pieces, 1u);
 }
@@ -53,7 +53,7 @@ TEST(PieceDeformation, WhatIsLockedForGoodStays) {
 TEST(PieceDeformation, ComesBackFromTheFile) {
   const test::ScratchFolder folder;
   Deformable sample, again;
-  deform_pieces(sample.report);
+  deform_pieces(sample.report, sample.job.settings);
   std::ofstream(folder.path("pieces.geojson")) << geojson_text(sample.report);
   take_up_deformed_pieces(folder.path(""), again.report);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -72,7 +72,7 @@ TEST(PieceDeformation, ComesBackFromTheFile) {
 TEST(PieceDeformation, RefusesPolygonsOfOtherPieces) {
   const test::ScratchFolder folder;
   Deformable sample;
-  deform_pieces(sample.report);
+  deform_pieces(sample.report, sample.job.settings);
   const std::string text = geojson_text(sample.report);
   const auto refused = [&](const std::string& bytes) {
     Deformable again;

@@ -150,7 +150,7 @@ TEST(Png, WithoutABackgroundAllButThePiecesIsTransparent) {
   OneSquare sample(0.3f);
   const cv::Mat opaque = drawn_picture(sample.report);
   sample.report.canvas_edge.curves = {{{50, 0}, {150, 0}, {150, 100}, {50, 100}}};
-  sample.job.output.background = kNoColour;
+  sample.report.output.background = kNoColour;
   const cv::Mat picture = drawn_picture(sample.report);
   ASSERT_EQ(picture.type(), CV_8UC4);
   EXPECT_EQ(picture.at<cv::Vec4b>(10, 10), cv::Vec4b());   // outside of the canvas
@@ -169,8 +169,8 @@ TEST(Png, WithoutABackgroundAllButThePiecesIsTransparent) {
 
 TEST(Png, ALineMayRunAlongTheOutlines) {
   OneSquare sample(0);  // from 80 to 120 px of the canvas, 160 to 240 of the picture
-  sample.job.output.outline_px = 5;
-  sample.job.output.outline_colour = "#00ff00";
+  sample.report.output.outline_px = 5;
+  sample.report.output.outline_colour = "#00ff00";
   const cv::Mat picture = drawn_picture(sample.report);
   const cv::Vec3b line(0, 255, 0);
   EXPECT_EQ(at(picture, 153, 100), kBackground);
@@ -184,10 +184,10 @@ TEST(Png, ALineMayRunAlongTheOutlines) {
 TEST(Png, PiecesMayCastAShadowOnWhatLiesBelowThem) {
   OneSquare sample(0);
   sample.place(ShapeId{7}, 40, {141, 50}, 0);  // beside the first, which lies below it
-  sample.job.output.shadow_strength = 0.5;
-  sample.job.output.shadow_offset_px[0] = 4;
-  sample.job.output.shadow_offset_px[1] = 8;
-  sample.job.output.shadow_blur_px = 0.5;
+  sample.report.output.shadow_strength = 0.5;
+  sample.report.output.shadow_offset_px[0] = 4;
+  sample.report.output.shadow_offset_px[1] = 8;
+  sample.report.output.shadow_blur_px = 0.5;
   const cv::Mat picture = drawn_picture(sample.report);
   EXPECT_EQ(at(picture, 157, 100), kBackground);  // to the left of the first
   EXPECT_EQ(at(picture, 200, 163), kBackground);  // 23 px below it
@@ -195,7 +195,7 @@ TEST(Png, PiecesMayCastAShadowOnWhatLiesBelowThem) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(shaded[c], kBackground[c] * 0.5, 2);
   EXPECT_EQ(at(picture, 235, 100), kBlue) << "no piece is darkened, however near to another";
   EXPECT_EQ(at(picture, 246, 100), kRed);
-  sample.job.output.background = kNoColour;
+  sample.report.output.background = kNoColour;
   const cv::Mat transparent = drawn_picture(sample.report);
   EXPECT_EQ(transparent.at<cv::Vec4b>(149, 200), cv::Vec4b(0, 0, 0, 128));
   EXPECT_EQ(transparent.at<cv::Vec4b>(100, 157), cv::Vec4b());
@@ -203,11 +203,11 @@ TEST(Png, PiecesMayCastAShadowOnWhatLiesBelowThem) {
 
 TEST(Png, ASoftShadowFadesAsAGaussianHoweverCoarselyItIsMade) {
   OneSquare sample(0);
-  sample.job.output.width_px = 1600;  // the square's right side at 960, and a blur of 32 px
-  sample.job.output.shadow_strength = 1;
-  sample.job.output.shadow_offset_px[0] = sample.job.output.shadow_offset_px[1] = 0;
-  sample.job.output.shadow_blur_px = 4;
-  sample.job.output.background = kNoColour;
+  sample.report.output.width_px = 1600;  // the square's right side at 960, and a blur of 32 px
+  sample.report.output.shadow_strength = 1;
+  sample.report.output.shadow_offset_px[0] = sample.report.output.shadow_offset_px[1] = 0;
+  sample.report.output.shadow_blur_px = 4;
+  sample.report.output.background = kNoColour;
   const cv::Mat picture = drawn_picture(sample.report);
   for (const int beyond : {8, 20, 40, 70, 90}) {
     const double expected = 255 * 0.5 * std::erfc((beyond + 0.5) / 32 / std::numbers::sqrt2);
@@ -313,9 +313,9 @@ TEST(Png, TheFileSaysHowLargeItIsOnPaperAndKeepsItsTransparency) {
     return std::string{std::istreambuf_iterator<char>(file), {}};
   };
   EXPECT_EQ(written().find("pHYs"), std::string::npos);
-  sample.job.output.width_mm = 50.8;
-  sample.job.output.dpi = 300;
-  sample.job.output.background = kNoColour;
+  sample.report.output.width_mm = 50.8;
+  sample.report.output.dpi = 300;
+  sample.report.output.background = kNoColour;
   const std::string png = written();
   EXPECT_EQ(number_in_chunk(png, "IHDR", 0), 600u);
   EXPECT_EQ(number_in_chunk(png, "IHDR", 1), 300u);
@@ -324,10 +324,10 @@ TEST(Png, TheFileSaysHowLargeItIsOnPaperAndKeepsItsTransparency) {
   const cv::Mat read = test::read_image(folder.path("collage.png"));
   EXPECT_EQ(cv::norm(read, drawn_picture(sample.report), cv::NORM_INF), 0);
   // 600 px on 50.8 mm and 300 px on 25.5 mm: as near as whole numbers are.
-  sample.job.canvas.width_px = 200;
-  sample.job.canvas.height_px = 100;
-  sample.job.canvas.width_mm = 50.8;
-  sample.job.canvas.height_mm = 25.5;
+  sample.report.box.width_px = 200;
+  sample.report.box.height_px = 100;
+  sample.report.box.width_mm = 50.8;
+  sample.report.box.height_mm = 25.5;
   const std::string of_canvas = written();
   EXPECT_EQ(number_in_chunk(of_canvas, "pHYs", 0), 11811u);
   EXPECT_EQ(number_in_chunk(of_canvas, "pHYs", 1), 11765u);
@@ -335,10 +335,10 @@ TEST(Png, TheFileSaysHowLargeItIsOnPaperAndKeepsItsTransparency) {
 
 TEST(Png, TheBytesDependNeitherOnBandsNorOnMemoryNorOnThreads) {
   OneSquare sample(0.2f);
-  sample.job.output.width_px = 1500;
+  sample.report.output.width_px = 1500;
   sample.report.canvas_edge.curves = {{{3.3f, 7.1f}, {190.7f, 2.2f}, {120.4f, 98.6f}}};
-  sample.job.output.outline_px = 0.7;
-  sample.job.output.shadow_strength = 0.6;
+  sample.report.output.outline_px = 0.7;
+  sample.report.output.shadow_strength = 0.6;
   for (int i = 0; i < 12; ++i)
     sample.place(ShapeId{7}, 9.f + 11.f * float(i % 7), {15.f * float(i), 8.f * float(i)}, 0.5f * float(i));
   test::DrawnCollage drawn(sample.report);

@@ -218,8 +218,8 @@ class ResultFolders : public testing::Test {
     for (const char* file : {"pieces.geojson", "card.txt"}) scratch_.write(name + "/" + file, "");
     scratch_.write(name + "/job.toml", kJob);
     manifest.shapes.resize(10);
-    manifest.pieces_digest = digest_text("");
-    manifest.job_digest = digest_text(kJob);
+    manifest.pieces_digest = text_digest("");
+    manifest.job_digest = text_digest(kJob);
     write_manifest(scratch_.path(name), manifest);
   }
 

@@ -33,7 +33,7 @@ double difference(const cv::Vec3b& a, const cv::Vec3b& b) { return cv::norm(a, b
 /// A result on a canvas of 200 x 100 px, a px of the picture for each, that shows a picture.
 struct WithPicture : SampleCollage {
   explicit WithPicture(const cv::Mat& bgra) {
-    job.output.width_px = 200;
+    report.output.width_px = 200;
     const std::vector<std::uint8_t> png = shown_picture_png(bgra);
     folder.write(kShownPictureName, {png.begin(), png.end()});
   }
@@ -44,12 +44,12 @@ struct WithPicture : SampleCollage {
 struct OnPicture : WithPicture {
   explicit OnPicture(const cv::Mat& bgra = halves(kRust, kSky)) : WithPicture(bgra) {
     report.placements.clear();
-    job.output.background = kImageBackground;
-    job.output.background_light = 1;
+    report.output.background = kImageBackground;
+    report.output.background_light = 1;
   }
   cv::Mat drawn_at(int width_px) {
-    job.output.width_px = width_px;
-    report.ground = image_background(folder.path(""), job.output, canvas);
+    report.output.width_px = width_px;
+    report.ground = image_background(folder.path(""), report.output, canvas);
     return drawn_picture(report);
   }
 };
@@ -58,17 +58,17 @@ TEST(ImageBackground, IsThePictureAsBrightAsAsked) {
   OnPicture collage;
   EXPECT_LE(difference(collage.drawn_at(200).at<cv::Vec3b>(50, 20), opaque(kRust)), 1);
   EXPECT_LE(difference(collage.drawn_at(200).at<cv::Vec3b>(99, 199), opaque(kSky)), 1);
-  collage.job.output.background_light = 0.5;
+  collage.report.output.background_light = 0.5;
   EXPECT_LE(difference(collage.drawn_at(200).at<cv::Vec3b>(50, 20), opaque(kRust) / 2), 1);
 }
 
 TEST(ImageBackground, IsLighterThanWhatIsDark) {
   OnPicture collage(halves(kBlack, kSky));
-  collage.job.output.background_light = 0.8;
+  collage.report.output.background_light = 0.8;
   EXPECT_LE(difference(collage.drawn_at(200).at<cv::Vec3b>(50, 20), cv::Vec3b(26, 26, 26)), 1);
-  collage.job.output.background_light = 1;
+  collage.report.output.background_light = 1;
   EXPECT_LE(difference(collage.drawn_at(200).at<cv::Vec3b>(50, 20), cv::Vec3b(0, 0, 0)), 1);
-  collage.job.output.background_light = 0;
+  collage.report.output.background_light = 0;
   EXPECT_LE(difference(collage.drawn_at(200).at<cv::Vec3b>(50, 20), cv::Vec3b(0, 0, 0)), 1);
 }
 
@@ -125,10 +125,10 @@ TEST(ImageBackground, OtherBackgroundsAreColours) {
 /// A result with two pieces, under its picture.
 struct UnderPicture : WithPicture {
   explicit UnderPicture(double opacity, const cv::Mat& bgra = halves(kRust, kSky)) : WithPicture(bgra) {
-    job.colour.overlay = opacity;
+    report.overlay_opacity = opacity;
   }
   cv::Mat drawn() {
-    report.overlay = image_overlay(folder.path(""), job.colour.overlay, canvas);
+    report.overlay = image_overlay(folder.path(""), report.overlay_opacity, canvas);
     return drawn_picture(report);
   }
 };
@@ -165,7 +165,7 @@ TEST(ImageOverlay, KeepsWhatHasThePicturesColour) {
   for (const double opacity : {0.1, 0.25, 0.5}) {
     UnderPicture collage(opacity, halves(kRust, kRust));
     collage.report.placements.clear();
-    collage.job.output.background = "#a04020";
+    collage.report.output.background = "#a04020";
     EXPECT_LE(cv::norm(collage.drawn(), cv::Mat(100, 200, CV_8UC3, cv::Scalar(opaque(kRust))), cv::NORM_INF), 1);
   }
 }
@@ -175,8 +175,8 @@ TEST(ImageOverlay, ShowsThePicturesOwnPixels) {
   for (int x = 0; x < stripes.cols; x += 4) stripes.colRange(x, x + 2) = cv::Scalar(kBlack);
   UnderPicture collage(0.5, stripes);
   collage.report.placements.clear();
-  collage.job.output.width_px = 800;
-  collage.job.output.background = "#808080";
+  collage.report.output.width_px = 800;
+  collage.report.output.background = "#808080";
   const cv::Mat picture = collage.drawn();
   EXPECT_NEAR(picture.at<cv::Vec3b>(200, 400)[1], 64, 1);
   EXPECT_NEAR(picture.at<cv::Vec3b>(200, 403)[1], 191, 1);
@@ -206,7 +206,7 @@ TEST(ImageOverlay, EndsAtTheCanvasEdge) {
 
 TEST(ImageOverlay, WithoutABackgroundShowsThroughGaps) {
   UnderPicture collage(0.25);
-  collage.job.output.background = kNoColour;
+  collage.report.output.background = kNoColour;
   const cv::Mat picture = collage.drawn();
   ASSERT_EQ(picture.type(), CV_8UC4);
   const cv::Vec4b gap = picture.at<cv::Vec4b>(5, 5);
@@ -226,7 +226,7 @@ TEST(ImageOverlay, LiesOverBackgroundsOfRegions) {
 
 TEST(ImageOverlay, DoesNotDependOnTheBands) {
   UnderPicture collage(0.25);
-  collage.job.output.width_px = 800;
+  collage.report.output.width_px = 800;
   const cv::Mat picture = collage.drawn();
   EXPECT_EQ(cv::norm(DrawnCollage(collage.report).picture({.band_rows = 64}), picture, cv::NORM_INF), 0);
 }

@@ -19,7 +19,7 @@ struct WithKeepOut : SampleCollage {
     const std::string head = std::string(kXmlns) + "width=\"100\" height=\"50\">";
     job.canvas.keep_out = folder.write("letters.svg", head + body + "</svg>");
     Drawers drawers(canvas_drawer_settings(job.canvas));
-    report.keep_out = draw_keep_out(job, canvas, drawers);
+    report.keep_out = draw_keep_out(job.canvas.keep_out, report.output, canvas, drawers);
   }
   test::ScratchFolder folder;
 };
@@ -68,7 +68,7 @@ TEST(SvgOutput, LettersMayBeAnImage) {
   collage.job.canvas.keep_out = folder.path("letters.png");
   ASSERT_TRUE(test::write_image(collage.job.canvas.keep_out, image));
   Drawers drawers(canvas_drawer_settings(collage.job.canvas));
-  collage.report.keep_out = draw_keep_out(collage.job, collage.canvas, drawers);
+  collage.report.keep_out = draw_keep_out(collage.job.canvas.keep_out, collage.report.output, collage.canvas, drawers);
   const cv::Mat picture = drawn_picture(collage.report);
   EXPECT_EQ(picture.at<cv::Vec3b>(180, 200), cv::Vec3b(0xc0, 0x40, 0x20));
   EXPECT_LT(mean_difference(picture, drawn(drawn_svg(collage.report), 400)), 0.5);

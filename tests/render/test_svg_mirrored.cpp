@@ -30,7 +30,7 @@ Shape mirrored_flag() { return mirror_image(flag_shape(), PadParameters{}.levels
 /// The flag as library shape 7, its mirror image as 3; the background is white.
 struct Flags : SampleCollage {
   Flags() {
-    job.output.background = "#ffffff";
+    report.output.background = "#ffffff";
     report.shapes = {};
     report.shapes.add(ShapeId{7}, flag_shape());
     report.shapes.add(ShapeId{3}, mirrored_flag());
@@ -79,8 +79,8 @@ TEST(SvgOutput, MirroredArtworkLiesInItsOutline) {
 
 TEST(SvgOutput, MirroredArtworkIsDefinedOnceWithItsOriginal) {
   Flags sample;
-  sample.job.output.outline_px = 2;
-  sample.job.output.shadow_strength = 0.5;
+  sample.report.output.outline_px = 2;
+  sample.report.output.shadow_strength = 0.5;
   const std::string svg = drawn_svg(sample.report);
   EXPECT_EQ(count(svg, "<polygon"), 1u);
   EXPECT_EQ(count(svg, "<clipPath"), 1u);

@@ -65,7 +65,7 @@ TEST(SvgOutput, InkscapeShowsLayersAndWhatThePiecesAre) {
   EXPECT_EQ(count(svg, "inkscape:groupmode=\"layer\""), 2u);
   const auto canvas = svg.find("<g id=\"layer-canvas\" inkscape:groupmode=\"layer\" inkscape:label=\"Canvas\">");
   const auto pieces = svg.find("<g id=\"layer-pieces\" inkscape:groupmode=\"layer\" inkscape:label=\"Pieces\">");
-  const auto background = svg.find(sample.job.output.background);
+  const auto background = svg.find(sample.report.output.background);
   ASSERT_NE(canvas, std::string::npos);
   ASSERT_NE(pieces, std::string::npos);
   EXPECT_LT(canvas, background);
@@ -80,7 +80,8 @@ TEST(SvgOutput, InkscapeShowsLayersAndWhatThePiecesAre) {
 
 TEST(SvgOutput, GroupsAreLayers) {
   TwoFaces sample;
-  sample.job.tables["shapes"] = {{{"names", {{}, {}, {"disc"}}}, {"group", {{}, "round <ones>"}}}};
+  for (const Placement& placement : sample.report.placements)
+    sample.report.groups.push_back(placement.shape == ShapeId{7} ? "round <ones>" : "");
   const std::string svg = drawn_svg(sample.report);
   const auto group =
       svg.find("<g id=\"layer-group-0\" inkscape:groupmode=\"layer\" inkscape:label=\"round &lt;ones&gt;\">");
@@ -118,7 +119,7 @@ TEST(SvgOutput, ArtworkDoesNotStickOutOfItsOutline) {
     EXPECT_LT(picture.at<cv::Vec3b>(100, 280)[0], 50) << "inside";
     EXPECT_GT(picture.at<cv::Vec3b>(100, outside)[0], 150) << "outside: the background";
   }
-  sample.job.output.clip = kNoClip;
+  sample.report.output.clip = kNoClip;
   for (const cv::Mat& picture : {drawn_picture(sample.report), drawn(drawn_svg(sample.report), 400)}) {
     EXPECT_LT(picture.at<cv::Vec3b>(100, outside)[0], 50) << "outside: what the artwork has there";
   }
@@ -147,7 +148,7 @@ TEST(SvgOutput, ShapesWithoutArtworkAreSilhouettes) {
 TEST(SvgOutput, WithoutABackgroundNothingLiesUnderThePieces) {
   SampleCollage sample;
   sample.report.canvas_edge.curves = {{{50, 10}, {150, 10}, {150, 90}}};
-  sample.job.output.background = kNoColour;
+  sample.report.output.background = kNoColour;
   const std::string svg = drawn_svg(sample.report);
   EXPECT_EQ(count(svg, "<rect"), 0u);
   EXPECT_EQ(count(svg, "layer-canvas"), 0u);
@@ -164,17 +165,17 @@ TEST(SvgOutput, WithoutABackgroundNothingLiesUnderThePieces) {
 TEST(SvgOutput, IsAsLargeAsThePictureOrAsItIsOnPaper) {
   SampleCollage sample;
   EXPECT_EQ(count(drawn_svg(sample.report), " width=\"400\" height=\"200\" viewBox=\"0 0 200 100\""), 1u);
-  sample.job.output.width_mm = 210;
+  sample.report.output.width_mm = 210;
   EXPECT_EQ(count(drawn_svg(sample.report), " width=\"210.000mm\" height=\"105.000mm\" viewBox=\"0 0 200 100\""), 1u);
 }
 
 TEST(SvgOutput, IsAsLargeOnPaperAsItsCanvasIsAskedFor) {
   SampleCollage sample;
-  sample.job.output.width_mm = 210;
-  sample.job.canvas.width_px = 200;
-  sample.job.canvas.height_px = 100;
-  sample.job.canvas.width_mm = 210;
-  sample.job.canvas.height_mm = 105.4;  // 100.381 px: a piece's mm are mm of the page
+  sample.report.output.width_mm = 210;
+  sample.report.box.width_px = 200;
+  sample.report.box.height_px = 100;
+  sample.report.box.width_mm = 210;
+  sample.report.box.height_mm = 105.4;  // 100.381 px: a piece's mm are mm of the page
   EXPECT_EQ(count(drawn_svg(sample.report), " width=\"210.000mm\" height=\"105.400mm\" viewBox=\"0 0 200 100.381\""),
             1u);
   EXPECT_EQ(count(drawn_svg(sample.report), "preserveAspectRatio=\"none\""), 0u);
@@ -190,7 +191,7 @@ TEST(SvgOutput, OutlinesAndShadowsAreThoseOfThePng) {
   EXPECT_EQ(count(drawn_svg(sample.report), "filter"), 0u);
   EXPECT_EQ(count(drawn_svg(sample.report), "id=\"o"), 0u);
   const cv::Mat plain = drawn_picture(sample.report);
-  OutputSpec& output = sample.job.output;
+  OutputSpec& output = sample.report.output;
   output.outline_px = 3;
   output.outline_colour = "#108040";
   EXPECT_LT(mean_difference(drawn(drawn_svg(sample.report), 400), drawn_picture(sample.report)), 1.2);
@@ -226,7 +227,7 @@ TEST(SvgOutput, GroundsOfRegionsAreCutOffAtTheEdge) {
   EXPECT_EQ(picture.at<cv::Vec3b>(30, 120), cv::Vec3b(0x80, 0x50, 0x20));
   EXPECT_EQ(picture.at<cv::Vec3b>(170, 120), cv::Vec3b(0xc0, 0xe0, 0xff)) << "the background of the canvas";
   EXPECT_EQ(picture.at<cv::Vec3b>(30, 20), cv::Vec3b(255, 255, 255)) << "outside";
-  sample.job.output.background = kNoColour;
+  sample.report.output.background = kNoColour;
   EXPECT_EQ(drawn_svg(sample.report).find("#205080"), std::string::npos);
 }
 

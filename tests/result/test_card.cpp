@@ -150,7 +150,7 @@ TEST(Card, TextIsATableThatFitsATerminal) {
 }
 
 /// The value beside a label of the table.
-std::string value_of(const std::string& label, const RunStatistics& run, const CollageSettings& settings) {
+std::string value_of(const std::string& label, const RunStatistics& run, const CardSettings& settings) {
   const std::string text = card_text(sample_quality(), run, settings);
   const std::size_t begin = text.find_first_not_of(' ', text.find("  " + label + " ") + 2 + label.size());
   return text.substr(begin, text.find('\n', begin) - begin);
@@ -178,12 +178,12 @@ TEST(Card, NamesWhatIsMissing) {
 }
 
 TEST(Card, TellsWhatEndedFillingAndHowFarImprovingCame) {
-  CollageSettings settings;
+  CardSettings settings;
   RunStatistics run = sample_run();
   EXPECT_EQ(value_of("stopped by", run, settings), "full");
   run.trials = 1200;
   EXPECT_EQ(value_of("stopped by", run, settings), "full, then 1,200 trials") << "improve.seconds alone limits them";
-  settings.improve.trials = 1500;
+  settings.trials = 1500;
   EXPECT_EQ(value_of("stopped by", run, settings), "full, then 1,200 of 1,500 trials");
   run.stopped_by = StopReason::signal;
   EXPECT_EQ(value_of("stopped by", run, settings), "signal after 1,200 of 1,500 trials");
@@ -194,9 +194,9 @@ TEST(Card, TellsWhatEndedFillingAndHowFarImprovingCame) {
 }
 
 TEST(Card, SaysWherePaddingLeavesNoBoundaryToShare) {
-  CollageSettings settings;
+  CardSettings settings;
   EXPECT_EQ(value_of("shared boundary", sample_run(), settings), "68.3 %  (within 2 px)");
-  settings.pieces.padding_px = 5;
+  settings.padding_px = 5;
   EXPECT_EQ(value_of("shared boundary", sample_run(), settings), "68.3 %  (within 2 px; padding keeps 5.0 px)");
 }
 

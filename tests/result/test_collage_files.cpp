@@ -38,7 +38,7 @@ TEST(CollageFiles, WritesThemAllAndNothingElse) {
   prepare_output_directory(dir);
   EXPECT_TRUE(names_in(dir).empty());
   for (const bool finished : {false, true}) {
-    const std::string card = publish_result(dir, sample.report, sample.origin(), finished);
+    const std::string card = publish_result(dir, sample.report, sample.source(), finished);
     EXPECT_EQ(names_in(dir),
               (std::set<std::string>{"pieces.geojson", "card.json", "card.txt", "job.toml", "manifest.json"}));
     EXPECT_EQ(read_manifest(dir).finished, finished);
@@ -53,7 +53,7 @@ TEST(CollageFiles, TheSameReportGivesTheSameBytes) {
   const test::SampleCollage sample;
   for (const char* dir : {"a", "b"}) {
     prepare_output_directory(folder.path(dir));
-    publish_result(folder.path(dir), sample.report, sample.origin(), true);
+    publish_result(folder.path(dir), sample.report, sample.source(), true);
   }
   for (const std::string& name : names_in(folder.path("a"))) {
     EXPECT_EQ(content_of(folder.path("a/" + name)), content_of(folder.path("b/" + name))) << name;
@@ -65,7 +65,7 @@ TEST(CollageFiles, ThePicturesOfTheRunBeforeDoNotStandBesideNewPieces) {
   const test::SampleCollage sample;
   for (const char* name : {"collage.png", "collage.svg", "collage.pdf", "collage.tiff", "collage.png.tmp"})
     folder.write(name, "old");
-  publish_result(folder.path(""), sample.report, sample.origin(), true);
+  publish_result(folder.path(""), sample.report, sample.source(), true);
   EXPECT_EQ(names_in(folder.path("")),
             (std::set<std::string>{"pieces.geojson", "card.json", "card.txt", "job.toml", "manifest.json"}));
 }
@@ -73,9 +73,9 @@ TEST(CollageFiles, ThePicturesOfTheRunBeforeDoNotStandBesideNewPieces) {
 TEST(CollageFiles, WhereAFileCannotBeWrittenThereIsNoResult) {
   const test::ScratchFolder folder;
   const test::SampleCollage sample;
-  publish_result(folder.path(""), sample.report, sample.origin(), true);
+  publish_result(folder.path(""), sample.report, sample.source(), true);
   fs::create_directories(folder.path("card.txt.tmp/in_the_way"));  // of the last file before the manifest
-  EXPECT_THROW(publish_result(folder.path(""), sample.report, sample.origin(), true), EnvironmentError);
+  EXPECT_THROW(publish_result(folder.path(""), sample.report, sample.source(), true), EnvironmentError);
   EXPECT_THROW(read_manifest(folder.path("")), InputError);
 }
 
@@ -83,9 +83,9 @@ TEST(CollageFiles, WhereAFileCannotBeWrittenThereIsNoResult) {
 TEST(CollageFiles, AnUnfinishedResultIsOneBeforeItsCards) {
   const test::ScratchFolder folder;
   const test::SampleCollage sample;
-  publish_result(folder.path(""), sample.report, sample.origin(), false);
+  publish_result(folder.path(""), sample.report, sample.source(), false);
   fs::create_directories(folder.path("card.json.tmp/in_the_way"));
-  EXPECT_THROW(publish_result(folder.path(""), sample.report, sample.origin(), false), EnvironmentError);
+  EXPECT_THROW(publish_result(folder.path(""), sample.report, sample.source(), false), EnvironmentError);
   EXPECT_FALSE(read_manifest(folder.path("")).finished);
   EXPECT_FALSE(fs::exists(folder.path("card.json"))) << "that of the result before";
   EXPECT_FALSE(fs::exists(folder.path("card.txt")));
@@ -95,7 +95,7 @@ TEST(CollageFiles, AManifestBelongsToItsFiles) {
   const test::ScratchFolder folder;
   const test::SampleCollage sample;
   for (const char* name : {"pieces.geojson", "job.toml"}) {
-    publish_result(folder.path(""), sample.report, sample.origin(), true);
+    publish_result(folder.path(""), sample.report, sample.source(), true);
     const ResultManifest manifest = read_manifest(folder.path(""));
     EXPECT_EQ(manifest.shapes, (std::vector{ShapeId{7}, ShapeId{3}}));
     write_manifest(folder.path(""), manifest);
@@ -111,7 +111,7 @@ TEST(CollageFiles, AManifestBelongsToItsFiles) {
 TEST(CollageFiles, PiecesAreReadBackAsTheyWereWritten) {
   const test::ScratchFolder folder;
   const test::SampleCollage sample;
-  publish_result(folder.path(""), sample.report, sample.origin(), true);
+  publish_result(folder.path(""), sample.report, sample.source(), true);
   const std::vector<PlacedPiece> pieces = read_placed_pieces(folder.path(""));
   ASSERT_EQ(pieces.size(), sample.report.placements.size());
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -127,7 +127,7 @@ TEST(CollageFiles, PiecesAreReadBackAsTheyWereWritten) {
 TEST(CollageFiles, TheCardsTellOfTheLatestDrawing) {
   const test::ScratchFolder folder;
   const test::SampleCollage sample;
-  const std::string card = publish_result(folder.path(""), sample.report, sample.origin(), true);
+  const std::string card = publish_result(folder.path(""), sample.report, sample.source(), true);
   DrawingNotes notes;
   notes.pieces = 2;
   notes.seconds = 12.34;
@@ -145,7 +145,7 @@ TEST(CollageFiles, TheCardsTellOfTheLatestDrawing) {
 TEST(CollageFiles, ADrawingIsNotLostWithACard) {
   const test::ScratchFolder folder;
   const test::SampleCollage sample;
-  publish_result(folder.path(""), sample.report, sample.origin(), true);
+  publish_result(folder.path(""), sample.report, sample.source(), true);
   std::filesystem::remove(folder.path("card.json"));
   DrawingNotes notes{.pieces = 2, .notes = {{"disc", DrawnFrom::thumbnail, "original missing", 1}}};
   notes.cards = add_drawing_to_cards(folder.path(""), notes);

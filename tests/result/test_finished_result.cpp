@@ -21,7 +21,7 @@ class FinishedResult : public testing::Test {
   std::string write_result(bool finished) {
     const std::string dir = scratch_.path("out");
     prepare_output_directory(dir);
-    publish_result(dir, sample_.report, sample_.origin(), finished);
+    publish_result(dir, sample_.report, sample_.source(), finished);
     return dir;
   }
 
@@ -103,19 +103,22 @@ TEST_F(FinishedResult, that_cannot_be_read_is_no_reason_to_replace_it) {
 
 TEST_F(FinishedResult, is_checked_before_nothing_is_computed) {
   const std::string dir = write_result(true);
-  CheckpointOrigin now = sample_.origin();
-  check_finished_result(find_earlier_result(dir), now);
+  CheckpointOrigin now = sample_.source().origin;
+  check_finished_result(find_earlier_result(dir), now, 0);
   Job other = sample_.job;
   other.output.width_px = 64;
-  now.job = &other;
-  check_finished_result(find_earlier_result(dir), now);
+  now.job = to_toml(other);
+  check_finished_result(find_earlier_result(dir), now, 0);
   other.settings.seed = 12;
-  const auto message = [&] { return test::message_of([&] { check_finished_result(find_earlier_result(dir), now); }); };
+  now.job = to_toml(other);
+  const auto message = [&] {
+    return test::message_of([&] { check_finished_result(find_earlier_result(dir), now, 0); });
+  };
   EXPECT_EQ(message(),
             dir +
                 ": holds the finished result of another job; seed: then 1, now 12; give what it was then, or "
                 "leave --resume out to replace it");
-  other = sample_.job;
+  now.job = to_toml(sample_.job);
   now.library_digest = 12;
   EXPECT_NE(message().find("library.file: another content"), std::string::npos);
 }

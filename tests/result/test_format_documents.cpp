@@ -13,6 +13,7 @@
 #include "library/storage/library_layout.h"
 #include "library/storage/segment_layout.h"
 #include "result/result_manifest.h"
+#include "support/library_columns.h"
 #include "support/scratch_folder.h"
 #include "text/number_text.h"
 
@@ -97,33 +98,7 @@ std::string type_of(const layout::Column& column) {
 
 TEST(LibraryDocument, has_every_data_set_with_its_type_and_rows) {
   const Document text("library-format.md");
-  const layout::Columns c = layout::library_columns(5);
-  for (const layout::Column& column : {c.name,
-                                       c.perimeter,
-                                       c.radius,
-                                       c.mean_lab,
-                                       c.first_curve,
-                                       c.first_point,
-                                       c.outline_points,
-                                       c.field_distance,
-                                       c.field_scale,
-                                       c.field_extent,
-                                       c.artwork_path,
-                                       c.artwork_size,
-                                       c.artwork_centroid,
-                                       c.artwork_unit,
-                                       c.first_thumbnail_byte,
-                                       c.thumbnail_bytes,
-                                       c.first_original_byte,
-                                       c.original_bytes,
-                                       c.part_digest,
-                                       c.artwork_beside,
-                                       c.artwork_sha256,
-                                       c.variant_of,
-                                       c.colour_spread,
-                                       c.drawn_scale,
-                                       c.colour_grid,
-                                       c.style}) {
+  for (const layout::Column& column : test::columns_beside_levels(layout::library_columns(5))) {
     const std::string begin = "`" + column.path + "` | " + type_of(column) + " |";
     text.expect_row(begin);
     std::string row_dims;

@@ -17,7 +17,7 @@ TEST(ResultManifest, of_another_format_is_refused) {
   const test::ScratchFolder scratch;
   const test::SampleCollage sample;
   const std::string dir = scratch.path("");
-  publish_result(dir, sample.report, sample.origin(), true);
+  publish_result(dir, sample.report, sample.source(), true);
   const std::string path = scratch.path(kManifestName);
   std::ifstream file(path);
   std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -33,14 +33,14 @@ TEST(ResultManifest, keeps_the_colours_of_silhouettes) {
   const test::ScratchFolder scratch;
   test::SampleCollage sample;
   const std::string dir = scratch.path("");
-  publish_result(dir, sample.report, sample.origin(), true);
+  publish_result(dir, sample.report, sample.source(), true);
   EXPECT_TRUE(read_manifest(dir).colours.empty());
   sample.report.colours = {"#123456", "#abcdef"};
-  publish_result(dir, sample.report, sample.origin(), true);
+  publish_result(dir, sample.report, sample.source(), true);
   EXPECT_EQ(read_manifest(dir).colours, sample.report.colours);
   for (const std::vector<std::string>& wrong : {std::vector<std::string>{"#123456"}, {"#123456", "url(x)"}}) {
     sample.report.colours = wrong;
-    publish_result(dir, sample.report, sample.origin(), true);
+    publish_result(dir, sample.report, sample.source(), true);
     EXPECT_NE(test::message_of([&] { read_manifest(dir); }).find(kManifestName), std::string::npos) << wrong.back();
   }
 }
@@ -49,15 +49,15 @@ TEST(ResultManifest, counts_what_is_missing) {
   const test::ScratchFolder scratch;
   test::SampleCollage sample;
   const std::string dir = scratch.path("");
-  publish_result(dir, sample.report, sample.origin(), true);
+  publish_result(dir, sample.report, sample.source(), true);
   EXPECT_TRUE(read_manifest(dir).complete());
   sample.report.missing = {{ShapeId{0}, "ant", 5, 3}, {ShapeId{1}, "bee", 1, 0}};
-  publish_result(dir, sample.report, sample.origin(), true);
+  publish_result(dir, sample.report, sample.source(), true);
   EXPECT_EQ(read_manifest(dir).missing, 3u);
   EXPECT_FALSE(read_manifest(dir).complete());
   sample.report.missing.clear();
   sample.report.placements.clear();
-  publish_result(dir, sample.report, sample.origin(), true);
+  publish_result(dir, sample.report, sample.source(), true);
   EXPECT_FALSE(read_manifest(dir).complete()) << "without a piece";
 }
 
@@ -65,11 +65,11 @@ TEST(ResultManifest, keeps_what_the_collage_began_from) {
   const test::ScratchFolder scratch;
   test::SampleCollage sample;
   const std::string dir = scratch.path("");
-  publish_result(dir, sample.report, sample.origin(), true);
+  publish_result(dir, sample.report, sample.source(), true);
   EXPECT_TRUE(read_manifest(dir).start.empty());
   sample.job.start.pieces = scratch.path("old.geojson");
   sample.job.start.digest = 0x0123456789abcdef;
-  publish_result(dir, sample.report, sample.origin(), true);
+  publish_result(dir, sample.report, sample.source(), true);
   EXPECT_EQ(read_manifest(dir).start, scratch.path("old.geojson"));
   EXPECT_EQ(read_manifest(dir).start_digest, 0x0123456789abcdefu);
 }
@@ -78,7 +78,7 @@ TEST(ResultManifest, keeps_what_was_drawn_and_reads_what_earlier_versions_said) 
   const test::ScratchFolder scratch;
   const test::SampleCollage sample;
   const std::string dir = scratch.path("");
-  publish_result(dir, sample.report, sample.origin(), true);
+  publish_result(dir, sample.report, sample.source(), true);
   ResultManifest manifest = read_manifest(dir);
   manifest.pictures = {{"collage.svg", {.width_px = 300, .background = "#102030"}},
                        {"collage.png",

@@ -89,8 +89,6 @@ TEST(RunLog, that_cannot_be_written_any_more_is_a_problem_and_no_error) {
 }
 
 TEST(RunRecord, texts) {
-  EXPECT_EQ(digest_text(0xab), "00000000000000ab");
-  EXPECT_EQ(digest_text(~0ull), "ffffffffffffffff");
   EXPECT_EQ(devices_text({}), "no devices");
   EXPECT_EQ(devices_text({{"cpu", "Xeon", "PoCL", "3.1", 40}, {"gpu", "G", "P", "2", 80}}),
             "cpu \"Xeon\" of PoCL, driver 3.1: 40 shapes, gpu \"G\" of P, driver 2: 80 shapes");

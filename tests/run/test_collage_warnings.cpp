@@ -8,7 +8,7 @@
 #include "core/colour/colour_target.h"
 #include "core/field/keep_out.h"
 #include "run/messages/collage_warnings.h"
-#include "run/messages/key_text.h"
+#include "run/messages/written_keys.h"
 #include "support/synthetic_shapes.h"
 
 namespace tessera::cli {
@@ -17,9 +17,10 @@ namespace test_collage_warnings {
 TEST(EmptyResultWarning, says_what_keeps_pieces_out) {
   const Job job;
   EXPECT_EQ(
-      empty_result_warning("out/a", job, {}, {"smaller pieces", "a larger canvas.size_px (now [1000, 1000])"}),
+      empty_result_warning("out/a", WrittenKeys(job), {},
+                           {"smaller pieces", "a larger canvas.size_px (now [1000, 1000])"}),
       "out/a: the collage is empty: nothing fits; try smaller pieces; a larger canvas.size_px (now [1000, 1000])");
-  EXPECT_EQ(empty_result_warning("out/a", job, {}, {}).substr(0, 54),
+  EXPECT_EQ(empty_result_warning("out/a", WrittenKeys(job), {}, {}).substr(0, 54),
             "out/a: the collage is empty: no shape may stand: weigh");
 }
 
@@ -28,17 +29,18 @@ TEST(EmptyResultWarning, names_a_time_that_was_too_short) {
   job.settings.stop.seconds = 0.001;
   master::CollageResult result;
   result.statistics.stopped_by = StopReason::seconds;
-  EXPECT_EQ(empty_result_warning("out/a", job, result, {}),
+  EXPECT_EQ(empty_result_warning("out/a", WrittenKeys(job), result, {}),
             "out/a: the collage is empty: stop.seconds (now 0.001) ended it before the first piece");
 }
 
 TEST(EmptyResultWarning, is_none_where_there_are_pieces_or_may_be_later) {
+  const Job job;
   master::CollageResult result;
   result.unfinished = true;
-  EXPECT_EQ(empty_result_warning("out/a", Job(), result, {}), "");
+  EXPECT_EQ(empty_result_warning("out/a", WrittenKeys(job), result, {}), "");
   result.unfinished = false;
   result.placements.resize(1);
-  EXPECT_EQ(empty_result_warning("out/a", Job(), result, {}), "");
+  EXPECT_EQ(empty_result_warning("out/a", WrittenKeys(job), result, {}), "");
 }
 
 TEST(IncompleteWarning, SaysWhatAFinishedResultLacks) {
@@ -53,17 +55,17 @@ TEST(IncompleteWarning, SaysWhatAFinishedResultLacks) {
   EXPECT_EQ(incomplete_warning("out/a", manifest), "out/a: 20 pieces are missing; card.txt names them");
 }
 
-TEST(KeyText, LengthsAreInMmWhereTheCanvasHasASizeOnPaper) {
+TEST(WrittenKeys, LengthsAreInMmWhereTheCanvasHasASizeOnPaper) {
   Job job;
-  EXPECT_EQ(with_value(job, "pieces", "scale_px"), "pieces.scale_px (now [20, 160])");
-  EXPECT_EQ(with_value(job, "pieces", "padding_px"), "pieces.padding_px (now 0)");
-  EXPECT_EQ(length_text(job, 41.25), "41.2 px");
+  EXPECT_EQ(WrittenKeys(job).with_value("pieces", "scale_px"), "pieces.scale_px (now [20, 160])");
+  EXPECT_EQ(WrittenKeys(job).with_value("pieces", "padding_px"), "pieces.padding_px (now 0)");
+  EXPECT_EQ(WrittenKeys(job).length_text(41.25), "41.2 px");
   job.canvas.width_mm = 200;
   job.canvas.height_mm = 200;
-  EXPECT_EQ(with_value(job, "pieces", "scale_px"), "pieces.scale_mm (now [4, 32])");
-  EXPECT_EQ(with_value(job, "pieces", "padding_px"), "pieces.padding_mm (now 0)");
-  EXPECT_EQ(with_value(job, "pieces", "uses"), "pieces.uses (now 0)");
-  EXPECT_EQ(length_text(job, 41.25), "8.25 mm");
+  EXPECT_EQ(WrittenKeys(job).with_value("pieces", "scale_px"), "pieces.scale_mm (now [4, 32])");
+  EXPECT_EQ(WrittenKeys(job).with_value("pieces", "padding_px"), "pieces.padding_mm (now 0)");
+  EXPECT_EQ(WrittenKeys(job).with_value("pieces", "uses"), "pieces.uses (now 0)");
+  EXPECT_EQ(WrittenKeys(job).length_text(41.25), "8.25 mm");
 }
 
 TEST(CollageWarnings, KeysThatMeanNothingAreTold) {
@@ -132,21 +134,21 @@ TEST(CollageWarnings, LimitsOfDeformingThatMeanNothingAreTold) {
 
 TEST(CollageWarnings, ALibraryThatCannotShowAnImageIsTold) {
   Job job;
-  EXPECT_EQ(unable_library_warning(job, 5, true), "") << "there is no image";
+  EXPECT_EQ(unable_library_warning(job.colour, 5, true), "") << "there is no image";
   job.colour.image = "/portrait.png";
-  EXPECT_EQ(unable_library_warning(job, 50, false), "");
-  EXPECT_EQ(unable_library_warning(job, 49, false),
+  EXPECT_EQ(unable_library_warning(job.colour, 50, false), "");
+  EXPECT_EQ(unable_library_warning(job.colour, 49, false),
             "a library of 49 shapes has few colours to show colour.image; photos take 500 and more");
-  EXPECT_EQ(unable_library_warning(job, 500, true).substr(0, 95),
+  EXPECT_EQ(unable_library_warning(job.colour, 500, true).substr(0, 95),
             "nearly all shapes of the library are of one colour, which cannot show colour.image; colour.piec");
   job.colour.pieces = "palette";
-  EXPECT_EQ(unable_library_warning(job, 5, true), "");
+  EXPECT_EQ(unable_library_warning(job.colour, 5, true), "");
 }
 
 TEST(CollageWarnings, ALibraryThatIsUsedUpTellsSizesThatWouldFill) {
-  Job job;
-  job.settings.pieces.min_scale_px = 20;
-  job.settings.pieces.max_scale_px = 100;
+  PieceSettings pieces;
+  pieces.min_scale_px = 20;
+  pieces.max_scale_px = 100;
   master::CollageResult result;
   result.statistics.stopped_by = StopReason::full;
   result.placements.push_back({ShapeId{0}, {85, 0, 0, 0}, 0, 0});
@@ -155,23 +157,27 @@ TEST(CollageWarnings, ALibraryThatIsUsedUpTellsSizesThatWouldFill) {
     canvas.area_px2 = area_px2;
     return canvas;
   };
-  EXPECT_EQ(used_up_warning(job, canvas_px2(34000), result), "");
+  EXPECT_EQ(used_up_warning(pieces, false, canvas_px2(34000), result), "");
   result.statistics.stopped_by = StopReason::used_up;
-  EXPECT_EQ(used_up_warning(job, canvas_px2(34000), result),
+  EXPECT_EQ(used_up_warning(pieces, false, canvas_px2(34000), result),
             "the library is used up with 21 % of the canvas covered; pieces 2.0 times as large would fill it: "
             "pieces.scale_px = [40, 200], or pieces.fit = \"all\"; so would more uses (pieces.uses)");
-  EXPECT_EQ(used_up_warning(job, canvas_px2(9000), result), "") << "hardly more is to be had";
-  job.settings.pieces.fit_all = true;
-  EXPECT_EQ(used_up_warning(job, canvas_px2(34000), result), "") << "the program found these sizes";
+  EXPECT_EQ(used_up_warning(pieces, true, canvas_px2(34000), result),
+            "the library is used up with 21 % of the canvas covered; pieces 2.0 times as large would fill it: "
+            "pieces.fit = \"all\"; so would more uses (pieces.uses)")
+      << "nothing goes by pieces.scale_px where sizes are drawn";
+  EXPECT_EQ(used_up_warning(pieces, false, canvas_px2(9000), result), "") << "hardly more is to be had";
+  pieces.fit_all = true;
+  EXPECT_EQ(used_up_warning(pieces, false, canvas_px2(34000), result), "") << "the program found these sizes";
 }
 
 TEST(CollageWarnings, WhyPiecesAreNotRelaxed) {
   const auto warning = [](float min_scale_px, float max_scale_px, const std::function<void(CollageSettings&)>& change) {
-    Job job;
-    job.settings.pieces.min_scale_px = min_scale_px;
-    job.settings.pieces.max_scale_px = max_scale_px;
-    change(job.settings);
-    return idle_relaxing_warning(job);
+    CollageSettings settings;
+    settings.pieces.min_scale_px = min_scale_px;
+    settings.pieces.max_scale_px = max_scale_px;
+    change(settings);
+    return idle_relaxing_warning(settings);
   };
   const auto nothing = [](CollageSettings&) {};
   const std::string not_relaxed = "the pieces are not relaxed, as ";
@@ -193,21 +199,21 @@ TEST(CollageWarnings, WhyPiecesAreNotRelaxed) {
 }
 
 TEST(CollageWarnings, RelaxingThatBringsNothingIsTold) {
-  Job job;
-  job.settings.pieces.min_scale_px = 40;
+  CollageSettings settings;
+  settings.pieces.min_scale_px = 40;
   master::CollageResult result;
   result.statistics.trials = 2;
-  EXPECT_EQ(nothing_gained_warning(job, result),
+  EXPECT_EQ(nothing_gained_warning(settings, result),
             "no trial covered more, out of 2: the pieces lie where they lay; with a larger --trials they are "
             "exchanged, too");
   result.unfinished = true;
-  EXPECT_EQ(nothing_gained_warning(job, result), "");
+  EXPECT_EQ(nothing_gained_warning(settings, result), "");
   result.unfinished = false;
   result.statistics.trials_kept = 1;
-  EXPECT_EQ(nothing_gained_warning(job, result), "");
+  EXPECT_EQ(nothing_gained_warning(settings, result), "");
   result.statistics.trials_kept = 0;
-  job.settings.improve.relax = false;
-  EXPECT_EQ(nothing_gained_warning(job, result), "") << "it was told before";
+  settings.improve.relax = false;
+  EXPECT_EQ(nothing_gained_warning(settings, result), "") << "it was told before";
 }
 
 TEST(CollageWarnings, PiecesThatStandBadlyAreTold) {
@@ -216,20 +222,19 @@ TEST(CollageWarnings, PiecesThatStandBadlyAreTold) {
   const auto piece = [](float x_px) { return GivenPiece{ShapeId{0}, {40, 0, x_px, 50}}; };
   Canvas canvas = make_rectangle_canvas(400, 100);
   take_out(distance_to({KeepOutRectangle{{200, 50}, {20, 20}}}, canvas), canvas);
-  Job job;
-  job.tables["given"].resize(3);
-  job.settings.wishes.given = {piece(0), piece(10), piece(200)};
-  EXPECT_EQ(standing_warning(job, canvas, shape),
+  CollageSettings settings;
+  settings.wishes.given = {piece(0), piece(10), piece(200)};
+  EXPECT_EQ(standing_warning(settings, 3, canvas, shape),
             "of [[given]] 1 lies in a zone that pieces keep out of, the first is number 2, \"square\"; they stand as "
             "they are")
       << "elsewhere they may lie";
-  job.settings.wishes.given = {piece(60), piece(100), piece(140), piece(300), piece(310), piece(390), piece(315)};
+  settings.wishes.given = {piece(60), piece(100), piece(140), piece(300), piece(310), piece(390), piece(315)};
   EXPECT_EQ(
-      standing_warning(job, canvas, shape),
+      standing_warning(settings, 3, canvas, shape),
       "of start.pieces 1 lies outside the canvas, the first is number 2, \"square\"; 2 lie on pieces before them, the "
       "first is number 1, \"square\"; they stand as they are");
-  job.settings.wishes.given.resize(4);
-  EXPECT_EQ(standing_warning(job, canvas, shape), "");
+  settings.wishes.given.resize(4);
+  EXPECT_EQ(standing_warning(settings, 3, canvas, shape), "");
 }
 
 }  // namespace test_collage_warnings

@@ -7,6 +7,7 @@
 
 #include "comm/in_process_communicator.h"
 #include "core/base/error.h"
+#include "run/program_identity.h"
 
 namespace tessera::cli {
 namespace test_rank_agreement {
@@ -41,34 +42,6 @@ TEST(RankAgreement, the_masters_job_arrives) {
             "");
 }
 
-/// To the bit, however its sizes divide.
-TEST(RankAgreement, what_was_found_on_the_canvas_arrives) {
-  Grid<Texel> finest(37, 11);
-  for (std::size_t i = 0; i < finest.data().size(); ++i)
-    finest.data()[i] = {float(i) / 7, float(i) / 3, -1.f / 9, 0.7f};
-  const auto target = std::make_shared<const ColourTarget>(finest, 1.7f);
-  const auto sizes = std::make_shared<const SizeMap>(SizeMap{Grid<float>(5, 3, 0.3f), 0.7f});
-  comm::InProcessNetwork network(2);
-  std::jthread master([&] { announce_findings(*network.connect(0), {1. / 3, 0.1, {target, sizes}}); });
-  const CanvasFindings found = receive_findings(*network.connect(1));
-  EXPECT_EQ(found.size_factor, 1. / 3);
-  EXPECT_EQ(found.room_part, 0.1);
-  ASSERT_TRUE(found.overlays.colour);
-  EXPECT_EQ(found.overlays.colour->texels(), target->texels());
-  ASSERT_TRUE(found.overlays.sizes);
-  EXPECT_EQ(found.overlays.sizes->part.data(), sizes->part.data());
-  EXPECT_EQ(found.overlays.sizes->cells_per_px, 0.7f);
-  EXPECT_EQ(found.overlays.colour->levels().back().texels_per_px, target->levels().back().texels_per_px);
-}
-
-TEST(RankAgreement, where_there_is_no_picture_none_arrives) {
-  comm::InProcessNetwork network(2);
-  std::jthread master([&] { announce_findings(*network.connect(0), {}); });
-  const CanvasFindings found = receive_findings(*network.connect(1));
-  EXPECT_FALSE(found.overlays.colour);
-  EXPECT_FALSE(found.overlays.sizes);
-}
-
 TEST(RankAgreement, another_program_is_refused) {
   EXPECT_EQ(
       complaint([](comm::Communicator& ranks) { receive_job(ranks, "worker 2"); }),
@@ -76,10 +49,19 @@ TEST(RankAgreement, another_program_is_refused) {
       "node");
 }
 
-TEST(RankAgreement, the_program_is_told_by_version_commit_and_kernels) {
-  EXPECT_TRUE(program_identity().starts_with("tessera "));
-  EXPECT_NE(program_identity().find(", commit "), std::string::npos);
-  EXPECT_NE(program_identity().find(", kernels "), std::string::npos);
+/// The master's name may be any bytes.
+TEST(RankAgreement, another_program_is_found_out_before_anything_else_is_read) {
+  comm::InProcessNetwork network(2);
+  network.connect(0)->broadcast(comm::Bytes{'x', '\x1b', '\x01'});
+  EXPECT_THROW(receive_job(*network.connect(1), "worker 2"), EnvironmentError);
+}
+
+TEST(RankAgreement, a_job_that_cannot_be_read_is_refused) {
+  comm::InProcessNetwork network(2);
+  const auto master = network.connect(0);
+  announce_program(*master, "master 1");
+  master->broadcast(comm::Bytes(5, 'x'));
+  EXPECT_THROW(receive_job(*network.connect(1), "master 1"), EnvironmentError);
 }
 
 }  // namespace test_rank_agreement

@@ -121,10 +121,15 @@ TEST(RefinedResult, ItsPiecesAreNotToBeOthers) {
 TEST(RefinedResult, SaysWhichPiecesAreLocked) {
   RefinedResult result = result_of({}, 9);
   result.whole.job.start.pieces = "earlier";
-  result.whole.job.tables["given"].resize(1);
+  result.whole.job.library = "/library.h5";
+  result.whole.job.quality = QualityWord::none;
+  result.whole.job.tables["given"] = {{{"shape", {{}, "disc"}}, {"at_px", {{10, 20}, ""}}, {"scale_px", {{30}, ""}}}};
   Job now = result.whole.job;
   now.settings.wishes.given.resize(2);
-  const auto mistake = [&] { return test::message_of([&] { check_is_the_same_collage(result, {.job = &now}); }); };
+  const auto mistake = [&] {
+    return test::message_of(
+        [&] { check_is_the_same_collage(result, {.job = to_toml(now)}, now.settings.wishes.given); });
+  };
   EXPECT_EQ(mistake(), "");
   now.settings.wishes.given[1].locked = false;
   EXPECT_EQ(mistake().substr(0, 62), "out/a b: pieces.geojson does not say which pieces are locked, ");

@@ -15,6 +15,7 @@ inline void write_many_shapes(const std::string& path, std::uint32_t count) {
     shape.name = "shape " + std::to_string(i);
     shape.artwork.width_px = shape.artwork.height_px = 600;
     shape.mean_lab = {50, 10, -20};
+    shape.drawn_scale_px = 20 + float(i % 30);
     shape.perimeter *= 1 + float(i) / float(count);  // tells the models apart
     writer.append(shape);
   }

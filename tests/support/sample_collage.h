@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "job/pieces/wished_sizes.h"
 #include "result/collage_files.h"
 #include "support/synthetic_shapes.h"
 
@@ -15,9 +16,9 @@ struct SampleCollage {
     job.path = "sample.toml";
     job.library = "/nowhere/sample.h5";
     job.quality = QualityWord::none;  // an effective job has the number in its place
-    job.output.width_px = 400;
-    job.output.background = "#ffe0c0";
-    report.job = &job;
+    report.output.width_px = 400;
+    report.output.background = "#ffe0c0";
+    report.box = job.canvas;
     report.canvas = &canvas;
     report.shapes.add(ShapeId{7}, make_test_shape("disc", disc_outline()));
     report.shapes.add(ShapeId{3}, make_test_shape("ring", ring_outline()));
@@ -32,7 +33,15 @@ struct SampleCollage {
     report.placements.push_back({shape, t, 0.75f, 12.5f});
   }
 
-  CheckpointOrigin origin() const { return {&job, 11, 22}; }
+  ResultSource source() const {
+    return {.origin = {to_toml(job), 11, 22},
+            .library = job.library,
+            .start = job.start.pieces,
+            .start_digest = job.start.digest,
+            .sizes = wished_sizes(job),
+            .card = {},
+            .shown_png = {}};
+  }
 
   Job job;
   Canvas canvas = make_rectangle_canvas(200, 100);

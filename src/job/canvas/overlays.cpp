@@ -39,19 +39,9 @@ cv::Size cells_of(const Canvas& canvas, float px_per_cell) {
 /// An SVG is drawn twice as fine as cells.
 int side_for(cv::Size cells) { return 2 * std::max(cells.width, cells.height); }
 
-/// An SVG is drawn with a longest side of `side_px`.
-cv::Mat picture_for(const Job& job, const std::string& path, const char* key, const Canvas& canvas, int side_px,
-                    Drawers& drawers) {
-  try {
-    return overlay_picture(path, key, canvas, side_px, drawers);
-  } catch (const InputError& error) {
-    throw InputError(job.path + ": " + error.what());
-  }
-}
-
-void refuse_seamless(const Job& job, const char* key) {
-  if (job.canvas.seamless == Seamless::none) return;
-  throw InputError(job.path + ": " + key + ": found with canvas.seamless, allowed: a canvas that does not repeat");
+void refuse_seamless(const Canvas& canvas, const char* key) {
+  if (!canvas.period.repeats()) return;
+  throw InputError(std::string(key) + ": found with canvas.seamless, allowed: a canvas that does not repeat");
 }
 
 /// Of straight BGRA: lightness, a and b times alpha, and alpha. By strips, as much is needed for each pixel on the way.
@@ -87,12 +77,13 @@ Grid<Texel> texels_from(const cv::Mat& straight_bgra, cv::Size size) {
 }
 
 /// By lightness as it is stored; transparent places are white.
-std::shared_ptr<const SizeMap> size_map_of(const Canvas& canvas, const Job& job, float smallest_px, Drawers& drawers) {
-  if (job.size_map.empty()) return nullptr;
-  refuse_seamless(job, "pieces.size_map");
+std::shared_ptr<const SizeMap> size_map_of(const Canvas& canvas, const std::string& file, float smallest_px,
+                                           Drawers& drawers) {
+  if (file.empty()) return nullptr;
+  refuse_seamless(canvas, "pieces.size_map");
   const float cell_px = px_per_cell(smallest_px, kSizesPerPiece);
   const cv::Size size = cells_of(canvas, cell_px);
-  const cv::Mat bgra = picture_for(job, job.size_map, "pieces.size_map", canvas, side_for(size), drawers);
+  const cv::Mat bgra = overlay_picture(file, "pieces.size_map", canvas, side_for(size), drawers);
   cv::Mat grey, alpha, cells;
   cv::cvtColor(bgra, grey, cv::COLOR_BGRA2GRAY);
   cv::extractChannel(bgra, alpha, 3);
@@ -135,26 +126,25 @@ void add_colour_grids(const ShapeLibrary& library, const Job& job, Digest& diges
 }
 
 /// `bgra` is colour.image as matching has it. Where that is small the file may be an SVG, which is drawn anew.
-std::shared_ptr<const std::vector<std::uint8_t>> shown_png(const Canvas& canvas, const Job& job, const cv::Mat& bgra,
-                                                           Drawers& drawers) {
+std::shared_ptr<const std::vector<std::uint8_t>> shown_png(const Canvas& canvas, const std::string& image,
+                                                           const cv::Mat& bgra, Drawers& drawers) {
   const bool small = std::max(bgra.cols, bgra.rows) < kLongestShownSide_px;
-  const cv::Mat picture =
-      small ? picture_for(job, job.colour.image, "colour.image", canvas, kLongestShownSide_px, drawers) : bgra;
+  const cv::Mat picture = small ? overlay_picture(image, "colour.image", canvas, kLongestShownSide_px, drawers) : bgra;
   return std::make_shared<const std::vector<std::uint8_t>>(shown_picture_png(picture));
 }
 
 }  // namespace
 
-ColourImage read_colour_image(const Canvas& canvas, const Job& job, float smallest_px, Drawers& drawers) {
-  if (job.colour.image.empty()) return {};
-  refuse_seamless(job, "colour.image");
+ColourImage read_colour_image(const Canvas& canvas, const std::string& image, float smallest_px, Drawers& drawers) {
+  if (image.empty()) return {};
+  refuse_seamless(canvas, "colour.image");
   const float px_per_texel = px_per_cell(smallest_px, kTexelsPerPiece);
   const cv::Size size = cells_of(canvas, px_per_texel);
-  const cv::Mat picture = picture_for(job, job.colour.image, "colour.image", canvas, side_for(size), drawers);
+  const cv::Mat picture = overlay_picture(image, "colour.image", canvas, side_for(size), drawers);
   const Grid<Texel> finest = texels_from(picture, size);
   if (std::none_of(finest.data().begin(), finest.data().end(),
                    [](const Texel& texel) { return texel.weight >= kLeastColourWeight; })) {
-    throw InputError(job.path + ": colour.image: " + job.colour.image + " is transparent all over");
+    throw InputError("colour.image: " + image + " is transparent all over");
   }
   return {picture, std::make_shared<const ColourTarget>(finest, px_per_texel)};
 }
@@ -162,13 +152,17 @@ ColourImage read_colour_image(const Canvas& canvas, const Job& job, float smalle
 std::vector<std::uint8_t> shown_picture_png(const cv::Mat& bgra) { return png_of(shrunk(bgra, kLongestShownSide_px)); }
 
 Overlays read_overlays(const Canvas& canvas, const Job& job, float smallest_px) {
-  Drawers drawers(photo_drawer_settings(1));
-  Overlays overlays;
-  const ColourImage image = read_colour_image(canvas, job, smallest_px, drawers);
-  overlays.colour = image.target;
-  if (image.target) overlays.shown_png = shown_png(canvas, job, image.bgra, drawers);
-  overlays.sizes = size_map_of(canvas, job, smallest_px, drawers);
-  return overlays;
+  try {
+    Drawers drawers(photo_drawer_settings(1));
+    Overlays overlays;
+    const ColourImage image = read_colour_image(canvas, job.colour.image, smallest_px, drawers);
+    overlays.colour = image.target;
+    if (image.target) overlays.shown_png = shown_png(canvas, job.colour.image, image.bgra, drawers);
+    overlays.sizes = size_map_of(canvas, job.size_map, smallest_px, drawers);
+    return overlays;
+  } catch (const InputError& error) {
+    throw InputError(job.path + ": " + error.what());
+  }
 }
 
 void set_overlays(const Overlays& overlays, const ShapeLibrary& library, Job& job) {

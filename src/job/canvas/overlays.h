@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <opencv2/core.hpp>
+#include <string>
 #include <vector>
 
 #include "artwork/drawers/drawers.h"
@@ -22,9 +23,9 @@ struct ColourImage {
   std::shared_ptr<const ColourTarget> target;
 };
 
-/// Empty where the job has none. `smallest_px`: the size of the smallest piece. Errors as read_overlays, and as
-/// overlay_picture where `drawers` are stopped.
-ColourImage read_colour_image(const Canvas& canvas, const Job& job, float smallest_px, Drawers& drawers);
+/// Of the file `image` (colour.image); empty where that is "". `smallest_px`: the size of the smallest piece. Errors as
+/// read_overlays but for the job's path, and as overlay_picture where `drawers` are stopped.
+ColourImage read_colour_image(const Canvas& canvas, const std::string& image, float smallest_px, Drawers& drawers);
 
 /// Longest side of the picture that a result keeps. Its PNG in Base64, as SVGs hold it, stays below the 10 MB that
 /// libxml2 reads in one attribute, even where it is noise.
@@ -41,7 +42,7 @@ struct Overlays {
 };
 
 /// Read from the job's files, as finely as the smallest piece needs, whose size is `smallest_px`. Throws InputError that
-/// names the key and the file: where that is no picture, where the colours are transparent all over, or the canvas is
+/// names job, key and file: where that is no picture, where the colours are transparent all over, or the canvas is
 /// seamless.
 Overlays read_overlays(const Canvas& canvas, const Job& job, float smallest_px);
 

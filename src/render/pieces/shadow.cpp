@@ -27,10 +27,9 @@ Between between(int px, int coarseness) {
 
 }  // namespace
 
-Shadow::Shadow(const CollageReport& report, const cv::Size& picture_px)
-    : strength_(report.job->output.shadow_strength) {
+Shadow::Shadow(const CollageReport& report, const cv::Size& picture_px) : strength_(report.output.shadow_strength) {
   if (strength_ == 0) return;
-  const OutputSpec& output = report.job->output;
+  const OutputSpec& output = report.output;
   const double px = double(picture_px.width) / report.canvas->width_px;
   coarseness_ = std::max(1, int(output.shadow_blur_px * px / kLeastBlur_px));
   const double coarse_px = px / coarseness_;

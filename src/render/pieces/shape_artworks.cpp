@@ -83,7 +83,7 @@ const Shape& ShapeArtworks::original(std::size_t slot) const {
 
 Outline ShapeArtworks::original_clip(std::size_t slot) const {
   const Shape& shape = original(slot);
-  return report_.job->output.clip == kNoClip ? artwork_page_outline(shape) : artwork_clip(shape);
+  return report_.output.clip == kNoClip ? artwork_page_outline(shape) : artwork_clip(shape);
 }
 
 Outline ShapeArtworks::clip_of(std::size_t slot) const {
@@ -138,8 +138,7 @@ bool ShapeArtworks::may_be_paths(std::size_t slot, const Source& source) const {
 /// The longest side of its page as the pictures show it, twice as fine, within bounds.
 int ShapeArtworks::pixels_of_piece(std::size_t slot) const {
   const Artwork& artwork = report_.shapes[slot].artwork;
-  const double picture_px =
-      double(picture_size_px(report_.job->output, *report_.canvas).width) / report_.canvas->width_px;
+  const double picture_px = double(picture_size_px(report_.output, *report_.canvas).width) / report_.canvas->width_px;
   const double size_px = double(report_.placements[slot].canvas_from_shape.scale()) * picture_px;
   return int(std::clamp(2 * size_px * longest_side(artwork) / double(artwork.unit_px), 16., double(kMostWarped_px)));
 }

@@ -11,11 +11,9 @@
 #include "core/collage/standing_check.h"
 #include "job/canvas/canvas_enclosure.h"
 #include "job/job_keys.h"
-#include "job/job_tables.h"
 #include "job/job_value.h"
 #include "master/relaxing.h"
 #include "master/replacing.h"
-#include "run/messages/key_text.h"
 #include "terminal/terminal.h"
 #include "text/number_text.h"
 
@@ -41,8 +39,7 @@ std::string those_that_lie(const std::vector<std::size_t>& found, std::size_t be
          std::to_string(*first - begin) + ", \"" + name(*first) + "\"";
 }
 
-std::string text_of(master::NoRelaxing reason, const Job& job) {
-  const PieceSettings& pieces = job.settings.pieces;
+std::string text_of(master::NoRelaxing reason, const PieceSettings& pieces) {
   switch (reason) {
     case master::NoRelaxing::not_wanted: return "improve.relax is false";
     case master::NoRelaxing::sizes_by_place: return "their sizes go by the place (pieces.size_map)";
@@ -70,8 +67,8 @@ std::string idle_deform_warning(const Job& job) {
   const DeformKind kind = job.settings.deform.kind;
   if (kind == DeformKind::capped) return "";
   for (const char* key : {"most_px", "most_part", "most_area", "most_pad"}) {
-    if (!is_default(job, "deform", key))
-      return with_value(job, "deform", key) + " means nothing without deform.kind = \"capped\"";
+    if (!WrittenKeys(job).is_default("deform", key))
+      return WrittenKeys(job).with_value("deform", key) + " means nothing without deform.kind = \"capped\"";
   }
   return "";
 }
@@ -94,12 +91,12 @@ std::string limit_that_ended(const RunStatistics& run) {
   return is_limit ? std::string(stop_word(*by)) : "";
 }
 
-std::string empty_result_warning(const std::string& folder, const Job& job, const master::CollageResult& result,
-                                 const std::vector<std::string>& what_to_try) {
+std::string empty_result_warning(const std::string& folder, const WrittenKeys& keys,
+                                 const master::CollageResult& result, const std::vector<std::string>& what_to_try) {
   if (result.unfinished || !result.placements.empty()) return "";
   const std::string text = folder + ": the collage is empty: ";
   if (const std::string limit = limit_that_ended(result.statistics); !limit.empty()) {
-    return text + with_value(job, "stop", limit.c_str()) + " ended it before the first piece";
+    return text + keys.with_value("stop", limit.c_str()) + " ended it before the first piece";
   }
   if (what_to_try.empty()) {
     return text +
@@ -114,26 +111,25 @@ std::string incomplete_warning(const std::string& folder, const ResultManifest& 
   return folder + ": " + count_text(manifest.missing, "piece is", "pieces are") + " missing; card.txt names them";
 }
 
-std::string used_up_warning(const Job& job, const Canvas& canvas, const master::CollageResult& result) {
+std::string used_up_warning(const PieceSettings& pieces, bool drawn_sizes, const Canvas& canvas,
+                            const master::CollageResult& result) {
   constexpr double kFilled = 0.85;  // of the canvas, by a library that fits it
   const double covered = covered_fraction(canvas, result);
-  if (result.statistics.stopped_by != StopReason::used_up || job.settings.pieces.fit_all) return "";
+  if (result.statistics.stopped_by != StopReason::used_up || pieces.fit_all) return "";
   if (covered <= 0 || covered >= kFilled - 0.1) return "";
   const double factor = std::sqrt(kFilled / covered);
-  const PieceSettings& pieces = job.settings.pieces;
-  char text[300];
-  std::snprintf(text, sizeof text,
-                "the library is used up with %.0f %% of the canvas covered; pieces %.1f times as large would fill it: "
-                "pieces.scale_px = [%.0f, %.0f], or pieces.fit = \"all\"; so would more uses (pieces.uses)",
-                100 * covered, factor, factor * double(pieces.min_scale_px), factor * double(pieces.max_scale_px));
-  return text;
+  const std::string sizes = "pieces.scale_px = [" + fixed(factor * double(pieces.min_scale_px), 0) + ", " +
+                            fixed(factor * double(pieces.max_scale_px), 0) + "], or ";
+  return "the library is used up with " + fixed(100 * covered, 0) + " % of the canvas covered; pieces " +
+         fixed(factor, 1) + " times as large would fill it: " + (drawn_sizes ? "" : sizes) +
+         "pieces.fit = \"all\"; so would more uses (pieces.uses)";
 }
 
-std::string standing_warning(const Job& job, const Canvas& canvas, const std::function<const Shape&(ShapeId)>& shape) {
-  const std::vector<GivenPiece>& pieces = job.settings.wishes.given;
-  const std::size_t first_of_start = rows_of(job, "given").size();
+std::string standing_warning(const CollageSettings& collage, std::size_t first_of_start, const Canvas& canvas,
+                             const std::function<const Shape&(ShapeId)>& shape) {
+  const std::vector<GivenPiece>& pieces = collage.wishes.given;
   const auto name = [&](std::size_t piece) { return shape(pieces[piece].shape).name; };
-  const PieceSettings& settings = job.settings.pieces;
+  const PieceSettings& settings = collage.pieces;
   const StandingCheck found = check_standing(canvas, pieces, settings.padding_px > 0 ? 0 : settings.overlap_px, shape);
   const char* in_a_zone = "in a zone that pieces keep out of";
   const std::string given = those_that_lie(found.kept_out, 0, first_of_start, in_a_zone, name);
@@ -151,36 +147,39 @@ std::string standing_warning(const Job& job, const Canvas& canvas, const std::fu
 }
 
 std::string idle_dpi_warning(const Job& job) {
-  if (is_default(job, "output", "dpi") || job.output.width_mm > 0 || job.canvas.width_mm > 0) return "";
-  return with_value(job, "output", "dpi") +
+  if (WrittenKeys(job).is_default("output", "dpi") || job.output.width_mm > 0 || job.canvas.width_mm > 0) return "";
+  return WrittenKeys(job).with_value("output", "dpi") +
          " means nothing without a size on paper: output.width_mm, or canvas.size_mm; the picture is " +
          std::to_string(job.output.width_px) + " px wide (output.width_px)";
 }
 
 std::string idle_shift_warning(const Job& job) {
-  if (is_default(job, "colour", "shift") || !job.colour.image.empty()) return "";
-  return with_value(job, "colour", "shift") + " means nothing without colour.image";
+  if (WrittenKeys(job).is_default("colour", "shift") || !job.colour.image.empty()) return "";
+  return WrittenKeys(job).with_value("colour", "shift") + " means nothing without colour.image";
 }
 
 std::string idle_light_warning(const Job& job) {
-  if (is_default(job, "output", "background_light") || job.output.background == kImageBackground) return "";
-  return with_value(job, "output", "background_light") + " means nothing without output.background = \"image\"";
+  if (WrittenKeys(job).is_default("output", "background_light") || job.output.background == kImageBackground) return "";
+  return WrittenKeys(job).with_value("output", "background_light") +
+         " means nothing without output.background = \"image\"";
 }
 
 std::string idle_keys_warning(const Job& job) {
   std::vector<std::string> warnings = {idle_dpi_warning(job)};
-  if (job.settings.pieces.padding_px > 0 && !is_default(job, "pieces", "overlap_px")) {
-    warnings.push_back(with_value(job, "pieces", "overlap_px") + " does not count beside " +
-                       with_value(job, "pieces", "padding_px") + ", which keeps all pieces apart");
+  if (job.settings.pieces.padding_px > 0 && !WrittenKeys(job).is_default("pieces", "overlap_px")) {
+    warnings.push_back(WrittenKeys(job).with_value("pieces", "overlap_px") + " does not count beside " +
+                       WrittenKeys(job).with_value("pieces", "padding_px") + ", which keeps all pieces apart");
   }
-  if (!job.settings.pieces.fit_all && !is_default(job, "pieces", "least_scale_px")) {
-    warnings.push_back(with_value(job, "pieces", "least_scale_px") + " means nothing without pieces.fit = \"all\"");
+  if (!job.settings.pieces.fit_all && !WrittenKeys(job).is_default("pieces", "least_scale_px")) {
+    warnings.push_back(WrittenKeys(job).with_value("pieces", "least_scale_px") +
+                       " means nothing without pieces.fit = \"all\"");
   }
-  if (is_default(job, "library", "colours") && !is_default(job, "library", "colours_within")) {
-    warnings.push_back(with_value(job, "library", "colours_within") + " means nothing without library.colours");
+  if (WrittenKeys(job).is_default("library", "colours") && !WrittenKeys(job).is_default("library", "colours_within")) {
+    warnings.push_back(WrittenKeys(job).with_value("library", "colours_within") +
+                       " means nothing without library.colours");
   }
-  if (job.colour.image.empty() && !is_default(job, "colour", "weight")) {
-    warnings.push_back(with_value(job, "colour", "weight") + " means nothing without colour.image");
+  if (job.colour.image.empty() && !WrittenKeys(job).is_default("colour", "weight")) {
+    warnings.push_back(WrittenKeys(job).with_value("colour", "weight") + " means nothing without colour.image");
   }
   warnings.push_back(idle_shift_warning(job));
   warnings.push_back(idle_light_warning(job));
@@ -188,20 +187,19 @@ std::string idle_keys_warning(const Job& job) {
   return joined_warnings(warnings);
 }
 
-std::string unable_library_warning(const Job& job, std::size_t shapes, bool one_colour) {
+std::string unable_library_warning(const ColourSpec& colour, std::size_t shapes, bool one_colour) {
   constexpr std::size_t kFew = 50;
-  if (job.colour.image.empty()) return "";
-  if (one_colour && job.colour.pieces != "palette") {
+  if (colour.image.empty()) return "";
+  if (one_colour && colour.pieces != "palette") {
     return "nearly all shapes of the library are of one colour, which cannot show colour.image; colour.pieces = "
            "\"palette\" draws them in the colours of the palette that are nearest to it";
   }
-  if (shapes >= kFew || job.colour.pieces == "palette") return "";
+  if (shapes >= kFew || colour.pieces == "palette") return "";
   return "a library of " + count_text(shapes, "shape") +
          " has few colours to show colour.image; photos take 500 and more";
 }
 
-std::string outline_alone_warning(const Job& job, const Canvas& canvas) {
-  const CanvasSpec& spec = job.canvas;
+std::string outline_alone_warning(const CanvasSpec& spec, const Canvas& canvas) {
   std::vector<std::string> warnings;
   if (!spec.file.empty() && spec.region_colours.empty())
     warnings.push_back(outline_text("canvas.file", spec.file, covered_part_of_enclosed(canvas), "filled"));
@@ -210,23 +208,21 @@ std::string outline_alone_warning(const Job& job, const Canvas& canvas) {
   return joined_warnings(warnings);
 }
 
-std::string idle_relaxing_warning(const Job& job) {
-  const std::optional<master::NoRelaxing> reason = master::why_not_relaxed(job.settings);
-  return reason ? "the pieces are not relaxed, as " + text_of(*reason, job) : "";
+std::string idle_relaxing_warning(const CollageSettings& settings) {
+  const std::optional<master::NoRelaxing> reason = master::why_not_relaxed(settings);
+  return reason ? "the pieces are not relaxed, as " + text_of(*reason, settings.pieces) : "";
 }
 
-std::string empty_room_warning(const Job& job, const master::CollageResult& result) {
-  const std::size_t removed = job.start.removed.size();
-  if (removed == 0 || result.unfinished || result.placements.size() > job.settings.wishes.given.size()) return "";
+std::string empty_room_warning(std::size_t removed, std::size_t given, const master::CollageResult& result) {
+  if (removed == 0 || result.unfinished || result.placements.size() > given) return "";
   return "nothing came in for the " + count_text(removed, "piece") +
          " of start.remove: no shape that may stand there fits, or a limit of [stop] was reached";
 }
 
-std::string come_back_warning(const Job& job, const Canvas& canvas, const master::CollageResult& result,
-                              const std::vector<std::uint32_t>& silhouettes) {
+std::string come_back_warning(const std::vector<GivenPiece>& removed, std::size_t given, const Canvas& canvas,
+                              const master::CollageResult& result, const std::vector<std::uint32_t>& silhouettes) {
   if (result.unfinished) return "";
-  const std::size_t standing = std::min(job.settings.wishes.given.size(), result.placements.size());
-  const std::vector<GivenPiece>& removed = job.start.removed;
+  const std::size_t standing = std::min(given, result.placements.size());
   const auto back = std::count_if(removed.begin(), removed.end(), [&](const GivenPiece& piece) {
     return std::any_of(result.placements.begin() + std::ptrdiff_t(standing), result.placements.end(),
                        [&](const Placement& p) {
@@ -240,11 +236,11 @@ std::string come_back_warning(const Job& job, const Canvas& canvas, const master
          "[[shapes]] and pieces.uses";
 }
 
-std::string nothing_gained_warning(const Job& job, const master::CollageResult& result) {
+std::string nothing_gained_warning(const CollageSettings& settings, const master::CollageResult& result) {
   const RunStatistics& run = result.statistics;
-  if (result.unfinished || run.trials == 0 || run.trials_kept > 0 || master::why_not_relaxed(job.settings)) return "";
+  if (result.unfinished || run.trials == 0 || run.trials_kept > 0 || master::why_not_relaxed(settings)) return "";
   return "no trial covered more, out of " + std::to_string(run.trials) + ": the pieces lie where they lay" +
-         (master::pays_to_replace(job.settings) ? "; with a larger --trials they are exchanged, too" : "");
+         (master::pays_to_replace(settings) ? "; with a larger --trials they are exchanged, too" : "");
 }
 
 std::string joined_warnings(const std::vector<std::string>& warnings) {

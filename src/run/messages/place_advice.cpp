@@ -8,8 +8,7 @@
 #include "core/collage/any_place.h"
 #include "core/matching/stances.h"
 #include "job/canvas/canvas_file.h"
-#include "job/job_tables.h"
-#include "run/messages/key_text.h"
+#include "run/messages/written_keys.h"
 
 namespace tessera {
 namespace {
@@ -22,12 +21,10 @@ constexpr float kRoomBeside = 0.03f;  // of the canvas' longer side: twice what 
 constexpr LibraryParts kOutlines{.outline = true, .field = false, .levels = 0, .artwork = false};
 
 /// The tables that say something else than [pieces] of some shapes.
-std::string in_tables(const Job& job, const std::string& column) {
+std::string in_tables(const WrittenKeys& keys, const std::string& column) {
   std::string text;
   for (const char* table : {"shapes", "regions"}) {
-    const std::vector<JobRow>& rows = rows_of(job, table);
-    const bool says = std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row.contains(column); });
-    if (says) text += column + " of [[" + table + "]] or ";
+    if (keys.has_column(table, column)) text += column + " of [[" + table + "]] or ";
   }
   return text;
 }
@@ -42,9 +39,10 @@ struct Trial {
 
 class KeysTried {
  public:
-  KeysTried(const Job& job, const CollageSettings& sized, const ShapeLibrary& library, const Canvas& canvas,
-            const std::vector<ShapeId>& shapes)
-      : job_(job),
+  KeysTried(const WrittenKeys& keys, const CanvasSpec& spec, const CollageSettings& sized, const ShapeLibrary& library,
+            const Canvas& canvas, const std::vector<ShapeId>& shapes)
+      : keys_(keys),
+        spec_(spec),
         pieces_(sized.pieces),
         canvas_(canvas) {
     const StanceTable whole(sized, std::uint32_t(library.size()));
@@ -63,10 +61,10 @@ class KeysTried {
     if (const std::optional<Smaller> smaller = largest_that_fits()) keys.push_back(sizes_text(*smaller));
     std::erase(keys, "");
     if (any_fits(canvas_, kept_px(), true))
-      keys.push_back("other rotations, " + in_tables(job_, "rotation_deg") +
-                     with_value(job_, "pieces", "rotation_deg"));
+      keys.push_back("other rotations, " + in_tables(keys_, "rotation_deg") +
+                     keys_.with_value("pieces", "rotation_deg"));
     if (pieces_.padding_px > 0 && any_fits(canvas_, -pieces_.overlap_px, false)) {
-      keys.push_back("less " + with_value(job_, "pieces", "padding_px"));
+      keys.push_back("less " + keys_.with_value("pieces", "padding_px"));
     }
     if (canvas_.has_zones() && any_fits(without_zones(), kept_px(), false)) {
       keys.push_back("less of the canvas kept out of (canvas.keep_out, [[keep_out]])");
@@ -120,32 +118,33 @@ class KeysTried {
   /// Empty where the job allows none smaller.
   std::string sizes_text(const Smaller& smaller) const {
     if (pieces_.fit_all) {
-      return is_default(job_, "pieces", "least_scale_px")
+      return keys_.is_default("pieces", "least_scale_px")
                  ? ""
-                 : "smaller pieces, " + with_value(job_, "pieces", "least_scale_px");
+                 : "smaller pieces, " + keys_.with_value("pieces", "least_scale_px");
     }
-    if (job_.drawn_sizes) {
+    if (has_drawn_sizes(keys_)) {
       const std::string text =
-          "drawings " + std::to_string(int(100 * smaller.factor)) + " % as large, " + where_sizes_stand(job_);
-      return may_fit_all(job_) ? text + "; pieces.fit = \"all\", which finds such sizes" : text;
+          "drawings " + std::to_string(int(100 * smaller.factor)) + " % as large, " + where_sizes_stand(keys_);
+      return may_fit_all(keys_) ? text + "; pieces.fit = \"all\", which finds such sizes" : text;
     }
-    return "pieces of " + length_text(job_, double(smaller.scale_px)) + " or less, " + where_sizes_stand(job_);
+    return "pieces of " + keys_.length_text(double(smaller.scale_px)) + " or less, " + where_sizes_stand(keys_);
   }
 
   /// As it is where its file cannot be read any more: the collage is finished, and this is for a message alone.
   Canvas without_zones() const {
-    Job job = job_;
-    job.canvas.keep_out.clear();
-    job.canvas.keep_out_rectangles.clear();
+    CanvasSpec spec = spec_;
+    spec.keep_out.clear();
+    spec.keep_out_rectangles.clear();
     try {
-      return canvas_of(job);
+      return load_canvas(spec);
     } catch (const InputError&) {
     } catch (const EnvironmentError&) {
     }
     return canvas_;
   }
 
-  const Job& job_;
+  const WrittenKeys& keys_;
+  const CanvasSpec& spec_;
   const PieceSettings& pieces_;
   const Canvas& canvas_;
   std::vector<Outline> outlines_;
@@ -154,15 +153,18 @@ class KeysTried {
 
 }  // namespace
 
-std::vector<std::string> keys_that_keep_out(const Job& job, const CollageSettings& sized, const ShapeLibrary& library,
+std::vector<std::string> keys_that_keep_out(const WrittenKeys& keys, const CanvasSpec& spec,
+                                            const CollageSettings& sized, const ShapeLibrary& library,
                                             const Canvas& canvas, const std::vector<ShapeId>& shapes) {
-  return KeysTried(job, sized, library, canvas, shapes).keys_that_help();
+  return KeysTried(keys, spec, sized, library, canvas, shapes).keys_that_help();
 }
 
-bool may_fit_all(const Job& job) { return rows_of(job, "regions").empty(); }
+bool may_fit_all(const WrittenKeys& keys) { return !keys.has_rows("regions"); }
 
-std::string where_sizes_stand(const Job& job) {
-  return in_tables(job, "scale_px") + with_value(job, "pieces", job.drawn_sizes ? "sizes" : "scale_px");
+bool has_drawn_sizes(const WrittenKeys& keys) { return !keys.is_default("pieces", "sizes"); }
+
+std::string where_sizes_stand(const WrittenKeys& keys) {
+  return in_tables(keys, "scale_px") + keys.with_value("pieces", has_drawn_sizes(keys) ? "sizes" : "scale_px");
 }
 
 }  // namespace tessera

@@ -8,19 +8,24 @@
 #include "core/settings/settings.h"
 #include "job/job_file.h"
 #include "library/storage/shape_library.h"
+#include "run/messages/written_keys.h"
 
 namespace tessera {
 
 /// None of these shapes found a place. The keys, with their values, of which each alone lets one of the shapes lie on the
 /// empty canvas: sizes, rotations, padding, zones that are kept out of. None where one of the shapes fits as it is, or no
-/// key alone helps. `sized`: the settings with the sizes that were tried.
-std::vector<std::string> keys_that_keep_out(const Job& job, const CollageSettings& sized, const ShapeLibrary& library,
+/// key alone helps. `sized`: the settings with the sizes that were tried. `spec`: of the canvas.
+std::vector<std::string> keys_that_keep_out(const WrittenKeys& keys, const CanvasSpec& spec,
+                                            const CollageSettings& sized, const ShapeLibrary& library,
                                             const Canvas& canvas, const std::vector<ShapeId>& shapes);
 
 /// Whether the job may have pieces.fit = "all".
-bool may_fit_all(const Job& job);
+bool may_fit_all(const WrittenKeys& keys);
+
+/// Whether pieces are as large as they were drawn (pieces.sizes).
+bool has_drawn_sizes(const WrittenKeys& keys);
 
 /// "scale_px of [[shapes]] or pieces.scale_px (now [20, 160])": where a job says what sizes pieces have.
-std::string where_sizes_stand(const Job& job);
+std::string where_sizes_stand(const WrittenKeys& keys);
 
 }  // namespace tessera

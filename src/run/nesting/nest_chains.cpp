@@ -12,89 +12,11 @@
 #include "core/base/stop.h"
 #include "core/base/stopwatch.h"
 #include "products/nesting/layout/column_layout.h"
-
-#include <boost/serialization/vector.hpp>
+#include "run/nesting/nest_messages.h"
+#include "run/program_identity.h"
 
 namespace tessera {
 namespace {
-
-/// Everything as numbers, whole ones below 2^53.
-using Numbers = std::vector<double>;
-
-class Taker {
- public:
-  explicit Taker(Numbers numbers) : numbers_(std::move(numbers)) {}
-  double next() { return numbers_.at(at_++); }
-  int whole() { return int(next()); }
-
- private:
-  Numbers numbers_;
-  std::size_t at_ = 0;
-};
-
-Numbers numbers_of(const NestProblem& problem, const NestEffort& effort, std::uint64_t seed) {
-  Numbers out{double(effort.chains), double(effort.work_of_piece),
-              double(seed >> 32),    double(seed & 0xffffffffu),
-              problem.height,        problem.length,
-              problem.spacing,       double(problem.items.size())};
-  for (const NestItem& item : problem.items) {
-    out.insert(out.end(), {double(item.demand), double(item.angles_deg.size()), double(item.outline.size())});
-    out.insert(out.end(), item.angles_deg.begin(), item.angles_deg.end());
-    for (const NestPoint p : item.outline) out.insert(out.end(), {p.x, p.y});
-  }
-  return out;
-}
-
-NestProblem problem_of(Taker& in, NestEffort& effort, std::uint64_t& seed) {
-  effort.chains = in.whole();
-  effort.work_of_piece = std::uint64_t(in.next());
-  const std::uint64_t high = std::uint64_t(in.next());
-  seed = (high << 32) | std::uint64_t(in.next());
-  NestProblem problem;
-  problem.height = in.next();
-  problem.length = in.next();
-  problem.spacing = in.next();
-  problem.items.resize(std::size_t(in.next()));
-  for (NestItem& item : problem.items) {
-    item.demand = in.whole();
-    item.angles_deg.resize(std::size_t(in.next()));
-    item.outline.resize(std::size_t(in.next()));
-    for (double& angle : item.angles_deg) angle = in.next();
-    for (NestPoint& p : item.outline) {
-      p.x = in.next();
-      p.y = in.next();
-    }
-  }
-  return problem;
-}
-
-Numbers numbers_of(const NestLayout& layout) {
-  Numbers out{double(layout.chain), double(layout.sheets), layout.used_length, double(layout.left_over.size()),
-              double(layout.pieces.size())};
-  out.insert(out.end(), layout.left_over.begin(), layout.left_over.end());
-  for (const NestedPiece& piece : layout.pieces) {
-    out.insert(out.end(), {double(piece.item), double(piece.angle), piece.shift.x, piece.shift.y, double(piece.sheet)});
-  }
-  return out;
-}
-
-NestLayout layout_of(Taker in) {
-  NestLayout layout;
-  layout.chain = in.whole();
-  layout.sheets = in.whole();
-  layout.used_length = in.next();
-  layout.left_over.resize(std::size_t(in.next()));
-  layout.pieces.resize(std::size_t(in.next()));
-  for (int& count : layout.left_over) count = in.whole();
-  for (NestedPiece& piece : layout.pieces) {
-    piece.item = in.whole();
-    piece.angle = in.whole();
-    piece.shift.x = in.next();
-    piece.shift.y = in.next();
-    piece.sheet = in.whole();
-  }
-  return layout;
-}
 
 /// The best layout and the progress of this rank's chains. Several threads may call it: a mutex lets one in at a time.
 class Findings {
@@ -124,20 +46,13 @@ class Findings {
   Looked looked_;
 };
 
-/// What each rank has to do.
-struct Search {
-  NestProblem problem;
-  NestEffort effort;
-  std::uint64_t seed = 0;
-};
-
 /// How many of the chains are this rank's: first, first + step and so on.
 std::size_t chains_of(const comm::Communicator& ranks, const NestEffort& effort) {
   return ranks.rank() < effort.chains ? std::size_t((effort.chains - 1 - ranks.rank()) / ranks.size()) + 1 : 0;
 }
 
 /// The best of this rank's chains, of which there is one at least.
-NestLayout best_of(const Search& search, const comm::Communicator& ranks, Findings& findings) {
+NestLayout best_of(const NestSearch& search, const comm::Communicator& ranks, Findings& findings) {
   std::vector<NestLayout> layouts(chains_of(ranks, search.effort));
   const PosedItems shapes = posed_items(search.problem, [&] { findings.look(0, 0); });
   parallel_for(layouts.size(), [&](std::size_t i) {
@@ -148,27 +63,17 @@ NestLayout best_of(const Search& search, const comm::Communicator& ranks, Findin
   return best_layout(layouts);
 }
 
-/// What a worker tells rank 0: a layout, and whether it is the last.
-struct Report {
-  NestLayout layout;
-  bool is_last = false;
-};
-
-void send(comm::Communicator& ranks, const Report& report) {
-  Numbers numbers = numbers_of(report.layout);
-  numbers.insert(numbers.begin(), double(report.is_last));
-  ranks.send(0, comm::Tag::nest_layout, comm::encode(numbers));
+void send(comm::Communicator& ranks, const NestReport& report) {
+  ranks.send(0, comm::Tag::nest_layout, comm::encode(report));
 }
 
-Report receive(comm::Communicator& ranks, int from) {
-  Taker in(comm::decode<Numbers>(ranks.receive(from, comm::Tag::nest_layout)));
-  const bool is_last = in.whole() != 0;
-  return {layout_of(std::move(in)), is_last};
+NestReport receive(comm::Communicator& ranks, int from) {
+  return comm::decode<NestReport>(ranks.receive(from, comm::Tag::nest_layout));
 }
 
 NestLayout last_of(comm::Communicator& ranks, int worker) {
   for (;;) {
-    Report report = receive(ranks, worker);
+    NestReport report = receive(ranks, worker);
     if (report.is_last) return std::move(report.layout);
   }
 }
@@ -186,7 +91,7 @@ void add_arrived(comm::Communicator& ranks, int worker, Findings& findings) {
 
 /// A worker's chains. Rank 0 is told the best now and then, also where it is no other one: a worker that sends nothing
 /// for RankWatch::kMostBusy times `silence_s` counts as lost.
-void search_and_tell(const Search& search, comm::Communicator& ranks, double silence_s) {
+void search_and_tell(const NestSearch& search, comm::Communicator& ranks, double silence_s) {
   // Rank 0 keeps what it is told until the end: so the longer the search, the rarer.
   constexpr double kLeastPause_s = 0.25, kPausePart = 0.02;
   const double most_pause_s = silence_s * comm::RankWatch::kMostBusy / 6;
@@ -221,8 +126,10 @@ NestOutcome best_nesting(comm::Communicator& ranks, const NestProblem& problem, 
   });
   findings.add(ColumnLayout(problem).all());
   try {
-    ranks.broadcast(comm::encode(numbers_of(problem, effort, seed)));
-    std::vector<NestLayout> of_ranks{best_of({problem, effort, seed}, ranks, findings)};
+    const NestSearch search{problem, effort, seed};
+    announce_program(ranks, program_identity());
+    ranks.broadcast(comm::encode(search));
+    std::vector<NestLayout> of_ranks{best_of(search, ranks, findings)};
     for (int worker = 1; worker <= workers; ++worker) of_ranks.push_back(last_of(ranks, worker));
     return {best_layout(of_ranks), std::nullopt};
   } catch (const Interrupted& stop) {
@@ -232,10 +139,9 @@ NestOutcome best_nesting(comm::Communicator& ranks, const NestProblem& problem, 
 }
 
 void work_on_nesting(comm::Communicator& ranks, double silence_s) {
+  check_program(ranks, program_identity());
   const comm::Heart heart(ranks, silence_s);
-  Search search;
-  Taker in(comm::decode<Numbers>(ranks.broadcast({})));
-  search.problem = problem_of(in, search.effort, search.seed);
+  const auto search = comm::decode<NestSearch>(ranks.broadcast({}));
   if (chains_of(ranks, search.effort) > 0) search_and_tell(search, ranks, silence_s);
   wait_until_job_ends(ranks);
 }

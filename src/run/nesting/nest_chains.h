@@ -26,7 +26,7 @@ NestOutcome best_nesting(comm::Communicator& ranks, const NestProblem& problem, 
                          std::uint64_t seed, const NestProgress& progress, const StopQuestion& shall_stop);
 
 /// Every other rank: takes its share of the chains. Rank 0 may hold it for lost after `silence_s` without a heartbeat.
-/// Leaves by JobEnded soon after rank 0 ended the job.
+/// Leaves by JobEnded soon after rank 0 ended the job. Throws EnvironmentError where rank 0 runs another program.
 [[noreturn]] void work_on_nesting(comm::Communicator& ranks, double silence_s);
 
 }  // namespace tessera

@@ -83,6 +83,15 @@ run 0 rank expected drawn --weight colour_from_afar=-1 --out ranks
 grep -q '^score = .* - colour_from_afar, in percent$' output || fail "not weighed: $(cat output)"
 echo "ok seen from afar"
 
+# So is a collage whose sizes the job does not say: the picture is read as finely as the run read it.
+found_sizes() { # OPTION...
+  run 0 collage job.toml --out sized --quiet --set improve.trials=0 "$@"
+  [[ $(afar sized) == *'"at_100_px":'* ]] || fail "$*: no figures from afar: $(afar sized)"
+}
+found_sizes --set pieces.fit=all --set pieces.uses=1
+found_sizes --set pieces.sizes=drawn
+echo "ok seen from afar at sizes that are found"
+
 # The picture laid over the pieces: the same on three ranks and after interruptions, seen from afar, without a search.
 for result in expected expected_on_3 parts; do
   cp -r "$result" "laid_over_$result"

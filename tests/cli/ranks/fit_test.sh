@@ -37,6 +37,13 @@ expect_pieces bars 3
 if grep -q '"missing"' bars/card.json bars/manifest.json; then fail "a complete collage lacks something"; fi
 echo "ok bars"
 
+# Trials by a word go by the sizes that were found; a campaign knows such a result again.
+run 0 campaign bars.toml --seeds 1 --set quality=good --out good
+grep -q '^trials = [1-9]' good/seed_1/job.toml || fail "the trials: $(grep trials good/seed_1/job.toml)"
+run 0 campaign bars.toml --seeds 1 --set quality=good --out good
+grep -q 'finished before$' output || fail "made again, though it is the same job: $(cat output)"
+echo "ok quality"
+
 # Lines of letters with a halo, 24 times as long as high, in their drawn sizes, with padding: none fits at first.
 for i in 1 2; do
   comb=""

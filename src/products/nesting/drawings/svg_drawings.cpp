@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "artwork/svg/xml_tree.h"
 #include "core/base/error.h"
 #include "core/base/too_many.h"
 #include "products/nesting/drawings/svg_path_data.h"
@@ -19,12 +20,6 @@ constexpr double kMm_px = 25.4 / 96;  // CSS
 constexpr std::size_t kMostContours = 4'000;
 constexpr double kTwoPi = 6.28318530717958647692;
 
-struct FreeText {
-  void operator()(xmlChar* text) const { xmlFree(text); }
-};
-
-std::string_view name_of(const xmlNode* node) { return reinterpret_cast<const char*>(node->name); }
-
 /// Throws InputError where there are more up to here than a file may have.
 void check_count(const char* what, std::size_t count, std::size_t allowed) {
   if (count > allowed) throw InputError(too_many(allowed, what + std::string(" in a file")));
@@ -32,16 +27,15 @@ void check_count(const char* what, std::size_t count, std::size_t allowed) {
 
 /// Entities of the document's own are refused, and its defaults do not count: a few bytes of the file could be
 /// megabytes in each of many attributes.
-std::optional<std::string> attribute(xmlNode* node, const char* name) {
-  const auto* const word = reinterpret_cast<const xmlChar*>(name);
-  const xmlAttr* const found = xmlHasNsProp(node, word, nullptr);
+std::optional<std::string> plain_attribute(xmlNode* node, const char* name) {
+  const xmlAttr* const found = xmlHasNsProp(node, xml(name), nullptr);
   if (!found || found->type != XML_ATTRIBUTE_NODE) return std::nullopt;
   for (const xmlNode* part = found->children; part; part = part->next) {
     if (part->type == XML_ENTITY_REF_NODE)
       throw InputError(std::string(name) + ": found an entity, allowed: what it stands for");
   }
-  const std::unique_ptr<xmlChar, FreeText> value(xmlGetNoNsProp(node, word));
-  return value ? std::optional<std::string>(reinterpret_cast<const char*>(value.get())) : std::nullopt;
+  const std::unique_ptr<xmlChar, FreeXml> value(xmlGetNoNsProp(node, xml(name)));
+  return value ? std::optional<std::string>(view(value.get())) : std::nullopt;
 }
 
 /// A length with its unit, in px; nothing for percentages and what is no length.
@@ -68,14 +62,14 @@ bool has_unit(const std::optional<std::string>& text) {
 
 /// Width or height of the page as its attribute says it, px; nothing: it has none, or none that says a length.
 std::optional<double> page_side_px(xmlNode* root, const char* name) {
-  const std::optional<std::string> text = attribute(root, name);
+  const std::optional<std::string> text = plain_attribute(root, name);
   const std::optional<double> px = text ? length_px(*text) : std::nullopt;
   return px && *px > 0 ? px : std::nullopt;
 }
 
 /// The last two numbers of the viewBox; nothing: there is none.
 std::optional<NestPoint> view_box(xmlNode* root, const std::string& path) {
-  const std::optional<std::string> box = attribute(root, "viewBox");
+  const std::optional<std::string> box = plain_attribute(root, "viewBox");
   if (!box) return std::nullopt;
   std::vector<double> view;
   try {
@@ -95,20 +89,21 @@ SvgMatrix mm_from_user(xmlNode* root, const std::optional<NestPoint>& view) {
   const std::optional<double> width = page_side_px(root, "width"), height = page_side_px(root, "height");
   double scale_x = width ? *width / view->x : height ? *height / view->y : 1;
   double scale_y = height ? *height / view->y : scale_x;
-  if (attribute(root, "preserveAspectRatio").value_or("") != "none") scale_x = scale_y = std::min(scale_x, scale_y);
+  if (plain_attribute(root, "preserveAspectRatio").value_or("") != "none")
+    scale_x = scale_y = std::min(scale_x, scale_y);
   return {scale_x * kMm_px, 0, 0, scale_y * kMm_px, 0, 0};
 }
 
 /// What the file says of its unit and its page.
 void read_page(xmlNode* root, const std::optional<NestPoint>& view, const SvgMatrix& mm, SvgDrawings& found) {
   const std::optional<double> width = page_side_px(root, "width"), height = page_side_px(root, "height");
-  found.says_unit = has_unit(attribute(root, "width")) || has_unit(attribute(root, "height"));
+  found.says_unit = has_unit(plain_attribute(root, "width")) || has_unit(plain_attribute(root, "height"));
   found.page_width_mm = width ? *width * kMm_px : view ? mm.a * view->x : 0;
   found.page_height_mm = height ? *height * kMm_px : view ? mm.d * view->y : 0;
 }
 
 double number_of(xmlNode* node, const char* name) {
-  const std::optional<std::string> text = attribute(node, name);
+  const std::optional<std::string> text = plain_attribute(node, name);
   if (!text) return 0;
   const std::optional<double> value = length_px(*text);
   if (value && std::abs(*value) < 1e9) return *value;
@@ -149,7 +144,7 @@ std::vector<SvgSubpath> rectangle(xmlNode* node, const SvgMatrix& m) {
 }
 
 std::vector<SvgSubpath> polygon(xmlNode* node, const SvgMatrix& m, bool is_closed) {
-  const std::vector<double> numbers = svg_numbers(attribute(node, "points").value_or(""));
+  const std::vector<double> numbers = svg_numbers(plain_attribute(node, "points").value_or(""));
   NestRing ring;
   for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) ring.push_back({numbers[i], numbers[i + 1]});
   if (ring.empty()) return {};
@@ -160,7 +155,7 @@ std::vector<SvgSubpath> polygon(xmlNode* node, const SvgMatrix& m, bool is_close
 
 std::vector<SvgSubpath> subpaths_of(xmlNode* node, const SvgMatrix& m) {
   const std::string_view name = name_of(node);
-  if (name == "path") return svg_subpaths(attribute(node, "d").value_or(""), m);
+  if (name == "path") return svg_subpaths(plain_attribute(node, "d").value_or(""), m);
   if (name == "rect") return rectangle(node, m);
   if (name == "polygon" || name == "polyline") return polygon(node, m, name == "polygon");
   if (name == "line") return {{{{}}, false}};
@@ -178,8 +173,8 @@ bool is_hidden(xmlNode* node) {
                                                        "marker", "linearGradient", "metadata", "style",   "script",
                                                        "filter", "title",          "desc"};
   if (kNotDrawn.count(name_of(node))) return true;
-  if (attribute(node, "display").value_or("") == "none") return true;
-  std::string style = attribute(node, "style").value_or("");
+  if (plain_attribute(node, "display").value_or("") == "none") return true;
+  std::string style = plain_attribute(node, "style").value_or("");
   std::erase(style, ' ');
   return style.find("display:none") != std::string::npos;
 }
@@ -217,10 +212,10 @@ class SvgReader {
   /// Depth is libxml2's own limit: 256.
   void element(xmlNode* node, const SvgMatrix& outer) {
     const std::string_view kind = name_of(node);
-    const std::string name = attribute(node, "id").value_or(std::string(kind) + std::to_string(++count_));
+    const std::string name = plain_attribute(node, "id").value_or(std::string(kind) + std::to_string(++count_));
     check_name(name, path_ + ": id");
     try {
-      const SvgMatrix matrix = outer.after(svg_transform(attribute(node, "transform").value_or("")));
+      const SvgMatrix matrix = outer.after(svg_transform(plain_attribute(node, "transform").value_or("")));
       add(subpaths_of(node, matrix), name);
       if (kind == "g" || kind == "a" || kind == "svg") children(node, matrix);
       if (kind == "switch") first_choice(node, matrix);
@@ -234,7 +229,7 @@ class SvgReader {
   /// The first child that needs nothing of the program that draws it.
   void first_choice(xmlNode* parent, const SvgMatrix& matrix) {
     for (xmlNode* node = xmlFirstElementChild(parent); node; node = xmlNextElementSibling(node)) {
-      if (xmlHasNsProp(node, reinterpret_cast<const xmlChar*>("requiredExtensions"), nullptr)) continue;
+      if (xmlHasNsProp(node, xml("requiredExtensions"), nullptr)) continue;
       if (!is_hidden(node)) element(node, matrix);
       return;
     }

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "artwork/svg/xml_tree.h"
 #include "core/base/error.h"
 #include "core/base/too_many.h"
 #include "files/gunzip.h"
@@ -54,7 +55,7 @@ bool extends_ascii(std::string_view encoding) {
 void start_document(void* context) {
   const xmlParserCtxt* const parser = context_of(context);
   const xmlChar* const name = parser->input && parser->input->encoding ? parser->input->encoding : parser->encoding;
-  const std::string encoding = name ? reinterpret_cast<const char*>(name) : "utf-8";
+  const std::string encoding(name ? view(name) : "utf-8");
   if (!extends_ascii(encoding))
     counts_of(context).fault = "found the encoding " + printable_utf8(encoding.substr(0, 20)) + ", allowed: UTF-8";
   stop_at_fault(context);
@@ -144,9 +145,9 @@ SvgTree parsed(std::span<const std::uint8_t> bytes, const std::string& path) {
   if (!counts.fault.empty()) throw InputError(path + ": " + counts.fault);
   const xmlNode* const root = tree ? xmlDocGetRootElement(tree.get()) : nullptr;
   if (!root) throw InputError(path + ": not a readable SVG file" + damage(*context));
-  if (std::string_view(reinterpret_cast<const char*>(root->name)) != "svg")
+  if (name_of(root) != "svg")
     throw InputError(path + ": not an SVG file: its root element is " +
-                     printable_utf8(cut_utf8(reinterpret_cast<const char*>(root->name), 40)));
+                     printable_utf8(cut_utf8(std::string(name_of(root)), 40)));
   return tree;
 }
 
