@@ -1,21 +1,24 @@
-// How the values of messages become bytes and back: the one format in which ranks talk. The bytes travel only between
-// ranks of one job, on machines of one kind: they have no version and no byte order. Bytes that were cut off, or that
-// another program sent, are an error before memory is taken for what they claim to hold.
+// How the values of messages become bytes and back, by Boost.Serialization: the one format in which ranks talk. The bytes
+// travel only between ranks of one job, on machines of one kind: they have no version and no byte order. Bytes that were
+// cut off, or that another program sent, are an error; no more memory is taken than a small multiple of the message.
 //
-// A type travels as it lies in memory where kSentAsItLies says so. Any other type travels by its members: whoever sends
-// it defines, in the type's namespace or in this one,
-//   template <class Archive> void serialize(Archive& archive, Type& value)
-// which names all members in a structured binding, so that a forgotten one does not compile, and calls
-// archive(member, member...). The same function serves MessageWriter and MessageReader (Archive::kReads).
+// A type travels as it lies in memory where kSentAsItLies says so, or by its members where kSentByMembers does. For the
+// latter whoever sends it defines, in boost::serialization,
+//   template <class Archive> void serialize(Archive& archive, Type& value, unsigned)
+// which names all members in a structured binding, so that a forgotten one does not compile, and gives them to
+// send_members().
 #pragma once
 
 #include <array>
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
 #include <concepts>
 #include <cstdint>
-#include <cstring>
+#include <streambuf>
 #include <string>
 #include <type_traits>
-#include <vector>
 
 #include "comm/message.h"
 #include "core/geometry/grid.h"
@@ -23,145 +26,153 @@
 namespace tessera::comm {
 
 /// Whether values of this type travel as they lie in memory: of them a vector costs one copy. To be specialised for
-/// types without pointers, several at once by kIsOneOf.
+/// structures without pointers, several at once by kIsOneOf.
 template <class T>
-inline constexpr bool kSentAsItLies = std::is_arithmetic_v<T> || std::is_enum_v<T>;
+inline constexpr bool kSentAsItLies = std::is_enum_v<T>;
 template <class T, std::size_t kSize>
-inline constexpr bool kSentAsItLies<std::array<T, kSize>> = kSentAsItLies<T>;
+inline constexpr bool kSentAsItLies<std::array<T, kSize>> = std::is_arithmetic_v<T>;
+
+/// Whether there is a serialize() of the type. To be specialised like kSentAsItLies.
+template <class T>
+inline constexpr bool kSentByMembers = false;
+template <class T>
+inline constexpr bool kSentByMembers<Grid<T>> = true;
 
 template <class T, class... Types>
 inline constexpr bool kIsOneOf = (std::same_as<T, Types> || ...);
 
-template <class T>
-concept SentAsItLies = kSentAsItLies<T> && std::is_trivially_copyable_v<T>;
+/// Writes or reads the members, one after the other.
+template <class Archive, class... Members>
+void send_members(Archive& archive, Members&... members) {
+  (archive & ... & members);
+}
 
 /// Throws the EnvironmentError of a message that this program does not understand.
-[[noreturn]] void refuse_message(std::size_t message_bytes);
+[[noreturn]] void refuse_message();
 
-/// Appends values to bytes, or only counts their bytes.
-class MessageWriter {
+/// A message's bytes, to be read.
+class MessageBuffer : public std::streambuf {
  public:
-  static constexpr bool kReads = false;
-
-  /// Counts where `bytes` is null.
-  explicit MessageWriter(Bytes* bytes) : bytes_(bytes) {}
-
-  template <class... T>
-  void operator()(const T&... values) {
-    (write(values), ...);
+  explicit MessageBuffer(const Bytes& bytes) {
+    char* begin = const_cast<char*>(bytes.data());  // std::streambuf reads through pointers to non-const
+    setg(begin, begin, begin + bytes.size());
   }
-  std::size_t count() const { return count_; }
-
- private:
-  void write_bytes(const void* data, std::size_t bytes) {
-    count_ += bytes;
-    const char* const begin = static_cast<const char*>(data);
-    if (bytes_ && bytes > 0) bytes_->insert(bytes_->end(), begin, begin + bytes);
-  }
-
-  template <SentAsItLies T>
-  void write(const T& value) {
-    write_bytes(&value, sizeof value);
-  }
-  template <class T>
-  void write(const std::vector<T>& values) {
-    write(std::uint64_t(values.size()));
-    if constexpr (SentAsItLies<T>) {
-      write_bytes(values.data(), values.size() * sizeof(T));
-    } else {
-      for (const T& value : values) write(value);
-    }
-  }
-  void write(const std::string& text) {
-    write(std::uint64_t(text.size()));
-    write_bytes(text.data(), text.size());
-  }
-  template <class T>
-  requires(!SentAsItLies<T>) void write(const T& value) {
-    serialize(*this, const_cast<T&>(value));  // a reader's serialize changes its value, a writer's does not
-  }
-
-  Bytes* bytes_;
-  std::size_t count_ = 0;
+  std::size_t left() const { return std::size_t(egptr() - gptr()); }
 };
 
-/// Takes values out of bytes, which outlive it. Throws EnvironmentError where they do not hold what is asked for.
-class MessageReader {
+inline constexpr unsigned kBareArchive = boost::archive::no_header | boost::archive::no_codecvt;
+
+/// Boost's binary archive, which looks at what is left of the message before it takes memory for what a count claims.
+/// Throws EnvironmentError, or boost::archive::archive_exception where the message ends early.
+class MessageReader : public boost::archive::binary_iarchive_impl<MessageReader, char, std::char_traits<char>> {
+  using Base = boost::archive::binary_iarchive_impl<MessageReader, char, std::char_traits<char>>;
+  friend class boost::archive::detail::interface_iarchive<MessageReader>;
+  friend class boost::archive::load_access;
+
  public:
-  static constexpr bool kReads = true;
-
-  explicit MessageReader(const Bytes& bytes) : bytes_(bytes) {}
-
-  template <class... T>
-  void operator()(T&... values) {
-    (read(values), ...);
-  }
-  /// To be asked before memory is taken for `count` values of T that are still to be read.
-  template <class T>
-  void expect(std::uint64_t count) const {
-    if (count > (bytes_.size() - at_) / sizeof(T)) refuse();
-  }
-  void expect_end() const {
-    if (at_ != bytes_.size()) refuse();
-  }
-  [[noreturn]] void refuse() const { refuse_message(bytes_.size()); }
+  explicit MessageReader(MessageBuffer& buffer) : Base(buffer, kBareArchive), buffer_(buffer) { init(kBareArchive); }
 
  private:
-  void read_bytes(void* data, std::size_t bytes) {
-    if (bytes > 0) std::memcpy(data, bytes_.data() + at_, bytes);
-    at_ += bytes;
-  }
   template <class T>
-  std::size_t read_count() {
-    std::uint64_t count = 0;
-    read(count);
-    expect<T>(count);
-    return std::size_t(count);
+  void load_override(T& value) {
+    Base::load_override(value);
+  }
+  /// An element takes a byte or more.
+  void load_override(boost::serialization::collection_size_type& count) {
+    Base::load_override(count);
+    if (count > buffer_.left()) refuse_message();
+  }
+  void load_override(std::string& text) {
+    boost::serialization::collection_size_type count(0);
+    load_override(count);
+    text.resize(count);
+    load_binary(text.data(), count);
+  }
+  void load_override(bool& value) {
+    char byte = 0;
+    load_binary(&byte, 1);
+    if (byte != 0 && byte != 1) refuse_message();
+    value = byte == 1;
   }
 
-  template <SentAsItLies T>
-  void read(T& value) {
-    expect<T>(1);
-    if constexpr (std::same_as<T, bool>) {
-      if (static_cast<unsigned char>(bytes_[at_]) > 1) refuse();
-    }
-    read_bytes(&value, sizeof value);
-  }
-  template <class T>
-  void read(std::vector<T>& values) {
-    if constexpr (SentAsItLies<T>) {
-      values.resize(read_count<T>());
-      read_bytes(values.data(), values.size() * sizeof(T));
-    } else {  // a value takes a byte or more, so that memory grows no faster than the message is read
-      values.clear();
-      for (std::size_t left = read_count<char>(); left > 0; --left) read(values.emplace_back());
-    }
-  }
-  void read(std::string& text) {
-    text.resize(read_count<char>());
-    read_bytes(text.data(), text.size());
-  }
-  template <class T>
-  requires(!SentAsItLies<T>) void read(T& value) { serialize(*this, value); }
-
-  const Bytes& bytes_;
-  std::size_t at_ = 0;
+  MessageBuffer& buffer_;
 };
 
-template <class Archive, SentAsItLies T>
-void serialize(Archive& archive, Grid<T>& grid) {
+/// The same for writing: texts as MessageReader wants them.
+class MessageWriter : public boost::archive::binary_oarchive_impl<MessageWriter, char, std::char_traits<char>> {
+  using Base = boost::archive::binary_oarchive_impl<MessageWriter, char, std::char_traits<char>>;
+  friend class boost::archive::detail::interface_oarchive<MessageWriter>;
+  friend class boost::archive::save_access;
+
+ public:
+  explicit MessageWriter(std::streambuf& buffer) : Base(buffer, kBareArchive) { init(kBareArchive); }
+
+ private:
+  template <class T>
+  void save_override(T& value) {
+    Base::save_override(value);
+  }
+  void save_override(const std::string& text) {
+    const boost::serialization::collection_size_type count(text.size());
+    Base::save_override(count);
+    save_binary(text.data(), text.size());
+  }
+};
+
+}  // namespace tessera::comm
+
+BOOST_SERIALIZATION_REGISTER_ARCHIVE(tessera::comm::MessageReader)
+BOOST_SERIALIZATION_REGISTER_ARCHIVE(tessera::comm::MessageWriter)
+BOOST_SERIALIZATION_USE_ARRAY_OPTIMIZATION(tessera::comm::MessageReader)
+BOOST_SERIALIZATION_USE_ARRAY_OPTIMIZATION(tessera::comm::MessageWriter)
+
+namespace boost::serialization {
+
+template <class T>
+requires tessera::comm::kSentAsItLies<T>
+struct is_bitwise_serializable<T> : mpl::true_ {
+  static_assert(std::is_trivially_copyable_v<T>);
+};
+
+template <class T>
+requires tessera::comm::kSentAsItLies<T>
+struct implementation_level_impl<const T> {
+  using tag = mpl::integral_c_tag;
+  using type = mpl::int_<primitive_type>;
+  static constexpr int value = primitive_type;
+};
+
+// No version, no identity: every value is written once.
+template <class T>
+requires tessera::comm::kSentByMembers<T>
+struct implementation_level_impl<const T> {
+  using tag = mpl::integral_c_tag;
+  using type = mpl::int_<object_serializable>;
+  static constexpr int value = object_serializable;
+};
+
+template <class T>
+requires tessera::comm::kSentByMembers<T>
+struct tracking_level<T> {
+  using tag = mpl::integral_c_tag;
+  using type = mpl::int_<track_never>;
+  static constexpr int value = track_never;
+};
+
+template <class Archive, class T>
+void serialize(Archive& archive, tessera::Grid<T>& grid, unsigned) {
   int width = grid.width();
   int height = grid.height();
-  archive(width, height);
-  if constexpr (Archive::kReads) {
-    if (width < 0 || height < 0) archive.refuse();
-    archive.template expect<T>(std::uint64_t(width) * std::uint64_t(height));
-    grid = Grid<T>(width, height);
-  }
-  archive(grid.data());
-  if constexpr (Archive::kReads) {
-    if (grid.data().size() != std::size_t(width) * std::size_t(height)) archive.refuse();
+  std::vector<T> values;
+  if constexpr (Archive::is_loading::value) {
+    tessera::comm::send_members(archive, width, height, values);
+    const bool fits = width >= 0 && height >= 0 && values.size() == std::size_t(width) * std::size_t(height);
+    if (!fits) tessera::comm::refuse_message();
+    grid = tessera::Grid<T>(width, height);
+    grid.data() = std::move(values);
+  } else {
+    tessera::comm::send_members(archive, width, height, grid.data());
   }
 }
 
-}  // namespace tessera::comm
+}  // namespace boost::serialization

@@ -4,16 +4,57 @@
 #include "comm/archive.h"
 
 namespace tessera::comm {
+namespace detail {
+
+/// Counts what is written to it.
+class CountingBuffer : public std::streambuf {
+ public:
+  std::size_t count() const { return count_; }
+
+ protected:
+  std::streamsize xsputn(const char*, std::streamsize n) override {
+    count_ += std::size_t(n);
+    return n;
+  }
+  int_type overflow(int_type c) override {
+    ++count_;
+    return traits_type::not_eof(c);
+  }
+
+ private:
+  std::size_t count_ = 0;
+};
+
+/// Appends what is written to it.
+class AppendingBuffer : public std::streambuf {
+ public:
+  explicit AppendingBuffer(Bytes& bytes) : bytes_(bytes) {}
+
+ protected:
+  std::streamsize xsputn(const char* s, std::streamsize n) override {
+    bytes_.insert(bytes_.end(), s, s + n);
+    return n;
+  }
+  int_type overflow(int_type c) override {
+    bytes_.push_back(traits_type::to_char_type(c));
+    return traits_type::not_eof(c);
+  }
+
+ private:
+  Bytes& bytes_;
+};
+
+}  // namespace detail
 
 /// Writes the value twice, once to count: the one allocation is exact, which matters for a large canvas' field.
 template <class T>
 Bytes encode(const T& value) {
-  MessageWriter counter(nullptr);
-  counter(value);
+  detail::CountingBuffer counter;
+  MessageWriter(counter) << value;
   Bytes bytes;
   bytes.reserve(counter.count());
-  MessageWriter writer(&bytes);
-  writer(value);
+  detail::AppendingBuffer appender(bytes);
+  MessageWriter(appender) << value;
   return bytes;
 }
 
@@ -21,10 +62,14 @@ Bytes encode(const T& value) {
 /// more, or claim to hold more.
 template <class T>
 T decode(const Bytes& bytes) {
-  MessageReader reader(bytes);
+  MessageBuffer buffer(bytes);
   T value{};
-  reader(value);
-  reader.expect_end();
+  try {
+    MessageReader(buffer) >> value;
+  } catch (const boost::archive::archive_exception&) {
+    refuse_message();
+  }
+  if (buffer.left() > 0) refuse_message();
   return value;
 }
 

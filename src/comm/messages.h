@@ -26,78 +26,87 @@ requires kIsOneOf<T, FieldStart, Heartbeat, ShapeRange, Window, TargetSample, Do
                   ReplacedPiece, WorkerTimes>
 inline constexpr bool kSentAsItLies<T> = true;
 
-template <class Archive>
-void serialize(Archive& archive, Failure& failure) {
-  auto& [exit_code, text] = failure;
-  archive(exit_code, text);
-}
-
-template <class Archive>
-void serialize(Archive& archive, FieldPatch& patch) {
-  auto& [window, value] = patch;
-  archive(window, value);
-}
-
-template <class Archive>
-void serialize(Archive& archive, StandingLimits& limits) {
-  auto& [region, size_factor, most_scale_px, used_up] = limits;
-  archive(region, size_factor, most_scale_px, used_up);
-}
-
-template <class Archive>
-void serialize(Archive& archive, CountRequest& request) {
-  auto& [samples, bins, segment_stride] = request;
-  archive(samples, bins, segment_stride);
-}
-
-template <class Archive>
-void serialize(Archive& archive, DockRequest& request) {
-  auto& [samples, bin_limit, tangent_dockings, first_drawn] = request;
-  archive(samples, bin_limit, tangent_dockings, first_drawn);
-}
-
-template <class Archive>
-void serialize(Archive& archive, DockReply& reply) {
-  auto& [dockings, evaluated] = reply;
-  archive(dockings, evaluated);
-}
-
-template <class Archive>
-void serialize(Archive& archive, CanvasField& field) {
-  auto& [value, origin] = field;
-  archive(value, origin);
-}
-
-template <class Archive>
-void serialize(Archive& archive, EdgeField& edge) {
-  auto& [distance, node_px] = edge;
-  archive(distance, node_px);
-}
-
-template <class Archive>
-void serialize(Archive& archive, ReplacementWindow& window) {
-  auto& [box, edge, distances, least_px, most_px, repetition, moving, still, incoming, drawn, elsewhere, random, trials,
-         first_px2, last_px2] = window;
-  archive(box, edge, distances, least_px, most_px, repetition, moving, still, incoming, drawn, elsewhere, random,
-          trials, first_px2, last_px2);
-}
-
-template <class Archive>
-void serialize(Archive& archive, ReplacementOutcome& outcome) {
-  auto& [pieces, kept] = outcome;
-  archive(pieces, kept);
-}
-
-template <class Archive>
-void serialize(Archive& archive, DeviceDescription& device) {
-  auto& [kind, name, platform, driver, shapes] = device;
-  archive(kind, name, platform, driver, shapes);
-}
-
-template <class Archive>
-void serialize(Archive& archive, RankSite& site) {
-  auto& [host, devices] = site;
-  archive(host, devices);
-}
+template <class T>
+requires kIsOneOf<T, Failure, FieldPatch, StandingLimits, CountRequest, DockRequest, DockReply, CanvasField, EdgeField,
+                  ReplacementWindow, ReplacementOutcome, DeviceDescription, RankSite>
+inline constexpr bool kSentByMembers<T> = true;
 
 }  // namespace tessera::comm
+
+namespace boost::serialization {
+
+template <class Archive>
+void serialize(Archive& archive, tessera::comm::Failure& failure, unsigned) {
+  auto& [exit_code, text] = failure;
+  tessera::comm::send_members(archive, exit_code, text);
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::FieldPatch& patch, unsigned) {
+  auto& [window, value] = patch;
+  tessera::comm::send_members(archive, window, value);
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::StandingLimits& limits, unsigned) {
+  auto& [region, size_factor, most_scale_px, used_up] = limits;
+  tessera::comm::send_members(archive, region, size_factor, most_scale_px, used_up);
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::CountRequest& request, unsigned) {
+  auto& [samples, bins, segment_stride] = request;
+  tessera::comm::send_members(archive, samples, bins, segment_stride);
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::DockRequest& request, unsigned) {
+  auto& [samples, bin_limit, tangent_dockings, first_drawn] = request;
+  tessera::comm::send_members(archive, samples, bin_limit, tangent_dockings, first_drawn);
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::DockReply& reply, unsigned) {
+  auto& [dockings, evaluated] = reply;
+  tessera::comm::send_members(archive, dockings, evaluated);
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::CanvasField& field, unsigned) {
+  auto& [value, origin] = field;
+  tessera::comm::send_members(archive, value, origin);
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::EdgeField& edge, unsigned) {
+  auto& [distance, node_px] = edge;
+  tessera::comm::send_members(archive, distance, node_px);
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::ReplacementWindow& window, unsigned) {
+  auto& [box, edge, distances, least_px, most_px, repetition, moving, still, incoming, drawn, elsewhere, random, trials,
+         first_px2, last_px2] = window;
+  tessera::comm::send_members(archive, box, edge, distances, least_px, most_px, repetition, moving, still, incoming,
+                              drawn, elsewhere, random, trials, first_px2, last_px2);
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::ReplacementOutcome& outcome, unsigned) {
+  auto& [pieces, kept] = outcome;
+  tessera::comm::send_members(archive, pieces, kept);
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::DeviceDescription& device, unsigned) {
+  auto& [kind, name, platform, driver, shapes] = device;
+  tessera::comm::send_members(archive, kind, name, platform, driver, shapes);
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::RankSite& site, unsigned) {
+  auto& [host, devices] = site;
+  tessera::comm::send_members(archive, host, devices);
+}
+
+}  // namespace boost::serialization

@@ -33,47 +33,49 @@ inline Grid<Texel> finest_level(const ColourTarget& colour) {
   return texels;
 }
 
-/// An empty grid stands for none.
-template <class Archive>
-void serialize(Archive& archive, std::shared_ptr<const ColourTarget>& colour) {
-  Grid<Texel> finest;
-  float px_per_texel = 0;
-  if (!Archive::kReads && colour) {
-    finest = finest_level(*colour);
-    px_per_texel = colour->px_per_texel();
-  }
-  archive(finest, px_per_texel);
-  if constexpr (Archive::kReads)
-    colour = finest.data().empty() ? nullptr : std::make_shared<const ColourTarget>(finest, px_per_texel);
-}
-
-/// A map without cells stands for none.
-template <class Archive>
-void serialize(Archive& archive, std::shared_ptr<const SizeMap>& sizes) {
-  SizeMap map = !Archive::kReads && sizes ? *sizes : SizeMap();
-  auto& [part, cells_per_px] = map;
-  archive(part, cells_per_px);
-  if constexpr (Archive::kReads)
-    sizes = map.part.data().empty() ? nullptr : std::make_shared<const SizeMap>(std::move(map));
-}
-
-/// The picture that the result keeps is left out: rank 0 writes the result.
-template <class Archive>
-void serialize(Archive& archive, Overlays& overlays) {
-  auto& [colour, sizes, shown_png] = overlays;
-  archive(colour, sizes);
-}
-
-template <class Archive>
-void serialize(Archive& archive, CanvasFindings& found) {
-  auto& [size_factor, room_part, overlays] = found;
-  archive(size_factor, room_part, overlays);
-}
-
-template <class Archive>
-void serialize(Archive& archive, ProblemMessage& problem) {
-  auto& [library_digest, overlay_digest, found] = problem;
-  archive(library_digest, overlay_digest, found);
-}
+template <class T>
+requires kIsOneOf<T, SizeMap, Overlays, CanvasFindings, ProblemMessage>
+inline constexpr bool kSentByMembers<T> = true;
 
 }  // namespace tessera::comm
+
+namespace boost::serialization {
+
+template <class Archive>
+void serialize(Archive& archive, tessera::SizeMap& map, unsigned) {
+  auto& [part, cells_per_px] = map;
+  tessera::comm::send_members(archive, part, cells_per_px);
+}
+
+/// A level or map without cells stands for none. The picture that the result keeps is left out: rank 0 writes the result.
+template <class Archive>
+void serialize(Archive& archive, tessera::Overlays& overlays, unsigned) {
+  auto& [colour, sizes, shown_png] = overlays;
+  tessera::Grid<tessera::Texel> finest;
+  float px_per_texel = 0;
+  tessera::SizeMap map;
+  if constexpr (Archive::is_saving::value) {
+    if (colour) finest = tessera::comm::finest_level(*colour);
+    if (colour) px_per_texel = colour->px_per_texel();
+    if (sizes) map = *sizes;
+  }
+  tessera::comm::send_members(archive, finest, px_per_texel, map);
+  if constexpr (Archive::is_loading::value) {
+    colour = finest.data().empty() ? nullptr : std::make_shared<const tessera::ColourTarget>(finest, px_per_texel);
+    sizes = map.part.data().empty() ? nullptr : std::make_shared<const tessera::SizeMap>(std::move(map));
+  }
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::CanvasFindings& found, unsigned) {
+  auto& [size_factor, room_part, overlays] = found;
+  tessera::comm::send_members(archive, size_factor, room_part, overlays);
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::ProblemMessage& problem, unsigned) {
+  auto& [library_digest, overlay_digest, found] = problem;
+  tessera::comm::send_members(archive, library_digest, overlay_digest, found);
+}
+
+}  // namespace boost::serialization

@@ -281,8 +281,9 @@ TEST(Messages, any_bytes_are_read_or_refused) {
 TEST(Messages, numbers_beyond_the_message_take_no_memory) {
   const auto claim = [](auto... numbers) {
     Bytes bytes;
-    MessageWriter writer(&bytes);
-    writer(numbers...);
+    detail::AppendingBuffer buffer(bytes);
+    MessageWriter writer(buffer);
+    (writer << ... << numbers);
     return bytes;
   };
   for (const std::uint64_t count : {std::uint64_t(1) << 40, std::uint64_t(1) << 63, ~std::uint64_t(0)}) {

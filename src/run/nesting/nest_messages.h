@@ -29,40 +29,48 @@ template <class T>
 requires kIsOneOf<T, NestPoint, NestedPiece>
 inline constexpr bool kSentAsItLies<T> = true;
 
-template <class Archive>
-void serialize(Archive& archive, NestItem& item) {
-  auto& [outline, angles_deg, demand] = item;
-  archive(outline, angles_deg, demand);
-}
-
-template <class Archive>
-void serialize(Archive& archive, NestProblem& problem) {
-  auto& [items, height, length, spacing] = problem;
-  archive(items, height, length, spacing);
-}
-
-template <class Archive>
-void serialize(Archive& archive, NestEffort& effort) {
-  auto& [chains, work_of_piece] = effort;
-  archive(chains, work_of_piece);
-}
-
-template <class Archive>
-void serialize(Archive& archive, NestSearch& search) {
-  auto& [problem, effort, seed] = search;
-  archive(problem, effort, seed);
-}
-
-template <class Archive>
-void serialize(Archive& archive, NestLayout& layout) {
-  auto& [pieces, left_over, sheets, used_length, chain] = layout;
-  archive(pieces, left_over, sheets, used_length, chain);
-}
-
-template <class Archive>
-void serialize(Archive& archive, NestReport& report) {
-  auto& [layout, is_last] = report;
-  archive(layout, is_last);
-}
+template <class T>
+requires kIsOneOf<T, NestItem, NestProblem, NestEffort, NestSearch, NestLayout, NestReport>
+inline constexpr bool kSentByMembers<T> = true;
 
 }  // namespace tessera::comm
+
+namespace boost::serialization {
+
+template <class Archive>
+void serialize(Archive& archive, tessera::NestItem& item, unsigned) {
+  auto& [outline, angles_deg, demand] = item;
+  tessera::comm::send_members(archive, outline, angles_deg, demand);
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::NestProblem& problem, unsigned) {
+  auto& [items, height, length, spacing] = problem;
+  tessera::comm::send_members(archive, items, height, length, spacing);
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::NestEffort& effort, unsigned) {
+  auto& [chains, work_of_piece] = effort;
+  tessera::comm::send_members(archive, chains, work_of_piece);
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::NestSearch& search, unsigned) {
+  auto& [problem, effort, seed] = search;
+  tessera::comm::send_members(archive, problem, effort, seed);
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::NestLayout& layout, unsigned) {
+  auto& [pieces, left_over, sheets, used_length, chain] = layout;
+  tessera::comm::send_members(archive, pieces, left_over, sheets, used_length, chain);
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::NestReport& report, unsigned) {
+  auto& [layout, is_last] = report;
+  tessera::comm::send_members(archive, layout, is_last);
+}
+
+}  // namespace boost::serialization
