@@ -1,4 +1,4 @@
-// Batches of replacement trials (src/comm/replacer_team.h) on a cluster that SimGrid simulates: the same windows to the
+// Batches of replacement trials (src/comm/teams/replacer_team.h) on a cluster that SimGrid simulates: the same windows to the
 // same ranks, with measured sizes and times.
 #pragma once
 

@@ -15,7 +15,7 @@
 #include "core/base/error.h"
 #include "files/atomic_file.h"
 #include "result/collage_files.h"
-#include "result/result_file.h"
+#include "result/folder/result_file.h"
 #include "text/number_text.h"
 #include "text/text_table.h"
 

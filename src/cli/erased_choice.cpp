@@ -5,8 +5,8 @@
 #include "core/base/error.h"
 #include "job/canvas/canvas_file.h"
 #include "result/erased_pieces.h"
+#include "result/folder/result_file.h"
 #include "result/polygon_pieces.h"
-#include "result/result_file.h"
 #include "text/number_text.h"
 
 namespace tessera::cli {

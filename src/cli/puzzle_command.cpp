@@ -23,7 +23,7 @@
 #include "program/list_option.h"
 #include "run/job_output.h"
 #include "run/messages/collage_warnings.h"
-#include "run/time_limit.h"
+#include "run/progress/time_limit.h"
 #include "terminal/exit_codes.h"
 #include "terminal/progress_bar.h"
 #include "terminal/shell_word.h"

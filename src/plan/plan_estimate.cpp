@@ -10,7 +10,7 @@
 #include "core/replacing/canvas_windows.h"
 #include "core/settings/tuning.h"
 #include "master/replacing.h"
-#include "run/time_estimate.h"
+#include "run/progress/time_estimate.h"
 #include "worker/device_room.h"
 #include "worker/shard/shard.h"
 

@@ -20,7 +20,7 @@
 #include "files/lack_of_memory.h"
 #include "files/leftover_file.h"
 #include "run/foreign_end.h"
-#include "run/time_limit.h"
+#include "run/progress/time_limit.h"
 #include "terminal/exit_codes.h"
 #include "terminal/terminal.h"
 

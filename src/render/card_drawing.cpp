@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "files/atomic_file.h"
 #include "result/card_bounds.h"
-#include "result/result_file.h"
+#include "result/folder/result_file.h"
 
 namespace tessera {
 namespace {

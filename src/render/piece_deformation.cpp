@@ -14,8 +14,8 @@
 #include "core/deform/unfolded_fit.h"
 #include "core/quality/quality.h"
 #include "render/pieces/artwork_clip.h"
+#include "result/folder/result_file.h"
 #include "result/polygon_features.h"
-#include "result/result_file.h"
 
 namespace tessera {
 namespace {

@@ -12,7 +12,7 @@
 #include "job/canvas/overlays.h"
 #include "layers/svg_image.h"
 #include "render/pieces/piece_drawing.h"
-#include "result/result_file.h"
+#include "result/folder/result_file.h"
 #include "text/number_text.h"
 
 namespace tessera {

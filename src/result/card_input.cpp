@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/stop.h"
 #include "result/card_bounds.h"
-#include "result/result_file.h"
+#include "result/folder/result_file.h"
 #include "text/number_text.h"
 #include "text/utf8_text.h"
 
@@ -32,7 +32,7 @@ const json& value_at(const json& card, const std::string& path, const char* sect
 // What a measure can be at most. Cells are counted, so that a small canvas may be covered by a little more than all.
 constexpr double kMostCoverage = 1.1;
 constexpr double kMostLayers = 1e6;  // of what is covered twice, or lies outside, by the canvas' area
-constexpr double kMostPieces = 1e9;
+constexpr double kMostPiecesTold = 1e9;
 constexpr double kMostLength_px = 1e6;
 constexpr double kMostCopies = 2;  // canvas diagonals from one to the next: both may reach beyond the edge
 constexpr double kMostTime_s = 1e12;
@@ -117,7 +117,7 @@ ResultCard read_card(const std::string& folder) {
   result.quality.overlap = measure("overlap_fraction", kMostLayers);
   result.quality.outside = measure("outside_fraction", kMostLayers);
   result.quality.shared_boundary = measure("shared_boundary_fraction", 1);
-  result.quality.pieces = std::size_t(measure("pieces", kMostPieces));
+  result.quality.pieces = std::size_t(measure("pieces", kMostPiecesTold));
   result.quality.distinct_shapes = std::size_t(measure("distinct_shapes", double(result.quality.pieces)));
   result.quality.largest_gap_px = measure("largest_gap_radius_px", kMostLength_px);
   const auto tells = [&](const char* key) { return card.at("quality").contains(key); };

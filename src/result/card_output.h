@@ -10,8 +10,8 @@
 #include "core/ranks/rank_statistics.h"
 #include "result/afar_section.h"
 #include "result/deformed_collage.h"
+#include "result/folder/run_record.h"
 #include "result/missing_shape.h"
-#include "result/run_record.h"
 
 namespace tessera {
 

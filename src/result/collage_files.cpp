@@ -9,9 +9,9 @@
 #include "files/atomic_file.h"
 #include "files/output_folder.h"
 #include "result/card_output.h"
+#include "result/folder/result_file.h"
+#include "result/folder/result_manifest.h"
 #include "result/geojson_output.h"
-#include "result/result_file.h"
-#include "result/result_manifest.h"
 
 namespace tessera {
 namespace {

@@ -21,9 +21,9 @@
 #include "layers/tone_patch.h"
 #include "result/card_output.h"
 #include "result/deformed_collage.h"
+#include "result/folder/run_record.h"
 #include "result/missing_shape.h"
 #include "result/placed_shapes.h"
-#include "result/run_record.h"
 
 namespace tessera {
 

@@ -5,8 +5,8 @@
 
 #include "core/base/error.h"
 #include "job/pieces/feature_properties.h"
+#include "result/folder/result_file.h"
 #include "result/geojson_output.h"
-#include "result/result_file.h"
 #include "text/number_text.h"
 #include "text/pose.h"
 

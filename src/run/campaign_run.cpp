@@ -12,7 +12,7 @@
 #include "job/quality_word.h"
 #include "result/card_input.h"
 #include "result/collage_files.h"
-#include "result/finished_result.h"
+#include "result/folder/finished_result.h"
 #include "run/collage_problem.h"
 #include "run/collage_run.h"
 #include "run/ranking_run.h"

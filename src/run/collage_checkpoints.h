@@ -9,7 +9,7 @@
 #include "checkpoint/checkpoint_origin.h"
 #include "core/base/stopwatch.h"
 #include "master/checkpoint_keeper.h"
-#include "result/finished_result.h"
+#include "result/folder/finished_result.h"
 
 namespace tessera {
 

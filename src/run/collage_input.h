@@ -7,7 +7,7 @@
 #include "checkpoint/checkpoint_folder.h"
 #include "checkpoint/checkpoint_origin.h"
 #include "files/output_lock.h"
-#include "result/finished_result.h"
+#include "result/folder/finished_result.h"
 #include "run/collage_checkpoints.h"
 #include "run/collage_problem.h"
 #include "run/collage_run.h"

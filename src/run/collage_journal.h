@@ -8,8 +8,8 @@
 
 #include "core/base/stop.h"
 #include "core/collage/checkpoint_state.h"
-#include "result/run_log.h"
-#include "result/run_record.h"
+#include "result/folder/run_log.h"
+#include "result/folder/run_record.h"
 
 namespace tessera {
 

@@ -6,8 +6,8 @@
 
 #include "core/ranks/rank_statistics.h"
 #include "master/collage_loop.h"
+#include "result/folder/run_record.h"
 #include "result/missing_shape.h"
-#include "result/run_record.h"
 #include "run/collage_checkpoints.h"
 #include "run/collage_input.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "comm/communicator.h"
-#include "result/result_manifest.h"
+#include "result/folder/result_manifest.h"
 #include "run/refined_result.h"
 #include "terminal/exit_codes.h"
 

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "comm/heartbeat.h"
-#include "comm/matcher_server.h"
-#include "comm/node_turn.h"
-#include "comm/rank_sites.h"
-#include "comm/worker_team.h"
+#include "comm/teams/matcher_server.h"
+#include "comm/teams/node_turn.h"
+#include "comm/teams/rank_sites.h"
+#include "comm/teams/worker_team.h"
 #include "core/base/rank_pool.h"
 #include "core/base/stop.h"
 #include "core/matching/matching_context.h"

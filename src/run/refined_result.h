@@ -7,7 +7,7 @@
 
 #include "checkpoint/checkpoint_origin.h"
 #include "job/job_file.h"
-#include "result/finished_result.h"
+#include "result/folder/finished_result.h"
 #include "result/placed_pieces.h"
 
 namespace tessera {

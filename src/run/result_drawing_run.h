@@ -6,7 +6,7 @@
 
 #include "core/base/stop.h"
 #include "render/result_drawing.h"
-#include "result/run_log.h"
+#include "result/folder/run_log.h"
 
 namespace tessera {
 

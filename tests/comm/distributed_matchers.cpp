@@ -2,9 +2,9 @@
 #include <thread>
 
 #include "comm/in_process_communicator.h"
-#include "comm/matcher_server.h"
 #include "comm/rank_program.h"
-#include "comm/worker_team.h"
+#include "comm/teams/matcher_server.h"
+#include "comm/teams/worker_team.h"
 #include "core/matcher_suite.h"
 #include "core/ranks/partition.h"
 #include "idle_replacer.h"

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <random>
 
-#include "comm/node_turn.h"
+#include "comm/teams/node_turn.h"
 #include "core/base/error.h"
 #include "core/base/stop.h"
 #include "on_all_ranks.h"

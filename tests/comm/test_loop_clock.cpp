@@ -1,14 +1,14 @@
 // Where the ranks' time went: each rank's stages add up to its loop, and what was sent is what the others got.
-#include "comm/loop_clock.h"
+#include "comm/teams/loop_clock.h"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <thread>
 
-#include "comm/matcher_server.h"
-#include "comm/replacer_team.h"
-#include "comm/worker_team.h"
+#include "comm/teams/matcher_server.h"
+#include "comm/teams/replacer_team.h"
+#include "comm/teams/worker_team.h"
 #include "core/base/stopwatch.h"
 #include "core/ranks/worker_tree.h"
 #include "idle_replacer.h"

@@ -1,5 +1,5 @@
 // Rank 0 learns where every rank runs.
-#include "comm/rank_sites.h"
+#include "comm/teams/rank_sites.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // A matcher on other ranks behaves as it does here: the same requests reach it, the same replies come back, and its
 // errors too.
-#include "comm/remote_matcher.h"
+#include "comm/teams/remote_matcher.h"
 
 #include <gtest/gtest.h>
 
-#include "comm/matcher_server.h"
-#include "comm/worker_team.h"
+#include "comm/teams/matcher_server.h"
+#include "comm/teams/worker_team.h"
 #include "core/base/error.h"
 #include "core/matching/reference_matcher.h"
 #include "idle_replacer.h"

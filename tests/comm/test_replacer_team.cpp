@@ -1,10 +1,10 @@
 // Replacement trials on any number of ranks: what one rank alone would answer comes back, in the order of the question,
 // and a worker's errors too.
-#include "comm/replacer_team.h"
+#include "comm/teams/replacer_team.h"
 
 #include <gtest/gtest.h>
 
-#include "comm/matcher_server.h"
+#include "comm/teams/matcher_server.h"
 #include "core/base/error.h"
 #include "core/matching/reference_matcher.h"
 #include "core/replacing/own_replacer.h"

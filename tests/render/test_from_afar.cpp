@@ -10,7 +10,7 @@
 #include "render/card_drawing.h"
 #include "render/pieces/tones.h"
 #include "result/card_input.h"
-#include "result/result_file.h"
+#include "result/folder/result_file.h"
 #include "support/images.h"
 #include "support/input_error.h"
 #include "support/sample_collage.h"

@@ -9,7 +9,7 @@
 #include "core/base/stop.h"
 #include "render/ranking.h"
 #include "result/card_output.h"
-#include "result/result_manifest.h"
+#include "result/folder/result_manifest.h"
 #include "support/images.h"
 #include "support/input_error.h"
 #include "support/scratch_folder.h"

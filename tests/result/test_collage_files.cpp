@@ -9,8 +9,8 @@
 
 #include "core/base/error.h"
 #include "render/card_drawing.h"
+#include "result/folder/result_manifest.h"
 #include "result/placed_pieces.h"
-#include "result/result_manifest.h"
 #include "support/input_error.h"
 #include "support/sample_collage.h"
 #include "support/scratch_folder.h"

@@ -5,8 +5,8 @@
 
 #include "core/base/error.h"
 #include "job/job_difference.h"
-#include "result/finished_result.h"
-#include "result/result_manifest.h"
+#include "result/folder/finished_result.h"
+#include "result/folder/result_manifest.h"
 #include "support/input_error.h"
 #include "support/sample_collage.h"
 #include "support/scratch_folder.h"

@@ -12,7 +12,7 @@
 #include "core/pad/pad_index.h"
 #include "library/storage/library_layout.h"
 #include "library/storage/segment_layout.h"
-#include "result/result_manifest.h"
+#include "result/folder/result_manifest.h"
 #include "support/library_columns.h"
 #include "support/scratch_folder.h"
 #include "text/number_text.h"

@@ -8,10 +8,10 @@
 #include "job/pieces/start_pieces.h"
 #include "render/card_drawing.h"
 #include "result/card_input.h"
+#include "result/folder/result_manifest.h"
 #include "result/placed_pieces.h"
 #include "result/polygon_features.h"
 #include "result/polygon_pieces.h"
-#include "result/result_manifest.h"
 #include "support/large_file.h"
 #include "support/scratch_folder.h"
 

@@ -10,8 +10,8 @@
 #include "render/ranking.h"
 #include "result/card_output.h"
 #include "result/drawing_notes.h"
+#include "result/folder/result_manifest.h"
 #include "result/geojson_output.h"
-#include "result/result_manifest.h"
 #include "support/sample_collage.h"
 #include "support/scratch_folder.h"
 

@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "result/collage_files.h"
-#include "result/result_manifest.h"
+#include "result/folder/result_manifest.h"
 #include "support/input_error.h"
 #include "support/sample_collage.h"
 #include "support/scratch_folder.h"

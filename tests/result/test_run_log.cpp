@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "result/run_log.h"
-#include "result/run_record.h"
+#include "result/folder/run_log.h"
+#include "result/folder/run_record.h"
 #include "support/file_size_limit.h"
 #include "support/planted_files.h"
 #include "support/scratch_folder.h"

@@ -4,7 +4,7 @@
 #include <csignal>
 
 #include "comm/stop_signals.h"
-#include "run/collage_progress.h"
+#include "run/progress/collage_progress.h"
 
 namespace tessera::cli {
 namespace test_collage_progress {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "run/collage_progress.h"
+#include "run/progress/collage_progress.h"
 
 namespace tessera::cli {
 namespace test_coverage_history {

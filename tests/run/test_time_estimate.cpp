@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "run/time_estimate.h"
+#include "run/progress/time_estimate.h"
 
 namespace tessera::cli {
 namespace test_time_estimate {

@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "core/base/error.h"
-#include "run/time_limit.h"
+#include "run/progress/time_limit.h"
 
 namespace tessera::cli {
 namespace test_time_limit {

@@ -3,7 +3,7 @@
 # that stands after its own there, and no room is too large. FOLDER: another src/, for the test of this test.
 set -euo pipefail
 cd "${1:-$(dirname "${BASH_SOURCE[0]}")/../../src}"
-most_files=46
+most_files=40
 
 declare -A place
 number=0

@@ -10,7 +10,7 @@
 #include "core/shape/shape.h"
 #include "job/job_file.h"
 #include "master/collage_loop.h"
-#include "result/finished_result.h"
+#include "result/folder/finished_result.h"
 #include "run/messages/written_keys.h"
 
 namespace tessera {

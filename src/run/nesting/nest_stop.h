@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/base/stop.h"
-#include "run/time_limit.h"
+#include "run/progress/time_limit.h"
 
 namespace tessera {
 

@@ -1,8 +1,8 @@
-#include "comm/worker_team.h"
+#include "comm/teams/worker_team.h"
 
 #include "comm/encode.h"
 #include "comm/messages.h"
-#include "comm/remote_matcher.h"
+#include "comm/teams/remote_matcher.h"
 #include "core/matching/composite_matcher.h"
 #include "core/ranks/worker_tree.h"
 

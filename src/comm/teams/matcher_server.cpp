@@ -1,12 +1,12 @@
-#include "comm/matcher_server.h"
+#include "comm/teams/matcher_server.h"
 
 #include <stdexcept>
 
 #include "comm/encode.h"
 #include "comm/messages.h"
-#include "comm/replacer_team.h"
-#include "comm/worker_clock.h"
-#include "comm/worker_team.h"
+#include "comm/teams/replacer_team.h"
+#include "comm/teams/worker_clock.h"
+#include "comm/teams/worker_team.h"
 #include "core/ranks/worker_tree.h"
 
 namespace tessera::comm {

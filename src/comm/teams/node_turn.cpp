@@ -1,4 +1,4 @@
-#include "comm/node_turn.h"
+#include "comm/teams/node_turn.h"
 
 namespace tessera::comm {
 

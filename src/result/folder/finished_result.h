@@ -7,7 +7,7 @@
 
 #include "checkpoint/checkpoint_origin.h"
 #include "job/job_file.h"
-#include "result/result_manifest.h"
+#include "result/folder/result_manifest.h"
 
 namespace tessera {
 

@@ -1,4 +1,4 @@
-#include "result/run_record.h"
+#include "result/folder/run_record.h"
 
 #include "core/base/count_text.h"
 

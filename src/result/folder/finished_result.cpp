@@ -1,11 +1,11 @@
-#include "result/finished_result.h"
+#include "result/folder/finished_result.h"
 
 #include <algorithm>
 
 #include "core/base/error.h"
 #include "files/output_lock.h"
 #include "job/job_difference.h"
-#include "result/result_file.h"
+#include "result/folder/result_file.h"
 
 namespace tessera {
 namespace {

@@ -1,4 +1,4 @@
-#include "result/result_file.h"
+#include "result/folder/result_file.h"
 
 #include <filesystem>
 #include <system_error>

@@ -1,4 +1,4 @@
-#include "run/time_limit.h"
+#include "run/progress/time_limit.h"
 
 #include <algorithm>
 #include <cctype>

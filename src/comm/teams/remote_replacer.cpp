@@ -1,4 +1,4 @@
-#include "comm/remote_replacer.h"
+#include "comm/teams/remote_replacer.h"
 
 #include "comm/encode.h"
 #include "comm/messages.h"

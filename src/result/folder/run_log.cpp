@@ -1,4 +1,4 @@
-#include "result/run_log.h"
+#include "result/folder/run_log.h"
 
 #include <fcntl.h>
 

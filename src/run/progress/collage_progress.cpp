@@ -1,4 +1,4 @@
-#include "run/collage_progress.h"
+#include "run/progress/collage_progress.h"
 
 #include <cstdio>
 

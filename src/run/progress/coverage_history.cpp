@@ -1,4 +1,4 @@
-#include "run/coverage_history.h"
+#include "run/progress/coverage_history.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "comm/rank_sites.h"
+#include "comm/teams/rank_sites.h"
 
 #include "comm/encode.h"
 #include "comm/messages.h"

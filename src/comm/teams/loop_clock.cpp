@@ -1,6 +1,6 @@
-#include "comm/loop_clock.h"
+#include "comm/teams/loop_clock.h"
 
-#include "comm/worker_team.h"
+#include "comm/teams/worker_team.h"
 #include "core/ranks/worker_tree.h"
 
 namespace tessera::comm {

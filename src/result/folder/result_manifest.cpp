@@ -1,4 +1,4 @@
-#include "result/result_manifest.h"
+#include "result/folder/result_manifest.h"
 
 #include <nlohmann/json.hpp>
 #include <span>
@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "files/atomic_file.h"
 #include "job/picture_size.h"
-#include "result/result_file.h"
+#include "result/folder/result_file.h"
 #include "text/digest_text.h"
 
 namespace tessera {

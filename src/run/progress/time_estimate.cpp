@@ -1,4 +1,4 @@
-#include "run/time_estimate.h"
+#include "run/progress/time_estimate.h"
 
 #include <algorithm>
 

@@ -1,11 +1,11 @@
-#include "comm/replacer_team.h"
+#include "comm/teams/replacer_team.h"
 
 #include <cstdint>
 #include <numeric>
 #include <utility>
 
 #include "comm/encode.h"
-#include "comm/remote_replacer.h"
+#include "comm/teams/remote_replacer.h"
 #include "core/ranks/partition.h"
 #include "core/ranks/worker_tree.h"
 

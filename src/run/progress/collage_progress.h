@@ -6,9 +6,9 @@
 #include "core/base/stop.h"
 #include "core/settings/settings.h"
 #include "master/progress.h"
-#include "run/coverage_history.h"
-#include "run/time_estimate.h"
-#include "run/time_limit.h"
+#include "run/progress/coverage_history.h"
+#include "run/progress/time_estimate.h"
+#include "run/progress/time_limit.h"
 #include "terminal/progress_bar.h"
 
 namespace tessera {

@@ -1,4 +1,4 @@
-#include "comm/remote_matcher.h"
+#include "comm/teams/remote_matcher.h"
 
 #include "comm/encode.h"
 #include "comm/messages.h"
