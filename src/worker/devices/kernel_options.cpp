@@ -41,6 +41,7 @@ std::uint32_t items_of_docking(DockingLanes lanes) { return lanes == DockingLane
 
 std::uint32_t draws_per_item(DockingLanes lanes) { return lanes == DockingLanes::items ? 1 : 8; }
 
+// A table, a constant a row.
 std::string kernel_options(int pad_levels, DockingLanes lanes) {
   std::string options = "-cl-std=CL1.2 -cl-fp32-correctly-rounded-divide-sqrt";
   define(options, "kPadLevels", pad_levels);
