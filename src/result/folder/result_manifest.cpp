@@ -31,23 +31,27 @@ void check_colours(const std::vector<std::string>& colours, std::size_t pieces, 
   }
 }
 
+/// A table, a key a row: what a picture tells of [output], beside its width. `Output` is OutputSpec, const or not.
+template <class Output, class Visit>
+void each_output_key(Output& output, Visit visit) {
+  visit("width_mm", output.width_mm);
+  visit("dpi", output.dpi);
+  visit("background", output.background);
+  visit("outline_px", output.outline_px);
+  visit("outline_colour", output.outline_colour);
+  visit("shadow_strength", output.shadow_strength);
+  visit("shadow_offset_px", output.shadow_offset_px);
+  visit("shadow_blur_px", output.shadow_blur_px);
+  visit("clip", output.clip);
+  visit("keep_out", output.keep_out);
+  visit("ground", output.ground);
+  visit("ground_px", output.ground_px);
+  if (output.background == kImageBackground) visit("background_light", output.background_light);
+}
+
 Json to_json(const DrawnPicture& picture) {
-  const OutputSpec& output = picture.output;
-  Json json{{"file", picture.file},
-            {"width_px", picture_width_px(output)},
-            {"width_mm", output.width_mm},
-            {"dpi", output.dpi},
-            {"background", output.background},
-            {"outline_px", output.outline_px},
-            {"outline_colour", output.outline_colour},
-            {"shadow_strength", output.shadow_strength},
-            {"shadow_offset_px", output.shadow_offset_px},
-            {"shadow_blur_px", output.shadow_blur_px},
-            {"clip", output.clip},
-            {"keep_out", output.keep_out},
-            {"ground", output.ground},
-            {"ground_px", output.ground_px}};
-  if (output.background == kImageBackground) json["background_light"] = output.background_light;
+  Json json{{"file", picture.file}, {"width_px", picture_width_px(picture.output)}};
+  each_output_key(picture.output, [&](const char* key, const auto& value) { json[key] = value; });
   if (picture.shift > 0) json["shift"] = picture.shift;
   if (picture.overlay > 0) json["overlay"] = picture.overlay;
   if (picture.harmony) {
@@ -65,19 +69,9 @@ Harmony harmony_from_json(const ReadJson& harmony) {
 OutputSpec output_from_json(const ReadJson& picture) {
   OutputSpec output;
   output.width_px = picture.at("width_px");
-  output.width_mm = picture.value("width_mm", output.width_mm);
-  output.dpi = picture.value("dpi", output.dpi);
-  output.background = picture.at("background");
-  output.background_light = picture.value("background_light", output.background_light);
-  output.outline_px = picture.value("outline_px", output.outline_px);
-  output.outline_colour = picture.value("outline_colour", output.outline_colour);
-  output.shadow_strength = picture.value("shadow_strength", output.shadow_strength);
-  if (picture.contains("shadow_offset_px")) picture.at("shadow_offset_px").get_to(output.shadow_offset_px);
-  output.shadow_blur_px = picture.value("shadow_blur_px", output.shadow_blur_px);
-  output.clip = picture.value("clip", output.clip);
-  output.keep_out = picture.value("keep_out", output.keep_out);
-  output.ground = picture.value("ground", output.ground);
-  output.ground_px = picture.value("ground_px", output.ground_px);
+  each_output_key(output, [&](const char* key, auto& value) {
+    if (picture.contains(key)) picture.at(key).get_to(value);
+  });
   return output;
 }
 
