@@ -1,6 +1,6 @@
 // core/matching/pair_selection.cpp in OpenCL C (paper section 3.3), up to the PAD distance: scale window, sign,
 // rotation, distance within reach. Which of the pairs of a shape are local minima along its curve is decided where all
-// of them are together (src/worker/found_pairs.cpp).
+// of them are together (src/worker/pair_choice.cpp).
 //
 // Of the blocks that the index leaves (pad_index.cl) an exact filter of bytes first (core/pad/pad_filter.h), then the
 // distance itself where a pair may be near.

@@ -1,4 +1,4 @@
-// The ranks of an MPI job. MPI must be initialised (mpi_guard.h).
+// The ranks of an MPI job. MPI must be initialised (mpi_job.h).
 #pragma once
 
 #include <boost/mpi/communicator.hpp>

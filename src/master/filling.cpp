@@ -19,22 +19,23 @@ constexpr int kFirstDrawnPasses = 1;
 
 }  // namespace
 
-/// One round of the paper (section 4, Fig. 15): match the samples that are new, choose the best candidate, merge it. All
-/// samples are matched again where nothing can be chosen.
+/// One round of the paper (section 4, Fig. 15): match the samples that are new, choose the best candidate, merge it.
 bool Filling::place_one() {
+  Candidate best;
+  if (!find(best)) return false;
+  merge(best);
+  return true;
+}
+
+/// All samples are matched again where nothing can be chosen. What comes after a piece in a gap need not be.
+bool Filling::find(Candidate& best) {
   for (;;) {
     match_samples();
-    Candidate best;
     if (choose(best)) {
       empty_passes_ = 0;
-      merge(best);
       return true;
     }
-    if (!may_match_again()) {
-      if (!choose_in_gap(best)) return false;
-      merge(best);  // what comes next need not be matched all over again
-      return true;
-    }
+    if (!may_match_again()) return choose_in_gap(best);
     ++empty_passes_;
     collage_.schedule().mark(region_);
   }

@@ -35,6 +35,7 @@ class Filling {
   void count_into(RunStatistics& statistics) { statistics_ = &statistics; }
 
  private:
+  bool find(Candidate& best);
   void match_samples();
   bool choose(Candidate& best);
   void merge(const Candidate& best);

@@ -172,7 +172,8 @@ Trial Improving::try_once(std::uint32_t trial, const StopCheck& check_stop, std:
   return try_with(change, check_stop);
 }
 
-Trial Improving::settle(const std::vector<Placement>& placements, std::uint32_t trial, const StopCheck& check_stop) {
+Trial Improving::come_to_rest(const std::vector<Placement>& placements, std::uint32_t trial,
+                              const StopCheck& check_stop) {
   return try_with([&] { relax_all(placements, kSettleCollage, trial, check_stop); }, check_stop);
 }
 

@@ -30,7 +30,7 @@ class Improving {
 
   /// A trial that takes these placements instead of those that stand, and lets their pieces come to rest: they may lie
   /// in each other.
-  Trial settle(const std::vector<Placement>& placements, std::uint32_t trial, const StopCheck& check_stop);
+  Trial come_to_rest(const std::vector<Placement>& placements, std::uint32_t trial, const StopCheck& check_stop);
 
  private:
   std::vector<std::size_t> pieces_near(Vec2 gap_px) const;

@@ -45,7 +45,7 @@ void ImprovingPhase::step() {
   if (state_.replaced < all) {
     replace(all);
   } else {
-    settle();
+    come_to_rest();
   }
 }
 
@@ -82,9 +82,9 @@ void ImprovingPhase::replace(std::uint64_t all) {
 }
 
 /// The pieces come to rest, and are kept or put back.
-void ImprovingPhase::settle() {
+void ImprovingPhase::come_to_rest() {
   const Trial trial =
-      improving_.settle(state_.moving, std::uint32_t(state_.trials), [this] { parts_.end.check_stop(); });
+      improving_.come_to_rest(state_.moving, std::uint32_t(state_.trials), [this] { parts_.end.check_stop(); });
   state_.replace_in({});
   count(trial);
 }

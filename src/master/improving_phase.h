@@ -17,7 +17,7 @@
 #include "master/improving_budget.h"
 #include "master/loop_end.h"
 #include "master/loop_statistics.h"
-#include "master/region_attempts.h"
+#include "master/regions.h"
 
 namespace tessera::master {
 
@@ -49,7 +49,7 @@ class ImprovingPhase {
   void begin_replacing();
   std::uint64_t replacements();
   void replace(std::uint64_t all);
-  void settle();
+  void come_to_rest();
   void count(Trial trial);
   bool may_improve() const;
   bool reached_limit();

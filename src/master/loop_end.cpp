@@ -17,7 +17,7 @@ bool LoopEnd::reached_limit(double covered_px2) {
   return covered || late;
 }
 
-bool LoopEnd::reached_limit_of_filling(std::size_t pieces, double covered_px2) {
+bool LoopEnd::end_at_limit_of_filling(std::size_t pieces, double covered_px2) {
   if (!has_all_pieces(pieces)) return reached_limit(covered_px2);
   end_by(StopReason::pieces);
   return true;

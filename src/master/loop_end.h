@@ -32,7 +32,7 @@ class LoopEnd {
   /// Whether a limit is reached that ends filling and improving alike: of coverage or time. It ends the loop.
   bool reached_limit(double covered_px2);
   /// Whether any limit is reached that ends filling. It ends the loop.
-  bool reached_limit_of_filling(std::size_t pieces, double covered_px2);
+  bool end_at_limit_of_filling(std::size_t pieces, double covered_px2);
   /// Throws Interrupted where the observer asks the loop to stop.
   void check_stop();
 

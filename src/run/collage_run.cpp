@@ -3,37 +3,33 @@
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
-#include <map>
 #include <memory>
 
 #include "comm/stop_signals.h"
 #include "comm/teams/loop_clock.h"
 #include "comm/teams/rank_sites.h"
-#include "comm/teams/replacer_team.h"
-#include "comm/teams/worker_team.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "core/base/stop.h"
 #include "core/base/version.h"
-#include "job/job_tables.h"
 #include "job/pieces/job_library.h"
 #include "library/library_shapes.h"
-#include "library/one_colour.h"
 #include "master/collage_loop.h"
 #include "result/rank_table.h"
 #include "run/collage_checkpoints.h"
+#include "run/collage_engine.h"
 #include "run/collage_input.h"
 #include "run/collage_journal.h"
 #include "run/collage_publishing.h"
 #include "run/collage_worker.h"
 #include "run/command_line.h"
 #include "run/messages/collage_warnings.h"
-#include "run/messages/place_advice.h"
+#include "run/problem_exchange.h"
 #include "run/program_identity.h"
 #include "run/progress/collage_progress.h"
 #include "run/progress/time_limit.h"
-#include "run/rank_agreement.h"
 #include "run/result_drawing_run.h"
+#include "run/run_warnings.h"
 #include "run/unplaced_pieces.h"
 #include "terminal/terminal.h"
 #include "text/utc_time.h"
@@ -98,70 +94,6 @@ master::CollageResult run_loop(const CollageArguments& arguments, const CollageI
   return result;
 }
 
-bool relaxes(const CollageArguments& arguments) { return arguments.refined && arguments.refined->relaxes; }
-
-/// The warning of keys that do nothing in this job. A result that is refined was warned of its keys when it was run: the
-/// warning is empty unless it says something else now.
-std::string idle_keys_warning_of(const CollageArguments& arguments, const Job& job) {
-  const std::string warning = idle_keys_warning(job);
-  if (arguments.refined && warning == idle_keys_warning(arguments.refined->whole.job)) return "";
-  return warning;
-}
-
-std::string standing_warning_of(const CanvasProblem& problem) {
-  if (problem.settings().wishes.given.empty()) return "";
-  constexpr LibraryParts kOutlines{.outline = true, .field = false, .levels = 0, .artwork = false};
-  std::map<ShapeId, Shape> read;
-  const std::size_t rows = rows_of(problem.job(), "given").size();
-  return standing_warning(problem.settings(), rows, problem.canvas(), [&](ShapeId id) -> const Shape& {
-    const auto [at, is_new] = read.try_emplace(id);
-    if (is_new) at->second = std::move(problem.library().read(index_of(id), index_of(id) + 1, kOutlines).front());
-    return at->second;
-  });
-}
-
-std::string unable_library_warning_of(const CollageArguments& arguments, const CanvasProblem& problem) {
-  const std::string& image = problem.job().colour.image;
-  const bool was_told = arguments.refined && arguments.refined->whole.job.colour.image == image;
-  if (image.empty() || was_told) return "";
-  return unable_library_warning(problem.job().colour, problem.library().size(), is_of_one_colour(problem.library()));
-}
-
-/// A canvas of which only the room of removed pieces is filled says nothing of the drawing; the result that is refined
-/// was warned.
-std::string outline_alone_warning_of(const CollageArguments& arguments, const CanvasProblem& problem) {
-  const bool is_part = problem.found().room_part < 1;
-  return arguments.refined || is_part ? "" : outline_alone_warning(problem.job().canvas, problem.canvas());
-}
-
-/// Before it is too late, but no question: whoever edits a job and runs it again wants just that.
-void warn_of_problem(const CollageArguments& arguments, const CollageInput& input, CollageJournal& journal) {
-  const CanvasProblem& problem = input.problem;
-  const Job& job = problem.job();
-  journal.warn(replaced_result_warning(input.earlier, job));
-  journal.warn(idle_keys_warning_of(arguments, job));
-  journal.warn(unable_library_warning_of(arguments, problem));
-  journal.warn(outline_alone_warning_of(arguments, problem));
-  if (!arguments.refined) journal.warn(standing_warning_of(problem));  // a result's pieces lie as it put them
-  if (relaxes(arguments)) journal.warn(idle_relaxing_warning(job.settings));
-}
-
-void warn_of_result(const CollageArguments& arguments, const CollageInput& input, const master::CollageResult& result,
-                    const std::vector<MissingShape>& missing, CollageJournal& journal) {
-  const CanvasProblem& problem = input.problem;
-  const CollageSettings& settings = problem.settings();
-  const std::vector<GivenPiece>& removed = problem.job().start.removed;
-  const std::size_t given = settings.wishes.given.size();
-  const bool drawn_sizes = has_drawn_sizes(WrittenKeys(problem.job()));
-  journal.warn(unplaced_warning(input, result, missing, arguments.refined.get()));
-  journal.warn(never_fitting_warning(problem, result));
-  journal.warn(used_up_warning(settings.pieces, drawn_sizes, problem.canvas(), result));
-  if (relaxes(arguments)) journal.warn(nothing_gained_warning(settings, result));
-  journal.warn(empty_room_warning(removed.size(), given, result));
-  if (!removed.empty())
-    journal.warn(come_back_warning(removed, given, problem.canvas(), result, problem.library().variant_of()));
-}
-
 /// From the empty canvas or a checkpoint to the result without its pictures.
 CollageEnd compute(const CollageArguments& arguments, const CollageInput& input, const TimeLimit& limit,
                    comm::Communicator& ranks, const std::shared_ptr<CollageJournal>& journal) {
@@ -172,20 +104,18 @@ CollageEnd compute(const CollageArguments& arguments, const CollageInput& input,
   if (input.from) journal->resumed(*input.from);
   const StopQuestion shall_stop = watch_waits(ranks, job, limit, journal);
   announce_problem(ranks, program_identity(), problem, input.origin.library_digest);
-  const SitedMatcher matching = ranks.size() > 1 ? workers_matcher(ranks) : own_matcher(problem, shall_stop);
   LibraryShapes shapes(problem.library());
-  const std::unique_ptr<Replacer> replacer =
-      ranks.size() > 1 ? comm::gather_replacers(ranks) : own_replacer(shapes, shall_stop);
+  const CollageEngine engine = engine_of(ranks, problem, shapes, shall_stop);
   // Over those that LLVM brings with the first kernel: they reset themselves when they are called, and a second signal
   // at that moment, as timeout(1) sends it, would end the process.
   comm::install_stop_handlers();
-  journal->ranks_are(comm::gather_sites(ranks, matching.site));
+  journal->ranks_are(comm::gather_sites(ranks, engine.site));
   if (input.start == Start::restart) input.checkpoints.remove();
 
   CollageCheckpoints checkpoints(input.checkpoints, input.origin, job.checkpoint.every_s);
   comm::LoopClock clock(ranks);
   const master::CollageResult result =
-      run_loop(arguments, input, limit, *matching.matcher, *replacer, shapes, checkpoints);
+      run_loop(arguments, input, limit, *engine.matcher, *engine.replacer, shapes, checkpoints);
   const RankStatistics times = times_of(clock, result);
   const std::vector<MissingShape> missing = missing_shapes(problem, result);
   warn_of_result(arguments, input, result, missing, *journal);

@@ -1,50 +1,30 @@
 #include "run/collage_worker.h"
 
-#include <unistd.h>
-
-#include <algorithm>
-#include <string>
+#include <memory>
 #include <utility>
 
 #include "comm/heartbeat.h"
-#include "comm/teams/matcher_server.h"
 #include "comm/teams/node_turn.h"
 #include "comm/teams/rank_sites.h"
-#include "comm/teams/worker_team.h"
+#include "comm/teams/worker_server.h"
 #include "core/base/rank_pool.h"
 #include "core/base/stop.h"
-#include "core/matching/matching_context.h"
 #include "core/ranks/partition.h"
 #include "core/replacing/own_replacer.h"
 #include "library/library_shapes.h"
 #include "library/storage/shape_models.h"
-#include "run/foreign_end.h"
+#include "run/collage_engine.h"
+#include "run/problem_exchange.h"
 #include "run/program_identity.h"
-#include "run/rank_agreement.h"
 #include "worker/device_group.h"
 
 namespace tessera {
 namespace {
 
-MatchingContext context_of(const CollageProblem& problem) {
-  return make_matching_context(problem.settings(), std::uint32_t(problem.library().size()));
-}
-
 /// A worker's devices and cores are its part of its node's, shared with the other workers there.
 worker::DeviceShare share_of_node(const comm::Communicator& ranks, const Job& job) {
   const bool with_master = ranks.node_ranks().front() == 0;
   return {ranks.local_rank() - with_master, ranks.local_size() - with_master, job.devices_per_worker};
-}
-
-/// The canvas' size is that of the job, whatever its file shows.
-worker::DeviceNeeds needs_of(const Job& job, const ModelSource& models) {
-  return {.reads_models = models.reads_singly(), .field_nodes = double(job.canvas.width_px) * job.canvas.height_px};
-}
-
-std::string host_name() {
-  char name[256] = "";
-  gethostname(name, sizeof name - 1);
-  return name;
 }
 
 }  // namespace
@@ -69,25 +49,6 @@ void run_collage_worker(comm::Communicator& ranks) {
   LibraryShapes shapes(library);
   comm::serve(ranks, worker::make_device_matcher(parts, context, models, check_stop),
               std::make_unique<OwnReplacer>(shapes, rank_pool(), check_stop));
-}
-
-SitedMatcher own_matcher(const CollageProblem& problem, const StopQuestion& shall_stop) {
-  const Job& job = problem.job();
-  const LibraryView& library = problem.library();
-  const MatchingContext context = context_of(problem);
-  const ShapeRange all = even_range(library.size(), 0, 1);
-  const StopCheck check_stop = stop_check(shall_stop);
-  const auto models = models_of(library, context);
-  const std::vector<worker::DevicePart> parts = worker::device_parts(
-      job.devices, context, all, needs_of(job, *models), {.per_worker = job.devices_per_worker}, check_stop);
-  take_abort_again();
-  return {worker::make_device_matcher(parts, context, models, check_stop), {host_name(), worker::describe(parts)}};
-}
-
-SitedMatcher workers_matcher(comm::Communicator& ranks) { return {comm::gather_workers(ranks), {host_name(), {}}}; }
-
-std::unique_ptr<Replacer> own_replacer(ShapeSource& shapes, const StopQuestion& shall_stop) {
-  return std::make_unique<OwnReplacer>(shapes, rank_pool(), stop_check(shall_stop));
 }
 
 }  // namespace tessera

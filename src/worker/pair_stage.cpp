@@ -5,7 +5,7 @@
 #include <span>
 
 #include "core/base/rank_pool.h"
-#include "worker/found_pairs.h"
+#include "worker/pair_choice.h"
 
 namespace tessera::worker {
 namespace {

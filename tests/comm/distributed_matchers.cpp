@@ -3,7 +3,7 @@
 
 #include "comm/in_process_communicator.h"
 #include "comm/rank_program.h"
-#include "comm/teams/matcher_server.h"
+#include "comm/teams/worker_server.h"
 #include "comm/teams/worker_team.h"
 #include "core/matcher_suite.h"
 #include "core/ranks/partition.h"

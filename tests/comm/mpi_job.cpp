@@ -8,7 +8,7 @@
 #include <string>
 #include <thread>
 
-#include "comm/mpi_guard.h"
+#include "comm/mpi_job.h"
 #include "core/base/error.h"
 #include "core/base/stop.h"
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "comm/mpi_communicator.h"
-#include "comm/mpi_guard.h"
+#include "comm/mpi_job.h"
 #include "on_all_ranks.h"
 
 namespace tessera::comm::test {

@@ -6,8 +6,8 @@
 #include <chrono>
 #include <thread>
 
-#include "comm/teams/matcher_server.h"
 #include "comm/teams/replacer_team.h"
+#include "comm/teams/worker_server.h"
 #include "comm/teams/worker_team.h"
 #include "core/base/stopwatch.h"
 #include "core/ranks/worker_tree.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "comm/teams/matcher_server.h"
+#include "comm/teams/worker_server.h"
 #include "comm/teams/worker_team.h"
 #include "core/base/error.h"
 #include "core/matching/reference_matcher.h"

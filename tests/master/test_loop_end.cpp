@@ -28,7 +28,7 @@ class LoopEndTest : public testing::Test {
 };
 
 TEST_F(LoopEndTest, GoesOnBelowAllLimits) {
-  EXPECT_FALSE(end_.reached_limit_of_filling(9, 499));
+  EXPECT_FALSE(end_.end_at_limit_of_filling(9, 499));
   EXPECT_FALSE(end_.reached_limit(499));
   EXPECT_NO_THROW(end_.check_stop());
   EXPECT_FALSE(end_.is_over() || end_.is_interrupted() || end_.gave_up_question());
@@ -36,7 +36,7 @@ TEST_F(LoopEndTest, GoesOnBelowAllLimits) {
 
 TEST_F(LoopEndTest, TheNumberOfPiecesEndsFillingAlone) {
   EXPECT_FALSE(end_.reached_limit(0));
-  EXPECT_TRUE(end_.reached_limit_of_filling(10, 0));
+  EXPECT_TRUE(end_.end_at_limit_of_filling(10, 0));
   EXPECT_TRUE(end_.is_over());
   EXPECT_EQ(end_.reason(), StopReason::pieces);
 }
@@ -59,7 +59,7 @@ TEST_F(LoopEndTest, TimeBeforeAnInterruptionCounts) {
 
 TEST_F(LoopEndTest, WithoutLimitsItEndsWhereTheRegionIsFull) {
   settings_.stop = {};
-  EXPECT_FALSE(end_.reached_limit_of_filling(1'000'000, 999));
+  EXPECT_FALSE(end_.end_at_limit_of_filling(1'000'000, 999));
   end_.region_is_full(StopReason::used_up);
   EXPECT_EQ(end_.reason(), StopReason::used_up);
   EXPECT_FALSE(end_.is_over()) << "another region may follow";

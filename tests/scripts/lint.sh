@@ -11,7 +11,7 @@ shellcheck --external-sources --severity=warning "${scripts[@]}"
 # All of src/ prints through terminal/terminal.h, which escapes names and finds what is lost. Exceptions: the end of a line
 # of progress, and one message of MPI's guard, before there is a job.
 if grep -rnE '\b(printf|fprintf|puts|fputs|fputc|putchar)\(|std::(cout|cerr|clog)\b' src --include='*.cpp' --include='*.h' |
-  grep -vE '^src/terminal/|^src/comm/mpi_guard\.cpp|fputc\(.\\n., stderr\)'; then
+  grep -vE '^src/terminal/|^src/comm/mpi_job\.cpp|fputc\(.\\n., stderr\)'; then
   echo "print by print_line, print_lines, print_cells, print_message or print_warning (src/terminal/terminal.h)"
   exit 1
 fi

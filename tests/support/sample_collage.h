@@ -16,6 +16,7 @@ struct SampleCollage {
     job.path = "sample.toml";
     job.library = "/nowhere/sample.h5";
     job.quality = QualityWord::none;  // an effective job has the number in its place
+    report.statistics.stopped_by = StopReason::full;
     report.output.width_px = 400;
     report.output.background = "#ffe0c0";
     report.box = job.canvas;

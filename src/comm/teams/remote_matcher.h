@@ -10,7 +10,7 @@ namespace tessera::comm {
 
 class RemoteMatcher : public Matcher {
  public:
-  /// `worker` serves `shapes` (matcher_server.h). The communicator outlives the matcher.
+  /// `worker` serves `shapes` (worker_server.h). The communicator outlives the matcher.
   RemoteMatcher(Communicator& ranks, int worker, ShapeRange shapes);
 
   ShapeRange shapes() const override { return shapes_; }

@@ -10,7 +10,7 @@ namespace tessera::comm {
 
 class RemoteReplacer : public Replacer {
  public:
-  /// `worker` (matcher_server.h) and those below it work on `breadth` windows at a time. The communicator outlives the
+  /// `worker` (worker_server.h) and those below it work on `breadth` windows at a time. The communicator outlives the
   /// replacer.
   RemoteReplacer(Communicator& ranks, int worker, int breadth);
 

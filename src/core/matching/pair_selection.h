@@ -1,6 +1,6 @@
 // Which (target sample, shape PAD) pairs are worth docking (paper section 3.3): scale window first, then sign, then
 // local minima of the distance along the shape's curve, then the best few of the shape. kernels/pairs.cl and
-// worker/found_pairs do the same for many at once, bit for bit.
+// worker/pair_choice do the same for many at once, bit for bit.
 #pragma once
 
 #include <vector>

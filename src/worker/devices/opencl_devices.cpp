@@ -74,7 +74,7 @@ std::string why_no_devices(const std::vector<cl::Platform>& found) {
 }
 
 /// Starts as many threads at once as PoCL will for a CPU, and ends them. Where PoCL gets too few it ends the process by
-/// abort(3), in words that name no limit; who would tell more (run/foreign_end.h) is not asked, as LLVM has just taken the
+/// abort(3), in words that name no limit; who would tell more (files/foreign_end.h) is not asked, as LLVM has just taken the
 /// signal. Throws EnvironmentError instead.
 void check_threads_can_start() {
   const char* const most = std::getenv("POCL_MAX_PTHREAD_COUNT");

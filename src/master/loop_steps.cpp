@@ -1,49 +1,49 @@
-#include "master/loop_run.h"
+#include "master/loop_steps.h"
 
 namespace tessera::master {
 
-LoopRun::LoopRun(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher, ShapeSource& shapes,
-                 Observer& observer, const Checkpoints& checkpoints, Replacer* replacer)
+LoopSteps::LoopSteps(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher, ShapeSource& shapes,
+                     Observer& observer, const Checkpoints& checkpoints, Replacer* replacer)
     : canvas_(canvas),
       settings_(settings),
       shapes_(shapes),
       observer_(observer),
       keeper_(checkpoints.keeper),
       end_(canvas, settings, observer),
-      attempts_(canvas, settings, matcher, shapes, statistics_.filling, [this] { end_.check_stop(); }),
+      regions_(canvas, settings, matcher, shapes, statistics_.filling, [this] { end_.check_stop(); }),
       own_replacer_(shapes, 1, [this] { end_.check_stop(); }),
       replacer_(replacer ? *replacer : own_replacer_) {
   if (const CheckpointState* from = checkpoints.from) {
-    attempts_.restore(*from);
+    regions_.restore(*from);
     state_ = from->loop;
     end_.go_on_after(from->loop.run_s);
     statistics_.go_on_after(from->statistics);
   } else {
-    attempts_.begin_first();
+    regions_.begin_first();
   }
   statistics_.end_set_up();
 }
 
-bool LoopRun::moves_given_pieces_only() const {
-  const GivenPieces& given = attempts_.given();
+bool LoopSteps::moves_given_pieces_only() const {
+  const GivenPieces& given = regions_.given();
   return given.any_free() && end_.has_all_pieces(given.size());
 }
 
-bool LoopRun::attempt_is_decided() const {
-  return attempts_.may_try_other_sizes() &&
+bool LoopSteps::attempt_is_decided() const {
+  return regions_.may_try_other_sizes() &&
          (collage().rules().shortage().pieces == 0 || end_.is_covered(collage().covered_px2()));
 }
 
-bool LoopRun::reached_limit_of_filling() {
-  return end_.reached_limit_of_filling(collage().placements().size(), collage().covered_px2());
+bool LoopSteps::end_at_limit_of_filling() {
+  return end_.end_at_limit_of_filling(collage().placements().size(), collage().covered_px2());
 }
 
-StopReason LoopRun::why_full() const {
+StopReason LoopSteps::why_full() const {
   if (moves_given_pieces_only()) return StopReason::pieces;
   return collage().rules().may_go_on() ? StopReason::full : StopReason::used_up;
 }
 
-void LoopRun::end_filling() {
+void LoopSteps::end_filling() {
   end_.region_is_full(why_full());
   if (settings_.improve.trials > 0 || settings_.improve.seconds > 0) {
     state_.phase = LoopPhase::trying;
@@ -52,35 +52,35 @@ void LoopRun::end_filling() {
   }
 }
 
-ImprovingPhase LoopRun::improving_phase() {
+ImprovingPhase LoopSteps::improving_phase() {
   end_.region_is_full(why_full());
-  return ImprovingPhase({canvas_, settings_, attempts_.current(), shapes_, replacer_, state_, end_, statistics_,
+  return ImprovingPhase({canvas_, settings_, regions_.current(), shapes_, replacer_, state_, end_, statistics_,
                          [this] { after_step(); }});
 }
 
-bool LoopRun::begin_next_region() {
-  if (end_.is_over() || !attempts_.begin_next()) return false;
+bool LoopSteps::begin_next_region() {
+  if (end_.is_over() || !regions_.begin_next()) return false;
   state_.begin_region(collage().rules().limits().region);
   return true;
 }
 
-void LoopRun::after_step() {
+void LoopSteps::after_step() {
   observer_.progressed({collage().placements().size(), collage().covered_px2() / canvas_.area_px2, end_.run_s(),
                         state_.phase == LoopPhase::replacing, collage().open_samples(), state_.trials,
-                        std::uint64_t(settings_.improve.trials), attempts_.number()});
+                        std::uint64_t(settings_.improve.trials), regions_.number()});
   if (keeper_ && keeper_->due()) keeper_->keep(checkpoint());
 }
 
-CheckpointState LoopRun::checkpoint() {
+CheckpointState LoopSteps::checkpoint() {
   CheckpointState checkpoint;
   state_.run_s = end_.run_s();
   checkpoint.loop = state_;
   checkpoint.statistics = statistics_.of_run(state_);
-  attempts_.save(checkpoint);
+  regions_.save(checkpoint);
   return checkpoint;
 }
 
-CollageResult LoopRun::finish() {
+CollageResult LoopSteps::finish() {
   state_.run_s = end_.run_s();
   RunStatistics whole = statistics_.of_run(state_);
   whole.stopped_by = end_.reason();

@@ -1,4 +1,4 @@
-#include "comm/teams/matcher_server.h"
+#include "comm/teams/worker_server.h"
 
 #include <stdexcept>
 

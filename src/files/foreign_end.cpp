@@ -1,4 +1,4 @@
-#include "run/foreign_end.h"
+#include "files/foreign_end.h"
 
 #include <signal.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "comm/mpi_guard.h"
+#include "comm/mpi_job.h"
 
 #include <boost/mpi/config.hpp>  // mpi.h without its old C++ interface
 #include <boost/mpi/exception.hpp>

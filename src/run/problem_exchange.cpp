@@ -1,4 +1,4 @@
-#include "run/rank_agreement.h"
+#include "run/problem_exchange.h"
 
 #include <utility>
 

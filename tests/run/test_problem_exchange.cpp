@@ -1,5 +1,5 @@
 // What a worker compares with the master before the first round, over ranks that are threads.
-#include "run/rank_agreement.h"
+#include "run/problem_exchange.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "run/program_identity.h"
 
 namespace tessera::cli {
-namespace test_rank_agreement {
+namespace test_problem_exchange {
 
 /// What the worker's `join` throws, as text; "" for nothing. The master runs "master 1" with a job of seed 5.
 template <class Join>
@@ -64,5 +64,5 @@ TEST(RankAgreement, a_job_that_cannot_be_read_is_refused) {
   EXPECT_THROW(receive_job(*network.connect(1), "master 1"), EnvironmentError);
 }
 
-}  // namespace test_rank_agreement
+}  // namespace test_problem_exchange
 }  // namespace tessera::cli

@@ -1,4 +1,4 @@
-#include "worker/found_pairs.h"
+#include "worker/pair_choice.h"
 
 #include <algorithm>
 #include <array>

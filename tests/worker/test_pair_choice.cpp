@@ -7,10 +7,10 @@
 #include <random>
 
 #include "core/settings/tuning.h"
-#include "worker/found_pairs.h"
+#include "worker/pair_choice.h"
 
 namespace tessera::worker {
-namespace test_found_pairs {
+namespace test_pair_choice {
 
 constexpr u32 kShapes = 40;
 
@@ -69,5 +69,5 @@ RC_GTEST_PROP(FoundPairs, are_those_that_the_reference_selects, ()) {
   RC_ASSERT(same(docked_pairs(9, found, match), plainly_selected(distance, reach, match)));
 }
 
-}  // namespace test_found_pairs
+}  // namespace test_pair_choice
 }  // namespace tessera::worker

@@ -1,4 +1,4 @@
-#include "master/region_attempts.h"
+#include "master/regions.h"
 
 #include <optional>
 #include <utility>
@@ -26,8 +26,8 @@ RegionFill::RegionFill(const Canvas& region, const CollageSettings& settings, co
       collage(region, sized, context, shapes, size_factor),
       filling(collage, context, sized, matcher, statistics, std::move(check_stop)) {}
 
-RegionAttempts::RegionAttempts(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher,
-                               ShapeSource& shapes, RunStatistics& statistics, StopCheck check_stop)
+Regions::Regions(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher, ShapeSource& shapes,
+                 RunStatistics& statistics, StopCheck check_stop)
     : canvas_(canvas),
       settings_(settings),
       matcher_(matcher),
@@ -38,7 +38,7 @@ RegionAttempts::RegionAttempts(const Canvas& canvas, const CollageSettings& sett
       sizes_(settings.pieces),
       given_(canvas, settings.wishes, shapes) {}
 
-void RegionAttempts::begin(std::uint32_t region, StandingPieces standing, const SizeAttempts& sizes) {
+void Regions::begin(std::uint32_t region, StandingPieces standing, const SizeAttempts& sizes) {
   const Canvas part = region_of(canvas_, region);
   current_ = std::make_unique<RegionFill>(part, settings_, context_, sizes.factor(), matcher_, shapes_, statistics_,
                                           check_stop_);
@@ -49,10 +49,10 @@ void RegionAttempts::begin(std::uint32_t region, StandingPieces standing, const 
   collage.begin(std::move(standing.pieces), standing.given, region);
 }
 
-void RegionAttempts::begin_first() { begin(0, given_.at_first(), sizes_); }
+void Regions::begin_first() { begin(0, given_.at_first(), sizes_); }
 
 /// What stands is given to the next region, but for what may move there.
-bool RegionAttempts::begin_next() {
+bool Regions::begin_next() {
   const std::uint32_t next = region() + 1;
   if (next >= canvas_.regions.size()) return false;
   begin(next, given_.when_begun(next, current_->collage.placements()), sizes_);
@@ -61,14 +61,14 @@ bool RegionAttempts::begin_next() {
 
 /// Begins with what stood when the region was begun: of `placements` the first `given`, and in the first region all that
 /// the job gives.
-void RegionAttempts::begin_again(std::uint32_t region, std::vector<Placement> placements, std::size_t given,
-                                 const SizeAttempts& sizes) {
+void Regions::begin_again(std::uint32_t region, std::vector<Placement> placements, std::size_t given,
+                          const SizeAttempts& sizes) {
   placements.resize(given);
   begin(region, region == 0 ? given_.at_first() : given_.when_begun_with(region, std::move(placements)), sizes);
 }
 
 /// Where the matcher interrupts it, nothing has changed yet, here and in the next two functions.
-bool RegionAttempts::begin_other_sizes() {
+bool Regions::begin_other_sizes() {
   if (sizes_.over()) return false;
   const Collage& collage = current_->collage;
   SizeAttempts next = sizes_;
@@ -79,7 +79,7 @@ bool RegionAttempts::begin_other_sizes() {
   return true;
 }
 
-void RegionAttempts::keep_best() {
+void Regions::keep_best() {
   if (sizes_.over()) return;
   SizeAttempts ended = sizes_;
   ended.give_up(current_->collage.rules().shortage(), current_->collage.placements());
@@ -87,7 +87,7 @@ void RegionAttempts::keep_best() {
 }
 
 /// Lays the best attempt again. False where that is the last one. No other sizes are tried from then on.
-bool RegionAttempts::go_back_to_best(SizeAttempts sizes) {
+bool Regions::go_back_to_best(SizeAttempts sizes) {
   const std::optional<std::vector<Placement>> best = sizes.take_best();
   if (best) {
     begin_again(region(), *best, current_->collage.rules().given(), sizes);

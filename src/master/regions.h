@@ -32,11 +32,11 @@ struct RegionFill {
   Filling filling;
 };
 
-class RegionAttempts {
+class Regions {
  public:
   /// Filling adds to `statistics` and calls `check_stop`, which may throw. All arguments outlive the attempts.
-  RegionAttempts(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher, ShapeSource& shapes,
-                 RunStatistics& statistics, StopCheck check_stop);
+  Regions(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher, ShapeSource& shapes,
+          RunStatistics& statistics, StopCheck check_stop);
 
   /// The attempt under way, from begin_first() or restore() on.
   RegionFill& current() const { return *current_; }

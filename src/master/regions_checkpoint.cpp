@@ -1,4 +1,4 @@
-// RegionAttempts: what a checkpoint keeps of them, and whose checkpoint it must be.
+// Regions: what a checkpoint keeps of them, and whose checkpoint it must be.
 #include <algorithm>
 #include <bit>
 #include <string>
@@ -6,7 +6,7 @@
 #include "core/base/count_text.h"
 #include "core/base/digest.h"
 #include "core/base/error.h"
-#include "master/region_attempts.h"
+#include "master/regions.h"
 
 namespace tessera::master {
 namespace {
@@ -17,7 +17,7 @@ namespace {
 
 }  // namespace
 
-void RegionAttempts::save(CheckpointState& state) const {
+void Regions::save(CheckpointState& state) const {
   const bool fills = state.loop.phase == LoopPhase::filling;
   state.empty_passes = fills ? current_->filling.empty_passes() : 0;
   sizes_.save(state);
@@ -25,7 +25,7 @@ void RegionAttempts::save(CheckpointState& state) const {
   current_->collage.save(state);
 }
 
-void RegionAttempts::restore(const CheckpointState& from) {
+void Regions::restore(const CheckpointState& from) {
   const std::uint32_t region = from.loop.region;
   if (region >= std::max<std::size_t>(1, canvas_.regions.size()) || from.given > from.placements.size() ||
       !sizes_.restore(from)) {
@@ -41,7 +41,7 @@ void RegionAttempts::restore(const CheckpointState& from) {
   }
 }
 
-void RegionAttempts::check_belongs(const CheckpointState& from) const {
+void Regions::check_belongs(const CheckpointState& from) const {
   for (std::size_t i = 0; i < from.given; ++i) {
     if (index_of(from.placements[i].shape) < context_.library_shapes) continue;
     refuse(from, "not a checkpoint of this library");
@@ -54,7 +54,7 @@ void RegionAttempts::check_belongs(const CheckpointState& from) const {
 }
 
 /// A digest of all pieces that the job gives: improving may have taken some of them out since.
-std::uint64_t RegionAttempts::begun_with() const {
+std::uint64_t Regions::begun_with() const {
   Digest digest;
   for (const GivenPiece& piece : settings_.wishes.given) {
     const Similarity& pose = piece.canvas_from_shape;

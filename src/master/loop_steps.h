@@ -7,29 +7,29 @@
 #include "master/improving_phase.h"
 #include "master/loop_end.h"
 #include "master/loop_statistics.h"
-#include "master/region_attempts.h"
+#include "master/regions.h"
 
 namespace tessera::master {
 
-class LoopRun {
+class LoopSteps {
  public:
   /// The arguments of make_collage, which outlive the run. It begins the first region, or where a checkpoint left off.
-  LoopRun(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher, ShapeSource& shapes,
-          Observer& observer, const Checkpoints& checkpoints, Replacer* replacer);
-  LoopRun(const LoopRun&) = delete;  // its parts refer to each other
-  LoopRun& operator=(const LoopRun&) = delete;
+  LoopSteps(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher, ShapeSource& shapes,
+            Observer& observer, const Checkpoints& checkpoints, Replacer* replacer);
+  LoopSteps(const LoopSteps&) = delete;  // its parts refer to each other
+  LoopSteps& operator=(const LoopSteps&) = delete;
 
   bool is_filling() const { return state_.phase == LoopPhase::filling; }
-  RegionAttempts& attempts() { return attempts_; }
+  Regions& regions() { return regions_; }
   LoopEnd& end() { return end_; }
-  bool places_one() { return attempts_.current().filling.place_one(); }
+  bool place_one() { return regions_.current().filling.place_one(); }
 
   /// Whether an earlier result gave as many pieces as the job wants: they are to be improved alone.
   bool moves_given_pieces_only() const;
   /// Whether other sizes may be tried, and there is nothing more to learn of the present ones: all wanted pieces stand,
   /// or the canvas is covered.
   bool attempt_is_decided() const;
-  bool reached_limit_of_filling();
+  bool end_at_limit_of_filling();
   /// The region is full: improving begins, where the job wants it.
   void end_filling();
   ImprovingPhase improving_phase();
@@ -42,7 +42,7 @@ class LoopRun {
   CollageResult finish();
 
  private:
-  Collage& collage() const { return attempts_.current().collage; }
+  Collage& collage() const { return regions_.current().collage; }
   StopReason why_full() const;
   CheckpointState checkpoint();
 
@@ -54,7 +54,7 @@ class LoopRun {
   CheckpointKeeper* keeper_;
   LoopState state_;
   LoopEnd end_;
-  RegionAttempts attempts_;
+  Regions regions_;
   OwnReplacer own_replacer_;
   Replacer& replacer_;
 };
