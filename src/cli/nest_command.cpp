@@ -1,7 +1,6 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "core/base/rank_pool.h"
 #include "program/list_option.h"
 #include "run/nesting/nest_run.h"
 
@@ -71,10 +70,7 @@ void add_nest_command(CLI::App& app, Command& selected) {
       ->capture_default_str()
       ->type_name("SECONDS");
   command->callback([arguments, &selected] {
-    selected.run_on_all_ranks = [arguments](comm::Communicator& ranks) {
-      share_cores(ranks.local_size());  // all ranks of a node search
-      return nest_on_all_ranks(*arguments, ranks);
-    };
+    selected.run_on_all_ranks = [arguments](comm::Communicator& ranks) { return nest_on_all_ranks(*arguments, ranks); };
   });
 }
 

@@ -1,6 +1,6 @@
 // How the values of messages become bytes and back, by Boost.Serialization: the one format in which ranks talk. The bytes
 // travel only between ranks of one job, on machines of one kind: they have no version and no byte order. Bytes that were
-// cut off, or that another program sent, are an error; no more memory is taken than a small multiple of the message.
+// cut off, or claim to hold more elements than there are bytes, are an error. Ranks compare their programs first.
 //
 // A type travels as it lies in memory where kSentAsItLies says so, or by its members where kSentByMembers does. For the
 // latter whoever sends it defines, in boost::serialization,

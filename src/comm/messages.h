@@ -21,14 +21,14 @@ struct FieldStart {
 };
 
 template <class T>
-requires kIsOneOf<T, FieldStart, Heartbeat, ShapeRange, Window, TargetSample, Docking, RefinedDocking, DockingTerms,
-                  Vec2, Box, ContactDistances, RepetitionCosts, WindowPiece, IncomingShape, DrawingArea, PlacedDrawing,
+requires kIsOneOf<T, FieldStart, ShapeRange, Window, TargetSample, Docking, RefinedDocking, DockingTerms, Vec2, Box,
+                  ContactDistances, RepetitionCosts, WindowPiece, IncomingShape, DrawingArea, PlacedDrawing,
                   ReplacedPiece, WorkerTimes>
 inline constexpr bool kSentAsItLies<T> = true;
 
 template <class T>
-requires kIsOneOf<T, Failure, FieldPatch, StandingLimits, CountRequest, DockRequest, DockReply, CanvasField, EdgeField,
-                  ReplacementWindow, ReplacementOutcome, DeviceDescription, RankSite>
+requires kIsOneOf<T, Failure, Heartbeat, FieldPatch, StandingLimits, CountRequest, DockRequest, DockReply, CanvasField,
+                  EdgeField, ReplacementWindow, ReplacementOutcome, DeviceDescription, RankSite>
 inline constexpr bool kSentByMembers<T> = true;
 
 }  // namespace tessera::comm
@@ -39,6 +39,12 @@ template <class Archive>
 void serialize(Archive& archive, tessera::comm::Failure& failure, unsigned) {
   auto& [exit_code, text] = failure;
   tessera::comm::send_members(archive, exit_code, text);
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::comm::Heartbeat& beat, unsigned) {
+  auto& [waiting, for_s] = beat;
+  tessera::comm::send_members(archive, waiting, for_s);
 }
 
 template <class Archive>

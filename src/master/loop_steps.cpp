@@ -9,8 +9,8 @@ LoopSteps::LoopSteps(const Canvas& canvas, const CollageSettings& settings, Matc
       shapes_(shapes),
       observer_(observer),
       keeper_(checkpoints.keeper),
-      end_(canvas, settings, observer),
       regions_(canvas, settings, matcher, shapes, statistics_.filling, [this] { end_.check_stop(); }),
+      end_(canvas, settings, observer),
       own_replacer_(shapes, 1, [this] { end_.check_stop(); }),
       replacer_(replacer ? *replacer : own_replacer_) {
   if (const CheckpointState* from = checkpoints.from) {

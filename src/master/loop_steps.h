@@ -53,8 +53,8 @@ class LoopSteps {
   Observer& observer_;
   CheckpointKeeper* keeper_;
   LoopState state_;
+  Regions regions_;  // before the loop's clock, which its set-up is no part of
   LoopEnd end_;
-  Regions regions_;
   OwnReplacer own_replacer_;
   Replacer& replacer_;
 };

@@ -33,14 +33,28 @@ std::string campaign_folder(const CampaignArguments& arguments) {
   return "out/" + std::filesystem::path(arguments.job).stem().string() + "-campaign";
 }
 
-/// The job as a result holds it.
-Job effective_job(const Job& job) { return quality_waits_for_sizes(job) ? CanvasProblem(job).job() : job; }
+/// The job as a result of it would hold it; `found` is what the result there holds. Library and canvas, which may be gone
+/// since, are read only where all else agrees.
+Job effective_job(const Job& job, const Job& found) {
+  if (!quality_waits_for_sizes(job)) return job;
+  Job as_found = job;
+  as_found.quality = found.quality;
+  as_found.settings.improve = found.settings.improve;
+  if (!result_differences(found, as_found).empty()) return as_found;
+  try {
+    return CanvasProblem(job).job();
+  } catch (const InputError&) {
+    return as_found;
+  }
+}
 
 /// How the run in this folder ended, if its collage is computed and drawn. Throws InputError where the folder holds the
 /// finished result of another job, which would be lost.
 std::optional<CollageEnd> earlier_end(const std::string& folder, const Job& job) {
   const EarlierResult earlier = find_earlier_result(folder);
-  if (!earlier.finished() || !is_finished_result_of(earlier, effective_job(job)) || !earlier.whole->drawn) return {};
+  if (!earlier.finished() || !is_finished_result_of(earlier, effective_job(job, earlier.whole->job)) ||
+      !earlier.whole->drawn)
+    return {};
   return end_of_finished(earlier.whole->manifest);
 }
 

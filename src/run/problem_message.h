@@ -1,6 +1,7 @@
 // What rank 0 tells all workers of the problem, once they have its job (comm/archive.h).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <utility>

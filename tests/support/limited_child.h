@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/base/rank_pool.h"
+
 namespace tessera::test {
 
 struct ChildReport {
@@ -25,10 +27,11 @@ inline constexpr unsigned kMostProcessorTime_s = 20;
 #endif
 
 /// Runs `use`, which returns a text, in a child that is ended after so much processor time, however busy the machine is,
-/// or where it hangs. Call it while the process has a single thread.
+/// or where it hangs. Call it while the process has no threads but those of the pool, which end before.
 template <class Use>
 ChildReport in_child(Use use) {
   constexpr unsigned kMost_s = 5 * kMostProcessorTime_s;
+  rank_pool().resize(rank_cores());
   int ends[2];
   if (::pipe(ends) != 0) throw std::runtime_error("pipe");
   const pid_t child = ::fork();

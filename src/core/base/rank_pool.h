@@ -1,5 +1,6 @@
-// The cores of this rank, and the threads that compute on them. Whatever computes on several threads takes them from here,
-// so that ranks on one node do not compete for cores. Threads that wait and do not compute are no concern of the pool.
+// The cores of this rank, and the threads that compute on them. What computes on several threads takes them from here, so
+// that workers on one node do not compete for cores; tests/scripts/threads_test.sh lists the exceptions. A child that was
+// forked must not use the pool: its threads are not there.
 #pragma once
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <future>
 #include <optional>
 
-#include "core/base/rank_pool.h"
 #include "worker/devices/arithmetic_probe.h"
 #include "worker/devices/opencl_devices.h"
 
@@ -55,12 +55,15 @@ void DeviceLibrary::load(const BetweenLaunches& between_launches) {
     if (range.size() > 0 && !parts.pads) loaded.pads = models_->pads(range);
     return loaded;
   };
-  // The next shapes are read while these are put on the device. One thread at a time reads.
+  // The next shapes are read while these are put on the device, by a thread that mostly waits for the disk: also where the
+  // rank computes on one core. Deferred where there is none.
   Loaded next = read_from(match_.first_shape);
   for (std::uint32_t first = match_.first_shape; first < end; first += kShapesAtATime) {
     Loaded loaded = std::move(next);
-    run_both([&] { add(std::move(loaded), first - match_.first_shape); },
-             [&] { next = read_from(first + kShapesAtATime); });
+    std::future<Loaded> following =
+        std::async(std::launch::async | std::launch::deferred, read_from, first + kShapesAtATime);
+    add(std::move(loaded), first - match_.first_shape);
+    next = following.get();
     if (between_launches) between_launches();
   }
 }

@@ -42,6 +42,10 @@ run 0 campaign bars.toml --seeds 1 --set quality=good --out good
 grep -q '^trials = [1-9]' good/seed_1/job.toml || fail "the trials: $(grep trials good/seed_1/job.toml)"
 run 0 campaign bars.toml --seeds 1 --set quality=good --out good
 grep -q 'finished before$' output || fail "made again, though it is the same job: $(cat output)"
+mv bars.h5 moved.h5
+run 0 campaign bars.toml --seeds 1 --set quality=good --out good --list
+grep -q '^finished' output || fail "a finished result is not known where its library was moved"
+mv moved.h5 bars.h5
 echo "ok quality"
 
 # Lines of letters with a halo, 24 times as long as high, in their drawn sizes, with padding: none fits at first.
