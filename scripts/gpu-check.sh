@@ -83,10 +83,14 @@ check() {
   fi
   ((limit < left)) || limit=$left
   echo "== $name"
-  timeout -k 5 "$limit" bash -c "set -eo pipefail; run_$name" >"$results/logs/$name.log" 2>&1 </dev/null &
+  timeout -k 5 "$limit" bash -c "set -eo pipefail; run_$name" >>"$results/logs/$name.log" 2>&1 </dev/null &
   running=$!
+  tell_processes_after $((limit - 1)) $running >>"$results/logs/$name.log" 2>/dev/null &
+  local watch=$!
   wait $running
   result=$?
+  kill $watch 2>/dev/null
+  end_processes $running
   running=
   took=$(awk -v a="$started" -v b="$EPOCHREALTIME" 'BEGIN { printf "%.1f s", b - a }')
   { echo "== $name: $took, exit code $result"; cat "$results/logs/$name.log"; echo; } >>"$out/gpu-check.log"
@@ -100,6 +104,38 @@ check() {
   add_row "$name" "$took" "$said"
   add_shown "$name"
   tail -n 2 "$results/logs/$name.log"
+}
+
+# processes_of GROUP: the processes of a check, one id a line: timeout makes a group of them.
+processes_of() {
+  awk -v group="$1" '{ sub(/^.*\) /, ""); if ($3 == group) print FILENAME }' /proc/[0-9]*/stat 2>/dev/null |
+    cut -d / -f 3
+}
+
+# tell_processes GROUP: what each thread of a check is at, which is about to be stopped.
+tell_processes() {
+  local process thread
+  echo "stopped at:"
+  for process in $(processes_of "$1"); do
+    echo "$process: $(tr '\0' ' ' <"/proc/$process/cmdline")"
+    for thread in "/proc/$process/task"/*; do
+      # State, kernel function and system call with its arguments.
+      echo "  $(cat "$thread/comm") $(cut -d ')' -f 2 "$thread/stat" | cut -c 2) $(cat "$thread/wchan" "$thread/syscall" | tr '\n' ' ')"
+    done
+  done 2>/dev/null
+}
+
+# tell_processes_after SECONDS GROUP: without a sleep, which would outlive this script.
+tell_processes_after() {
+  local never
+  exec {never}<> <(:)
+  read -rt "$1" -u "$never" || tell_processes "$2"
+}
+
+# end_processes GROUP: what a check left must not slow down the next one.
+end_processes() {
+  local process
+  for process in $(processes_of "$1"); do kill -KILL "$process" 2>/dev/null; done
 }
 
 add_row() { table+=("$(printf '%-24s %9s  %s' "$@")"); }

@@ -35,7 +35,10 @@ line() {
 jobs=()
 for job in *.toml; do jobs+=("${job%.toml}"); done
 [[ -z $mpirun ]] || jobs=(balanced colours fit_all outward paper_improved seamless)
-for job in "${jobs[@]}"; do line "$job"; done >found.txt
+for job in "${jobs[@]}"; do
+  echo "running $job"  # where one hangs the log says which
+  line "$job" >>found.txt
+done
 
 if [[ $renew == yes ]]; then
   cp found.txt "$here/digests.txt"
