@@ -102,7 +102,8 @@ class RankPlay {
     }
   }
 
-  /// Those with most trials first, each by the core that is free first (core/replacing/replaced_windows.h).
+  /// How long the cores of one rank take for the windows. As in core/replacing/replaced_windows.h, the windows with most
+  /// trials come first, and each goes to the core that is free first.
   double on_own_cores_s(Windows windows) const {
     std::stable_sort(windows.begin(), windows.end(),
                      [&](std::size_t a, std::size_t b) { return case_.windows[a].trials > case_.windows[b].trials; });

@@ -177,7 +177,8 @@ std::string csv_of(const std::vector<SeenMosaic>& outcomes) {
   return text;
 }
 
-/// Of each image our mosaic, and the peer's with as many pieces where it is there. Pictures go into `folder`.
+/// Makes our mosaic of each image, and where metapixel is installed its mosaic with as many pieces. The pictures go into
+/// `folder`.
 std::vector<SeenMosaic> made_mosaics(const Setting& setting, const MosaicOptions& options, const LibraryFile& library,
                                      const std::string& folder, bool with_peer) {
   std::vector<SeenMosaic> outcomes;

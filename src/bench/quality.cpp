@@ -77,7 +77,7 @@ std::string explanation(const SquareJob& job, std::size_t shapes, int size_px) {
          "at most five times the smallest; elsewhere both are the same.\n";
 }
 
-/// What the rows and the curves show.
+/// The table and the curves of the report, to which each run adds a row and two points.
 struct Shown {
   TextTable table{{"improving by", "s", "trials", "coverage %", "overlap %", "balance", "pieces", "shapes"}};
   Panel open{"What is not covered", "seconds", "% of the canvas", true, 64, {}};

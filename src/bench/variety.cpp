@@ -101,7 +101,7 @@ std::string explanation(const SquareJob& job, std::size_t originals, int size_px
          "random\ndockings alone. Making shapes that the master asks for is left out of the time.\n";
 }
 
-/// What the collages of one benchmark share.
+/// The inputs that all collages of one benchmark share.
 struct Inputs {
   const Setting& setting;
   const SquareJob& job;

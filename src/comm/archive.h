@@ -98,7 +98,7 @@ class MessageReader : public boost::archive::binary_iarchive_impl<MessageReader,
   MessageBuffer& buffer_;
 };
 
-/// The same for writing: texts as MessageReader wants them.
+/// Boost's binary archive, which writes texts as MessageReader reads them.
 class MessageWriter : public boost::archive::binary_oarchive_impl<MessageWriter, char, std::char_traits<char>> {
   using Base = boost::archive::binary_oarchive_impl<MessageWriter, char, std::char_traits<char>>;
   friend class boost::archive::detail::interface_oarchive<MessageWriter>;

@@ -1,5 +1,5 @@
-// What the messages of matching, replacing and the end of a job hold (archive.h). Structures without pointers travel as
-// they lie in memory.
+// The messages of matching, replacing and the end of a job: for each type that is sent, how it travels (archive.h).
+// Structures without pointers travel as they lie in memory, all others by their members.
 #pragma once
 
 #include "comm/archive.h"

@@ -1,5 +1,5 @@
-// What answers rank 0's questions of matching and replacing: the workers, or where there are none its own devices and
-// cores.
+// The engine answers rank 0's questions of matching and replacing. It is made of the workers; where there are none, of
+// rank 0's own devices and cores.
 #pragma once
 
 #include <memory>
@@ -28,7 +28,7 @@ struct CollageEngine {
 CollageEngine engine_of(comm::Communicator& ranks, const CollageProblem& problem, ShapeSource& shapes,
                         const StopQuestion& shall_stop);
 
-// What a worker needs of the same.
+// A worker makes its matcher with these, too.
 
 MatchingContext context_of(const CollageProblem& problem);
 /// What matching needs of a device. The canvas' size is that of the job, whatever its file shows.

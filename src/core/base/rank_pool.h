@@ -28,7 +28,7 @@ void parallel_for(std::size_t count, Body&& body) {
   rank_pool().run(count, [&](std::size_t i) { body(i); });
 }
 
-/// The same for small items: `portion` of them, one after the other, are one task.
+/// As parallel_for, for small items: `portion` items, one after the other, are one task.
 template <class Body>
 void parallel_for_portions(std::size_t count, std::size_t portion, Body&& body) {
   parallel_for((count + portion - 1) / portion, [&](std::size_t k) {

@@ -30,7 +30,7 @@ void TaskPool::run(std::size_t count, const Task& task) {
   if (job.error) std::rethrow_exception(job.error);
 }
 
-/// As far as the system gives them; the next run() asks again.
+/// Where the system gives no more threads there are fewer than `wanted`; the next run() asks for them again.
 void TaskPool::start_threads(std::size_t wanted) {
   try {
     while (threads_.size() < wanted) threads_.emplace_back([this] { work(); });

@@ -26,7 +26,7 @@ class TaskPool {
   int breadth() const { return breadth_; }
   /// Whether a thread would take a task at once, so that work is better divided into small tasks.
   bool has_idle_thread() const;
-  /// As if it had been made with this breadth. No task may be under way.
+  /// Ends all threads; from now on the pool is for `breadth` cores. No task may be under way.
   void resize(int breadth);
 
   /// Calls task(0) to task(count - 1), each once and in any order, on this thread, which takes the first one, and on

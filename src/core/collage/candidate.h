@@ -1,4 +1,4 @@
-// What a target sample may get: a docking on its way to a placement (paper, section 4).
+// A candidate is a docking that a piece may get at a target sample; the best one becomes a placement (paper, section 4).
 #pragma once
 
 #include <cstdint>

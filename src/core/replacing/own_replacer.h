@@ -20,7 +20,7 @@ class OwnReplacer : public Replacer {
   /// `shapes`, of the whole library, and `pool` outlive it. Only the thread that asks reads shapes. That thread calls
   /// `check_stop` while it reads, and again and again while as many others work as the pool is broad; it may throw.
   OwnReplacer(ShapeSource& shapes, TaskPool& pool, StopCheck check_stop);
-  /// The same with a pool of its own.
+  /// With a pool of its own, of so many threads, instead of `pool`.
   OwnReplacer(ShapeSource& shapes, int threads, StopCheck check_stop);
 
   int breadth() const override { return pool_.breadth(); }

@@ -44,7 +44,7 @@ DecodedImage read_tiff(std::span<const std::uint8_t> bytes, const ReadingRules& 
 /// All BMPs of 1 to 32 bits a pixel, run-length encoded or not.
 DecodedImage read_bmp(std::span<const std::uint8_t> bytes, const ReadingRules& rules);
 
-// What the readers have in common.
+// The readers of all formats share the following.
 
 [[noreturn]] void throw_damaged();
 [[noreturn]] void throw_ends_early();
