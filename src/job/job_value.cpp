@@ -10,7 +10,7 @@
 
 #include "core/base/split_text.h"
 #include "job/palette.h"
-#include "job/toml_text.h"
+#include "job/toml_string.h"
 
 namespace tessera {
 namespace {
@@ -264,7 +264,7 @@ std::string listed(const std::vector<std::string>& items) {
 
 std::string quoted_list(const std::vector<std::string>& texts) {
   std::vector<std::string> items;
-  for (const std::string& text : texts) items.push_back(toml_text(text));
+  for (const std::string& text : texts) items.push_back(toml_string(text));
   return listed(items);
 }
 
@@ -273,14 +273,14 @@ template <class Number>
 std::string value_text(const JobKey& key, const JobValue& value, Number number) {
   if (key.kind == JobKind::texts || key.kind == JobKind::files) return quoted_list(value.texts);
   if (key.kind == JobKind::palette)
-    return is_colour_list(value.texts) ? quoted_list(value.texts) : toml_text(value.texts[0]);
+    return is_colour_list(value.texts) ? quoted_list(value.texts) : toml_string(value.texts[0]);
   if (key.kind == JobKind::flag) return value.text;
   if (key.kind == JobKind::indices) {
     std::vector<std::string> indices;
     for (const double index : value.numbers) indices.push_back(number_text(index));
     return listed(indices);
   }
-  if (value.numbers.empty()) return toml_text(value.text);
+  if (value.numbers.empty()) return toml_string(value.text);
   if (value.numbers.size() == 1) return number(0);
   if (key.kind == JobKind::uses && value.numbers[0] == 0) return number(1);
   std::vector<std::string> items;

@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "files/output_lock.h"
 #include "job/job_tables.h"
-#include "job/toml_text.h"
+#include "job/toml_string.h"
 
 namespace tessera {
 namespace {
@@ -93,7 +93,7 @@ std::vector<std::string> deforming_keys(const RefinedResult& result, const std::
 }
 
 std::vector<std::string> starting_keys(const RefinedResult& result) {
-  return {"start.pieces=" + toml_text(result.folder), "start.keep=free", "start.remove=[]", "start.lock=[]",
+  return {"start.pieces=" + toml_string(result.folder), "start.keep=free", "start.remove=[]", "start.lock=[]",
           "start.not_anew=[]"};
 }
 

@@ -5,10 +5,10 @@
 
 #include "core/base/error.h"
 #include "library/hdf5/hdf5_trial.h"
+#include "library/storage/column_readers.h"
 #include "library/storage/library_check.h"
 #include "library/storage/library_file.h"
 #include "library/storage/library_open.h"
-#include "library/storage/library_parts.h"
 #include "library/storage/segment_columns.h"
 #include "library/storage/stored_models.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "job/toml_text.h"
+#include "job/toml_string.h"
 
 namespace tessera {
 namespace {
@@ -23,9 +23,9 @@ std::string pair_text(double first, double second) {
 }
 
 std::string library_lines(const std::vector<std::string>& libraries) {
-  if (libraries.size() == 1) return "file = " + toml_text(libraries.front()) + "\n";
+  if (libraries.size() == 1) return "file = " + toml_string(libraries.front()) + "\n";
   std::string text;
-  for (const std::string& library : libraries) text += (text.empty() ? "" : ", ") + toml_text(library);
+  for (const std::string& library : libraries) text += (text.empty() ? "" : ", ") + toml_string(library);
   return "files = [" + text + "]\n";
 }
 
@@ -33,13 +33,13 @@ std::string canvas_file_lines(const std::string& regions) {
   if (regions.empty()) return "";
   return "# A picture of the regions in flat colours, without mixed ones between them; paint in it to move borders.\n"
          "file = " +
-         toml_text(regions) + "\n";
+         toml_string(regions) + "\n";
 }
 
 std::string region_lines(const std::vector<std::string>& regions) {
   std::string text;
   for (std::size_t i = 0; i < regions.size(); ++i) {
-    text += "\n[[regions]]\nname = \"" + std::to_string(i + 1) + "\"\ncolour = " + toml_text(regions[i]) +
+    text += "\n[[regions]]\nname = \"" + std::to_string(i + 1) + "\"\ncolour = " + toml_string(regions[i]) +
             "  # in the picture of the regions\n";
   }
   return text;
@@ -72,7 +72,7 @@ std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, const M
          "# shift: each part of a piece is moved towards the image by so much CIEDE2000 at most; 0 = as drawn.\n"
          "# overlay: the image itself is laid over the pieces in this opacity, 0.25 = a quarter; 0 = not.\n"
          "image = " +
-         toml_text(files.image) +
+         toml_string(files.image) +
          "\n"
          "weight = 5\n"
          "shift = " +
@@ -86,7 +86,7 @@ std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, const M
          pair_text(plan.min_scale_px, plan.max_scale_px) +
          "\n"
          "size_map = " +
-         toml_text(files.size_map) +
+         toml_string(files.size_map) +
          "\n"
          "# No drawing beside itself: px between the outlines of two of it.\n"
          "apart_px = " +

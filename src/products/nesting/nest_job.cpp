@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "core/base/count_text.h"
-#include "job/toml_text.h"
+#include "job/toml_string.h"
 #include "products/nesting/nest_sheets.h"
 #include "products/puzzle/puzzle_geojson.h"
 #include "text/number_text.h"
@@ -70,8 +70,8 @@ NestJob nest_job(const NestRun& run, int sheet, const std::string& folder, const
                            " mm.\n"
                            "# Every key of a job: docs/job-format.md\n\n"
                            "[library]\nfile = " +
-                           toml_text(library) + "\n\n[canvas]\nsize_mm = [" + size_mm + "]\nsize_px = [" + size_px +
-                           "]\n\n[start]\n# Where they lie.\npieces = " + toml_text(pieces_name) +
+                           toml_string(library) + "\n\n[canvas]\nsize_mm = [" + size_mm + "]\nsize_px = [" + size_px +
+                           "]\n\n[start]\n# Where they lie.\npieces = " + toml_string(pieces_name) +
                            "\n\n[stop]\n# No others.\npieces = " + std::to_string(pieces.size()) +
                            "\n\n[improve]\ntrials = 0\n\n[output]\ndpi = " +
                            fixed(std::clamp(std::round(canvas.per_mm * 25.4), 1.0, 4800.0), 0) + "\n";

@@ -16,7 +16,7 @@
 #include "job/canvas/canvas_edge.h"
 #include "job/canvas/canvas_file.h"
 #include "job/canvas/canvas_page.h"
-#include "job/toml_text.h"
+#include "job/toml_string.h"
 #include "library/library_view.h"
 #include "products/puzzle/frame_outline.h"
 #include "products/puzzle/piece_erosion.h"
@@ -237,7 +237,7 @@ PuzzleAgreement agreement_with(const std::string& truth, const std::vector<Shape
 std::string job_text(const SolvingRequest& request, const SolvedPuzzle& solved) {
   const fs::path folder = fs::absolute(request.job).lexically_normal().parent_path();
   const auto beside = [&](const std::string& path) {
-    return toml_text(fs::absolute(path).lexically_normal().lexically_relative(folder).string());
+    return toml_string(fs::absolute(path).lexically_normal().lexically_relative(folder).string());
   };
   const std::string canvas_file = request.frame_file.empty() ? "" : "file = " + beside(request.frame_file) + "\n";
   return std::string(kJobMark) + ": " + std::to_string(solved.placed) + " of " + count_text(solved.pieces, "piece") +
@@ -256,7 +256,7 @@ std::string job_text(const SolvingRequest& request, const SolvedPuzzle& solved) 
          "[start]\n"
          "# Where they lie.\n"
          "pieces = " +
-         toml_text(fs::path(solution_path(request.job)).filename().string()) +
+         toml_string(fs::path(solution_path(request.job)).filename().string()) +
          "\n"
          "\n"
          "[stop]\n"

@@ -1,4 +1,4 @@
-// Texts as job files have them.
+// A text as a string of TOML, for who writes a job file.
 #pragma once
 
 #include <string>
@@ -6,6 +6,6 @@
 namespace tessera {
 
 /// The text, UTF-8, as a TOML string with its quotes.
-std::string toml_text(const std::string& text);
+std::string toml_string(const std::string& text);
 
 }  // namespace tessera

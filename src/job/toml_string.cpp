@@ -1,4 +1,4 @@
-#include "job/toml_text.h"
+#include "job/toml_string.h"
 
 #include <toml++/toml.h>
 
@@ -6,7 +6,7 @@
 
 namespace tessera {
 
-std::string toml_text(const std::string& text) {
+std::string toml_string(const std::string& text) {
   std::ostringstream out;
   out << toml::toml_formatter(toml::value<std::string>(text), toml::format_flags::none);
   return out.str();

@@ -1,4 +1,4 @@
-#include "library/storage/library_parts.h"
+#include "library/storage/column_readers.h"
 
 #include <algorithm>
 #include <span>
