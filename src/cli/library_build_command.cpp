@@ -18,7 +18,6 @@
 #include "files/output_lock.h"
 #include "library/left_out_list.h"
 #include "library/library_builder.h"
-#include "run/messages/collage_warnings.h"
 #include "terminal/progress_bar.h"
 #include "terminal/terminal.h"
 

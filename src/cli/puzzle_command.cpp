@@ -22,7 +22,6 @@
 #include "products/puzzle/puzzle_solving.h"
 #include "program/list_option.h"
 #include "run/job_output.h"
-#include "run/messages/collage_warnings.h"
 #include "run/progress/time_limit.h"
 #include "terminal/exit_codes.h"
 #include "terminal/progress_bar.h"

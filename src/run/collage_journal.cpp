@@ -1,7 +1,7 @@
 #include "run/collage_journal.h"
 
 #include "core/base/count_text.h"
-#include "run/messages/collage_warnings.h"
+#include "terminal/terminal.h"
 #include "text/digest_text.h"
 #include "text/utc_time.h"
 

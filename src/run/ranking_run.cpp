@@ -8,7 +8,6 @@
 #include "files/output_folder.h"
 #include "files/output_lock.h"
 #include "render/ranking.h"
-#include "run/messages/collage_warnings.h"
 #include "terminal/terminal.h"
 #include "text/number_text.h"
 #include "text/text_table.h"

@@ -6,7 +6,6 @@
 #include "artwork/drawers/drawers.h"
 #include "core/base/stop.h"
 #include "result/folder/run_log.h"
-#include "run/messages/collage_warnings.h"
 #include "terminal/progress_bar.h"
 #include "terminal/terminal.h"
 

@@ -63,6 +63,10 @@ void print_lines(const std::string& lines) { put(printable_utf8(lines, "\n\t"));
 
 void print_message(const std::string& text) { std::fprintf(stderr, "tessera: %s\n", printable_utf8(text).c_str()); }
 
+void print_warning(const std::string& warning) {
+  if (!warning.empty()) print_message("warning: " + warning);
+}
+
 void print_now() { note_failure(std::fflush(stdout)); }
 
 bool printing_works() { return std::ferror(stdout) == 0; }

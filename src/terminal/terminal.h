@@ -28,6 +28,9 @@ bool printing_works();
 /// Prints "tessera: TEXT" on stderr, in one line whatever the text holds.
 void print_message(const std::string& text);
 
+/// Prints "tessera: warning: TEXT" on stderr in the same way; nothing where `warning` is empty.
+void print_warning(const std::string& warning);
+
 /// Gives stdin, stdout and stderr descriptors that were closed when the process began (tessera ... >&-) to a file that
 /// can be neither read nor written. Else the first file that is opened would get the number, and be printed into. To be
 /// called before anything is opened.

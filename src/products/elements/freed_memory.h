@@ -1,4 +1,4 @@
-// The program keeps freed memory (cli/main.cpp): between two steps that each take much of it, it is given back.
+// The program keeps freed memory (program/run_main.cpp): between two steps that each take much of it, it is given back.
 #pragma once
 
 #include <malloc.h>

@@ -14,7 +14,6 @@
 #include "job/job_value.h"
 #include "master/relaxing.h"
 #include "master/replacing.h"
-#include "terminal/terminal.h"
 #include "text/number_text.h"
 
 namespace tessera {
@@ -247,10 +246,6 @@ std::string joined_warnings(const std::vector<std::string>& warnings) {
   std::string text;
   for (const std::string& warning : warnings) text += (text.empty() || warning.empty() ? "" : "; ") + warning;
   return text;
-}
-
-void print_warning(const std::string& warning) {
-  if (!warning.empty()) print_message("warning: " + warning);
 }
 
 }  // namespace tessera

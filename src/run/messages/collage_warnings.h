@@ -80,7 +80,4 @@ std::string come_back_warning(const std::vector<GivenPiece>& removed, std::size_
 /// Those that say something, with semicolons between them.
 std::string joined_warnings(const std::vector<std::string>& warnings);
 
-/// Prints nothing where the warning is empty.
-void print_warning(const std::string& warning);
-
 }  // namespace tessera

@@ -14,7 +14,6 @@
 #include "core/base/stopwatch.h"
 #include "products/nesting/layout/nest_check.h"
 #include "products/nesting/nest_folder.h"
-#include "run/messages/collage_warnings.h"
 #include "run/nesting/nest_chains.h"
 #include "run/nesting/nest_problem_arguments.h"
 #include "run/nesting/nest_stop.h"
@@ -230,7 +229,7 @@ int nest(NestArguments& arguments, comm::Communicator& ranks) {
 }  // namespace
 
 int nest_on_all_ranks(NestArguments arguments, comm::Communicator& ranks) {
-  if (ranks.rank() != 0) work_on_nesting(ranks, arguments.silence_s);
+  if (ranks.rank() != 0) work_on_nesting(ranks, arguments.silence_s);  // never returns: a worker leaves by JobEnded
   try {
     return nest(arguments, ranks);
   } catch (const Interrupted&) {
