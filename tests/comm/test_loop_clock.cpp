@@ -61,12 +61,12 @@ double sum_of_stages(const Times& times, const Stages& stages) {
   return sum_s;
 }
 
-/// A loop of two rounds; counts in `run` what a master would.
+/// A loop of two regions with one round each; counts in `run` what a master would.
 void play_loop(Matcher& team, Replacer& replacers, RunStatistics& run) {
   const Stopwatch loop;
-  team.start_field(3, 2, {});
   for (run.rounds = 0; run.rounds < 2; ++run.rounds) {
     Stopwatch stage;
+    team.start_field(3, 2, {});
     team.update_field({{0, 0, 3, 2}, std::vector<float>(6)});
     run.merge_s += stage.lap();
     team.post_count({std::vector<TargetSample>(5), std::vector<std::uint32_t>(5, 9)});
@@ -89,7 +89,7 @@ void expect_master(const MasterTimes& master, int asked) {
   EXPECT_NEAR(sum_of_stages(master, kMasterStages), master.loop_s, kRounding_s);
   EXPECT_GE(master.waiting_s, 2 * 2 * kNap_s * 0.9);
   EXPECT_GE(master.ahead_s, 2 * kNap_s / 10);
-  EXPECT_EQ(master.sent.messages, std::uint64_t(asked) * (1 + 2 * 4));
+  EXPECT_EQ(master.sent.messages, std::uint64_t(asked) * 2 * 5);
   EXPECT_EQ(master.sent_fields.messages, std::uint64_t(asked) * 2);
   EXPECT_GE(master.sent_fields.bytes, master.sent_fields.messages * 6 * sizeof(float));
   EXPECT_LT(master.sent_fields.bytes, master.sent.bytes);
@@ -104,7 +104,7 @@ void expect_worker(const WorkerTimes& worker, int asked) {
   EXPECT_EQ(worker.refines, 0u);
   EXPECT_GE(worker.replace_s, 2 * kNap_s * 0.99);
   EXPECT_EQ(worker.replaces, 2u);
-  EXPECT_EQ(worker.sent.messages, 6u + std::uint64_t(asked) * (1 + 2 * 4));
+  EXPECT_EQ(worker.sent.messages, 6u + std::uint64_t(asked) * 2 * 5);
   EXPECT_GE(worker.sent.bytes, 2 * 5 * sizeof(DistanceHistogram));
 }
 

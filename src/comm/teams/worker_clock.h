@@ -1,6 +1,8 @@
 // A worker's time in the loop, by stage.
 #pragma once
 
+#include <utility>
+
 #include "comm/communicator.h"
 #include "core/base/stopwatch.h"
 #include "core/ranks/rank_statistics.h"
@@ -9,16 +11,12 @@ namespace tessera::comm {
 
 class WorkerClock {
  public:
-  explicit WorkerClock(const Communicator& ranks) : ranks_(ranks) { start(); }
+  explicit WorkerClock(const Communicator& ranks) : ranks_(ranks) { restart(); }
 
-  /// The loop begins: what was before does not count.
-  void start() {
-    times_ = {};
-    waited_before_s_ = ranks_.waited_s();
-    waited_in_stages_s_ = 0;
-    processor_before_s_ = busy_processor_s(ranks_);
-    sent_before_ = ranks_.traffic().sent_in_loop();
-    loop_ = Stopwatch();
+  /// A field begins, and with the first one the loop: what was before does not count. Later fields, of other regions or
+  /// attempts at sizes, belong to the same loop.
+  void begin_field() {
+    if (!std::exchange(in_loop_, true)) restart();
   }
 
   /// Runs work() and adds its time to `stage`. On a rank with workers below it, that lasts until these have answered,
@@ -35,8 +33,9 @@ class WorkerClock {
     return measure(stage, work);
   }
 
-  /// The times up to now.
-  WorkerTimes times() const {
+  /// The loop is over, and these are its times. The next field begins another loop.
+  WorkerTimes end_loop() {
+    in_loop_ = false;
     WorkerTimes times = times_;
     times.loop_s = loop_.seconds();
     times.waiting_s = ranks_.waited_s() - waited_before_s_ - waited_in_stages_s_;
@@ -61,7 +60,17 @@ class WorkerClock {
     }
   };
 
+  void restart() {
+    times_ = {};
+    waited_before_s_ = ranks_.waited_s();
+    waited_in_stages_s_ = 0;
+    processor_before_s_ = busy_processor_s(ranks_);
+    sent_before_ = ranks_.traffic().sent_in_loop();
+    loop_ = Stopwatch();
+  }
+
   const Communicator& ranks_;
+  bool in_loop_ = false;
   WorkerTimes times_;
   Stopwatch loop_;
   double waited_before_s_ = 0;

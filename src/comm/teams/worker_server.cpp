@@ -50,8 +50,8 @@ Bytes measured_answer(const Message& request, Asked& asked, WorkerClock& clock, 
 }
 
 /// Of the workers below and of this one: in the order of the ranks.
-std::vector<WorkerTimes> times_of(Communicator& ranks, const WorkerClock& clock) {
-  const WorkerTimes own = clock.times();
+std::vector<WorkerTimes> times_of(Communicator& ranks, WorkerClock& clock) {
+  const WorkerTimes own = clock.end_loop();
   std::vector<WorkerTimes> times = gather_times(ranks);
   times.push_back(own);
   return times;
@@ -62,7 +62,7 @@ void answer(const Message& request, Communicator& ranks, Matcher& matcher, Repla
   const int asker = request.from;
   switch (request.tag) {
     case Tag::start_field:
-      clock.start();
+      clock.begin_field();
       start_field(matcher, decode<FieldStart>(request.bytes));
       break;
     case Tag::update_field: {

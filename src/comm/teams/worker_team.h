@@ -18,8 +18,8 @@ std::unique_ptr<Matcher> gather_workers(Communicator& ranks);
 /// On a worker: joins its own part and those of the workers below it; gives `own` alone where there are none.
 std::unique_ptr<Matcher> gather_workers(Communicator& ranks, std::unique_ptr<Matcher> own);
 
-/// How each worker below this rank spent its time since the field was started, in the order of the ranks. To be called
-/// when they have answered everything.
+/// How each worker below this rank spent its time in the loop, in the order of the ranks. A worker's loop begins with
+/// the first field since it was asked for its times. To be called when they have answered everything.
 std::vector<WorkerTimes> gather_times(Communicator& ranks);
 
 }  // namespace tessera::comm

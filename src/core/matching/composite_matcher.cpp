@@ -18,45 +18,34 @@ void join_shortlist(std::vector<Docking>& list, std::span<const Docking> more) {
   if (list.size() > kShortlist) list.resize(kShortlist);
 }
 
+std::vector<MatcherPart*> pointers_to(const std::vector<std::unique_ptr<Matcher>>& parts) {
+  std::vector<MatcherPart*> pointers;
+  for (const auto& part : parts) pointers.push_back(part.get());
+  return pointers;
+}
+
 }  // namespace
 
-CompositeMatcher::CompositeMatcher(std::vector<std::unique_ptr<Matcher>> parts) : parts_(std::move(parts)) {
-  if (parts_.empty()) throw std::logic_error("a composite matcher needs at least one part");
+JoinedMatcher::JoinedMatcher(std::vector<MatcherPart*> parts) : parts_(std::move(parts)) {
+  if (parts_.empty()) throw std::logic_error("a joined matcher needs at least one part");
   for (std::size_t i = 1; i < parts_.size(); ++i) {
     if (parts_[i]->shapes().begin != parts_[i - 1]->shapes().end) {
-      throw std::logic_error("the shape ranges of a composite matcher's parts leave a gap");
+      throw std::logic_error("the shape ranges of a joined matcher's parts leave a gap");
     }
   }
   expect_steps();
 }
 
-void CompositeMatcher::expect_steps() {
-  counting_.clear();
-  for (const auto& part : parts_) counting_.push_back(part.get());
-}
+ShapeRange JoinedMatcher::shapes() const { return {parts_.front()->shapes().begin, parts_.back()->shapes().end}; }
 
-ShapeRange CompositeMatcher::shapes() const { return {parts_.front()->shapes().begin, parts_.back()->shapes().end}; }
-
-void CompositeMatcher::start_field(int width, int height, Vec2 origin) {
-  for (const auto& part : parts_) part->start_field(width, height, origin);
-}
-
-void CompositeMatcher::update_field(const FieldPatch& patch) {
-  for (const auto& part : parts_) part->update_field(patch);
-}
-
-void CompositeMatcher::limit(const StandingLimits& limits) {
-  for (const auto& part : parts_) part->limit(limits);
-}
-
-void CompositeMatcher::post_count(const CountRequest& request) {
-  for (const auto& part : parts_) part->post_count(request);
+void JoinedMatcher::post_count(const CountRequest& request) {
+  post_count_to_all(request);
   expect_steps();
 }
 
-bool CompositeMatcher::take_ready_steps() {
+bool JoinedMatcher::take_ready_steps() {
   bool any_ready = false;
-  std::erase_if(counting_, [&](Matcher* part) {
+  std::erase_if(counting_, [&](MatcherPart* part) {
     if (!part->step_is_ready()) return false;
     any_ready = true;
     return !part->step_count();
@@ -66,7 +55,7 @@ bool CompositeMatcher::take_ready_steps() {
 
 /// Devices of different speeds and parts need different numbers of steps: none stands idle because another one takes
 /// longer for its step.
-bool CompositeMatcher::step_count() {
+bool JoinedMatcher::step_count() {
   constexpr std::chrono::microseconds kLook{50};
   if (counting_.size() == 1) {
     if (!counting_.front()->step_count()) counting_.clear();
@@ -76,14 +65,14 @@ bool CompositeMatcher::step_count() {
   return !counting_.empty();
 }
 
-bool CompositeMatcher::step_is_ready() {
+bool JoinedMatcher::step_is_ready() {
   return counting_.empty() ||
-         std::any_of(counting_.begin(), counting_.end(), [](Matcher* part) { return part->step_is_ready(); });
+         std::any_of(counting_.begin(), counting_.end(), [](MatcherPart* part) { return part->step_is_ready(); });
 }
 
 /// Devices take all of their steps first: parts that wait for other ranks, which step by themselves, would hold them
 /// up.
-std::vector<DistanceHistogram> CompositeMatcher::take_count() {
+std::vector<DistanceHistogram> JoinedMatcher::take_count() {
   while (step_count()) {
   }
   std::vector<DistanceHistogram> sum = parts_.front()->take_count();
@@ -97,15 +86,15 @@ std::vector<DistanceHistogram> CompositeMatcher::take_count() {
   return sum;
 }
 
-void CompositeMatcher::post_dock(const DockRequest& request) {
-  expect_docks(request.samples.size());
-  for (const auto& part : parts_) part->post_dock(request);
+void JoinedMatcher::post_dock(const DockRequest& request) {
+  samples_posted_ = std::uint32_t(request.samples.size());
+  post_dock_to_all(request);
 }
 
-DockReply CompositeMatcher::take_dock() {
+DockReply JoinedMatcher::take_dock() {
   std::vector<std::vector<Docking>> of_sample(samples_posted_);
   DockReply joined;
-  for (const auto& part : parts_) {
+  for (MatcherPart* const part : parts_) {
     const DockReply reply = part->take_dock();
     joined.evaluated += reply.evaluated;
     for (auto first = reply.dockings.begin(); first != reply.dockings.end();) {
@@ -122,7 +111,7 @@ DockReply CompositeMatcher::take_dock() {
 }
 
 /// To each part the dockings of its shapes.
-void CompositeMatcher::post_divided(const std::vector<Docking>& dockings, PostTo post) {
+void JoinedMatcher::post_divided(const std::vector<Docking>& dockings, PostTo post) {
   posted_to_.assign(parts_.size(), {});
   for (const Docking& d : dockings) {
     if (!shapes().contains(d.shape)) throw std::out_of_range("a docking of a shape of no part");
@@ -140,7 +129,7 @@ void CompositeMatcher::post_divided(const std::vector<Docking>& dockings, PostTo
 }
 
 template <class Answer>
-std::vector<Answer> CompositeMatcher::take_divided(TakeFrom<Answer> take) {
+std::vector<Answer> JoinedMatcher::take_divided(TakeFrom<Answer> take) {
   std::size_t total = 0;
   for (const auto& positions : posted_to_) total += positions.size();
   std::vector<Answer> joined(total);
@@ -151,16 +140,40 @@ std::vector<Answer> CompositeMatcher::take_divided(TakeFrom<Answer> take) {
   return joined;
 }
 
-void CompositeMatcher::post_refine(const std::vector<Docking>& dockings) {
-  post_divided(dockings, &Matcher::post_refine);
+void JoinedMatcher::post_refine(const std::vector<Docking>& dockings) {
+  post_divided(dockings, &MatcherPart::post_refine);
 }
 
-std::vector<RefinedDocking> CompositeMatcher::take_refine() { return take_divided(&Matcher::take_refine); }
+std::vector<RefinedDocking> JoinedMatcher::take_refine() { return take_divided(&MatcherPart::take_refine); }
 
-void CompositeMatcher::post_measure(const std::vector<Docking>& dockings) {
-  post_divided(dockings, &Matcher::post_measure);
+void JoinedMatcher::post_measure(const std::vector<Docking>& dockings) {
+  post_divided(dockings, &MatcherPart::post_measure);
 }
 
-std::vector<DockingTerms> CompositeMatcher::take_measure() { return take_divided(&Matcher::take_measure); }
+std::vector<DockingTerms> JoinedMatcher::take_measure() { return take_divided(&MatcherPart::take_measure); }
+
+CompositeMatcher::CompositeMatcher(std::vector<std::unique_ptr<Matcher>> parts)
+    : JoinedMatcher(pointers_to(parts)),
+      parts_(std::move(parts)) {}
+
+void CompositeMatcher::start_field(int width, int height, Vec2 origin) {
+  for (const auto& part : parts_) part->start_field(width, height, origin);
+}
+
+void CompositeMatcher::update_field(const FieldPatch& patch) {
+  for (const auto& part : parts_) part->update_field(patch);
+}
+
+void CompositeMatcher::limit(const StandingLimits& limits) {
+  for (const auto& part : parts_) part->limit(limits);
+}
+
+void CompositeMatcher::post_count_to_all(const CountRequest& request) {
+  for (const auto& part : parts_) part->post_count(request);
+}
+
+void CompositeMatcher::post_dock_to_all(const DockRequest& request) {
+  for (const auto& part : parts_) part->post_dock(request);
+}
 
 }  // namespace tessera

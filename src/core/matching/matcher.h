@@ -72,19 +72,14 @@ struct RefinedDocking {
   friend bool operator==(const RefinedDocking&, const RefinedDocking&) = default;
 };
 
-class Matcher {
+/// A part of a divided library, as whoever joins the parts sees it: what only this part is asked, and all its answers.
+/// What all parts are told alike is no function of a part, as it may reach all of them at once (Matcher).
+class MatcherPart {
  public:
-  virtual ~Matcher() = default;
+  virtual ~MatcherPart() = default;
 
   virtual ShapeRange shapes() const = 0;
-  /// Begins a new free field; its first patch covers it whole. `width`, `height`: nodes; `origin`: canvas px of node
-  /// (0, 0).
-  virtual void start_field(int width, int height, Vec2 origin) = 0;
-  virtual void update_field(const FieldPatch& patch) = 0;
-  /// What may stand in the requests that follow; without it all that the context allows.
-  virtual void limit(const StandingLimits& limits) = 0;
 
-  virtual void post_count(const CountRequest& request) = 0;
   /// Takes the next step of the count that was posted, which waits for no more than this matcher's own devices, and
   /// tells whether there may be another one. take_count takes the steps that are left; without steps there are none.
   virtual bool step_count() { return false; }
@@ -92,7 +87,6 @@ class Matcher {
   virtual bool step_is_ready() { return true; }
   /// Of the samples that were not left out, in order.
   virtual std::vector<DistanceHistogram> take_count() = 0;
-  virtual void post_dock(const DockRequest& request) = 0;
   virtual DockReply take_dock() = 0;
   /// Every docking's shape must be in shapes(), its stance one of the context's.
   virtual void post_refine(const std::vector<Docking>& dockings) = 0;
@@ -102,6 +96,19 @@ class Matcher {
   virtual void post_measure(const std::vector<Docking>& dockings) = 0;
   /// The answers stand in the order of the dockings posted.
   virtual std::vector<DockingTerms> take_measure() = 0;
+};
+
+class Matcher : public MatcherPart {
+ public:
+  /// Begins a new free field; its first patch covers it whole. `width`, `height`: nodes; `origin`: canvas px of node
+  /// (0, 0).
+  virtual void start_field(int width, int height, Vec2 origin) = 0;
+  virtual void update_field(const FieldPatch& patch) = 0;
+  /// What may stand in the requests that follow; without it all that the context allows.
+  virtual void limit(const StandingLimits& limits) = 0;
+
+  virtual void post_count(const CountRequest& request) = 0;
+  virtual void post_dock(const DockRequest& request) = 0;
 };
 
 /// The bin of a PAD distance below beta.

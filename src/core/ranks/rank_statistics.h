@@ -16,8 +16,8 @@ struct MessageCount {
   friend bool operator==(const MessageCount&, const MessageCount&) = default;
 };
 
-/// A worker between the start of the field and the end of the loop. The stages add up to loop_s; those of a worker that
-/// passes questions on last until the workers below it have answered.
+/// A worker between the start of the first field and the end of the loop: all regions, and all attempts at sizes. The
+/// stages add up to loop_s; those of a worker that passes questions on last until the workers below it have answered.
 struct WorkerTimes {
   double count_s = 0;
   double dock_s = 0;

@@ -1,11 +1,10 @@
-// A matcher on other ranks behaves as it does here: the same requests reach it, the same replies come back, and its
-// errors too.
-#include "comm/teams/remote_matcher.h"
+// A matcher on other ranks behaves as it does on this rank: the same requests reach it, and the same replies and errors
+// come back.
+#include "comm/teams/worker_team.h"
 
 #include <gtest/gtest.h>
 
 #include "comm/teams/worker_server.h"
-#include "comm/teams/worker_team.h"
 #include "core/base/error.h"
 #include "core/matching/reference_matcher.h"
 #include "idle_replacer.h"
@@ -14,7 +13,7 @@
 #include "support/matcher_round.h"
 
 namespace tessera::comm {
-namespace test_remote_matcher {
+namespace test_worker_team {
 
 using tessera::test::MatchingScene;
 using tessera::test::Round;
@@ -130,14 +129,14 @@ void with_echo_team(const std::function<void(Matcher&)>& master) {
   with_team(master, [](Communicator& c) { return std::make_unique<EchoMatcher>(part_of(kEchoShapes, c)); });
 }
 
-TEST(RemoteMatcher, KnowsTheWorkersShapes) {
+TEST(WorkerTeam, KnowsTheWorkersShapes) {
   with_echo_team([](Matcher& team) {
     EXPECT_EQ(team.shapes().begin, 0u);
     EXPECT_EQ(team.shapes().end, kEchoShapes);
   });
 }
 
-TEST(RemoteMatcher, CountsReachAllWorkersAndAreAdded) {
+TEST(WorkerTeam, CountsReachAllWorkersAndAreAdded) {
   with_echo_team([](Matcher& team) {
     team.post_count(count_of_edges({7}));
     const auto counts = team.take_count();
@@ -150,7 +149,7 @@ TEST(RemoteMatcher, CountsReachAllWorkersAndAreAdded) {
 }
 
 /// The samples are told once.
-TEST(RemoteMatcher, CountsGoOnWithTheSamplesOfTheLastOne) {
+TEST(WorkerTeam, CountsGoOnWithTheSamplesOfTheLastOne) {
   with_echo_team([](Matcher& team) {
     team.post_count(count_of_edges({7, 8, 11}));
     const std::uint32_t workers = team.take_count().at(0)[0] / 7;
@@ -162,7 +161,45 @@ TEST(RemoteMatcher, CountsGoOnWithTheSamplesOfTheLastOne) {
   });
 }
 
-TEST(RemoteMatcher, DockingsSeeTheFieldAsItWasWhenPosted) {
+/// Counts in three steps.
+class SteppingMatcher : public EchoMatcher {
+ public:
+  using EchoMatcher::EchoMatcher;
+  void post_count(const CountRequest& request) override {
+    EchoMatcher::post_count(request);
+    steps_left_ = 3;
+  }
+  bool step_count() override { return --steps_left_ > 0; }
+  std::vector<DistanceHistogram> take_count() override {
+    EXPECT_EQ(steps_left_, 0);
+    return EchoMatcher::take_count();
+  }
+
+ private:
+  int steps_left_ = 0;
+};
+
+TEST(WorkerTeam, OwnDevicesTakeAllStepsOfEveryCountWhileTheWorkersCount) {
+  on_all_ranks([](Communicator& ranks) {
+    if (ranks.size() == 1) return;
+    run_job(
+        ranks,
+        [](Communicator& c) {
+          const ShapeRange own{kEchoShapes, kEchoShapes + 1};
+          const auto team = gather_workers(c, std::make_unique<SteppingMatcher>(own));
+          for (int count = 0; count < 2; ++count) {
+            team->post_count(count_of_edges({7}));
+            EXPECT_EQ(team->take_count().at(0)[1], kEchoShapes + 1);
+          }
+          return 0;
+        },
+        [](Communicator& c) {
+          serve(c, std::make_unique<EchoMatcher>(part_of(kEchoShapes, c)), std::make_unique<IdleReplacer>());
+        });
+  });
+}
+
+TEST(WorkerTeam, DockingsSeeTheFieldAsItWasWhenPosted) {
   with_echo_team([](Matcher& team) {
     team.start_field(30, 20, {-5.5f, 2.f});
     team.update_field({{0, 0, 30, 20}, std::vector<float>(600, 1.f)});
@@ -178,7 +215,7 @@ TEST(RemoteMatcher, DockingsSeeTheFieldAsItWasWhenPosted) {
   });
 }
 
-TEST(RemoteMatcher, LimitsReachAllWorkers) {
+TEST(WorkerTeam, LimitsReachAllWorkers) {
   with_echo_team([](Matcher& team) {
     team.start_field(30, 20, {});
     team.limit({0, 1, 50.f, {ShapeId{0}, ShapeId{3}}});
@@ -187,7 +224,7 @@ TEST(RemoteMatcher, LimitsReachAllWorkers) {
   });
 }
 
-TEST(RemoteMatcher, RefinedDockingsComeBackInTheOrderPosted) {
+TEST(WorkerTeam, RefinedDockingsComeBackInTheOrderPosted) {
   with_echo_team([](Matcher& team) {
     std::vector<Docking> dockings(9);
     for (std::uint32_t i = 0; i < dockings.size(); ++i) {
@@ -203,7 +240,7 @@ TEST(RemoteMatcher, RefinedDockingsComeBackInTheOrderPosted) {
   });
 }
 
-TEST(RemoteMatcher, AQuestionMayBePostedBeforeTheLastOneIsTaken) {
+TEST(WorkerTeam, AQuestionMayBePostedBeforeTheLastOneIsTaken) {
   with_echo_team([](Matcher& team) {
     team.post_count(count_of_edges({3, 4, 5}));
     team.post_refine(std::vector<Docking>(100000));
@@ -212,7 +249,7 @@ TEST(RemoteMatcher, AQuestionMayBePostedBeforeTheLastOneIsTaken) {
   });
 }
 
-TEST(RemoteMatcher, LargeMessagesBothWaysDoNotLockUp) {
+TEST(WorkerTeam, LargeMessagesBothWaysDoNotLockUp) {
   constexpr int kNodes = 5000;  // of a field of 100 MB
   constexpr std::uint32_t kShapes = 60;
   on_all_ranks([](Communicator& ranks) {
@@ -244,7 +281,7 @@ class FailingMatcher : public EchoMatcher {
   void post_dock(const DockRequest&) override { throw EnvironmentError("the device was lost"); }
 };
 
-TEST(RemoteMatcher, AWorkersErrorReachesWhoeverTakes) {
+TEST(WorkerTeam, AWorkersErrorReachesWhoeverTakes) {
   on_all_ranks([](Communicator& ranks) {
     if (ranks.size() == 1) return;
     const auto outcome = run_job(
@@ -268,7 +305,7 @@ TEST(RemoteMatcher, AWorkersErrorReachesWhoeverTakes) {
   });
 }
 
-TEST(RemoteMatcher, AWorkerThatCannotStartEndsTheJob) {
+TEST(WorkerTeam, AWorkerThatCannotStartEndsTheJob) {
   on_all_ranks([](Communicator& ranks) {
     if (ranks.size() == 1) return;
     const auto outcome = run_job(
@@ -290,7 +327,7 @@ ReferenceMatcher reference_matcher(const MatchingScene& scene, ShapeRange range)
   return {scene.context, range.begin, {scene.models.begin() + range.begin, scene.models.begin() + range.end}};
 }
 
-TEST(RemoteMatcher, PartsOfTheLibraryOnAnyNumberOfRanksAnswerAsTheWhole) {
+TEST(WorkerTeam, PartsOfTheLibraryOnAnyNumberOfRanksAnswerAsTheWhole) {
   const MatchingScene scene = tessera::test::make_scene();
   const std::uint32_t shapes = std::uint32_t(scene.models.size());
   ReferenceMatcher whole = reference_matcher(scene, {0, shapes});
@@ -307,5 +344,5 @@ TEST(RemoteMatcher, PartsOfTheLibraryOnAnyNumberOfRanksAnswerAsTheWhole) {
       });
 }
 
-}  // namespace test_remote_matcher
+}  // namespace test_worker_team
 }  // namespace tessera::comm
