@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "core/field/free_field.h"
+#include "core/field/opened_field.h"
 #include "core/field/target_curve.h"
 #include "core/matching/reference_matcher.h"
 #include "support/synthetic_library.h"

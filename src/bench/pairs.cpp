@@ -8,6 +8,7 @@
 #include "bench/inputs/varied_shapes.h"
 #include "bench/timing.h"
 #include "core/field/free_field.h"
+#include "core/field/opened_field.h"
 #include "core/field/target_curve.h"
 #include "core/matching/match_round.h"
 #include "core/matching/pair_limits.h"

@@ -6,6 +6,7 @@
 
 #include "core/base/run_statistics.h"
 #include "core/field/free_field.h"
+#include "core/field/opened_field.h"
 #include "core/field/target_curve.h"
 #include "core/geometry/smoothing_spline.h"
 #include "core/matching/match_round.h"

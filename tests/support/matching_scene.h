@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/field/free_field.h"
+#include "core/field/opened_field.h"
 #include "core/field/target_curve.h"
 #include "core/matching/matching_context.h"
 #include "core/shape/shape_builder.h"

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/field/free_field.h"
+#include "core/field/opened_field.h"
 #include "core/geometry/similarity.h"
 #include "core/matching/docking_terms.h"
 #include "core/settings/settings.h"

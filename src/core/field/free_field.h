@@ -67,31 +67,4 @@ class FreeField {
   std::int64_t free_256ths_px2_ = 0;
 };
 
-/// What the target curve is traced on, and where target samples are worth having.
-class OpenedField {
- public:
-  OpenedField(const FreeField& free, const PieceSettings& pieces);
-
-  /// Recomputes all that depends on the nodes of `changed`; returns the nodes of the result that may have changed.
-  Window update(const FreeField& free, const Window& changed);
-
-  const PeriodicGrid& grid() const { return grid_; }
-  /// The free field opened by discs of opening_radius_px: positive where such a disc fits over the node. It is valid at
-  /// grid().with_next_nodes().
-  const Grid<float>& contour() const { return contour_; }
-  /// Whether a disc of reachable_radius_px fits over the node or touches it.
-  bool reachable(int x, int y) const { return reachable_(grid_.column(x), grid_.row(y)) != 0; }
-
- private:
-  void open(const Grid<float>& distance, const Window& window);
-  void mark_reachable(const Grid<float>& distance, const Window& window);
-
-  PeriodicGrid grid_;
-  float opening_px_;
-  float reachable_px_;
-  Grid<float> contour_;
-  Grid<std::uint8_t> reachable_;
-  Grid<float> to_middle_;  // from each node of the largest disc that is drawn
-};
-
 }  // namespace tessera

@@ -10,8 +10,8 @@
 #include <map>
 #include <vector>
 
-#include "core/field/free_field.h"
 #include "core/field/linked_contour.h"
+#include "core/field/opened_field.h"
 #include "core/field/target_sample.h"
 #include "core/geometry/tile_index.h"
 #include "core/pad/pad.h"

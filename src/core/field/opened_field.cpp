@@ -1,0 +1,88 @@
+#include "core/field/opened_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/bit_grid.h"
+#include "core/settings/tuning.h"
+
+namespace tessera {
+namespace {
+
+/// A rejected node of the contour field: a little below zero, so that the traced line stays close to the last good
+/// node.
+constexpr float kClosed = -0.3f;
+/// Discs are centred on nodes whose distance is the radius or up to this much more.
+constexpr float kDiscBand_px = 1.5f;
+
+/// Of the nodes up to `reach` from the one in the middle, both ways.
+Grid<float> distances_to_middle(int reach) {
+  Grid<float> distances(2 * reach + 1, 2 * reach + 1);
+  for (int y = -reach; y <= reach; ++y) {
+    for (int x = -reach; x <= reach; ++x) distances(x + reach, y + reach) = std::sqrt(float(x * x + y * y));
+  }
+  return distances;
+}
+
+}  // namespace
+
+OpenedField::OpenedField(const FreeField& free, const PieceSettings& pieces)
+    : grid_(free.grid()),
+      opening_px_(opening_radius_px(pieces)),
+      reachable_px_(reachable_radius_px(pieces)),
+      contour_(free.field().value.width(), free.field().value.height(), kClosed),
+      reachable_(contour_.width(), contour_.height(), 0),
+      to_middle_(distances_to_middle(int(opening_px_ + kDiscBand_px) + 2)) {
+  update(free, contour_.bounds());
+}
+
+Window OpenedField::update(const FreeField& free, const Window& changed) {
+  const Grid<float>& distance = free.field().value;
+  const int reach = int(2 * std::max(opening_px_, reachable_px_)) + 5;
+  const Window window = grid_.clipped(changed.grown(reach));
+  for (const Window& part : grid_.images(window, grid_.one_period())) {
+    open(distance, part);
+    mark_reachable(distance, part);
+  }
+  grid_.spread(contour_, window, grid_.with_next_nodes());
+  return window;
+}
+
+void OpenedField::open(const Grid<float>& distance, const Window& window) {
+  for (int y = window.y0; y < window.y1; ++y) {
+    for (int x = window.x0; x < window.x1; ++x) {
+      const float d = distance(x, y);
+      contour_(x, y) = d > opening_px_ + kDiscBand_px ? d : std::min(d, kClosed);
+    }
+  }
+  // The union of discs round all nodes at least opening_px deep is that round the shallowest of them, plus the core.
+  const Window centres = window.grown(to_middle_.width() / 2).intersected(distance.bounds());
+  for (int y = centres.y0; y < centres.y1; ++y) {
+    for (int x = centres.x0; x < centres.x1; ++x) {
+      const float d = distance(x, y);
+      if (d < opening_px_ || d > opening_px_ + kDiscBand_px) continue;
+      const int r = int(d) + 2;
+      const Window disc = Window{x - r, y - r, x + r + 1, y + r + 1}.intersected(window);
+      for (int b = disc.y0; b < disc.y1; ++b) {
+        const float* to_middle = to_middle_.row(b - y + to_middle_.height() / 2);
+        const int middle = to_middle_.width() / 2;
+        float* row = contour_.row(b);
+        for (int a = disc.x0; a < disc.x1; ++a) row[a] = std::max(row[a], d - to_middle[a - x + middle]);
+      }
+    }
+  }
+}
+
+void OpenedField::mark_reachable(const Grid<float>& distance, const Window& window) {
+  const int reach = int(reachable_px_) + 3;
+  const Window around = window.grown(reach).intersected(distance.bounds());
+  const float limit = (reachable_px_ + 1) * (reachable_px_ + 1);
+  const BitGrid near = dilated_by_disc(nodes_above(distance, around, reachable_px_), limit);
+  for (int y = window.y0; y < window.y1; ++y) {
+    for (int x = window.x0; x < window.x1; ++x) {
+      reachable_(x, y) = near.test(x - around.x0, y - around.y0) && distance(x, y) > -1;
+    }
+  }
+}
+
+}  // namespace tessera
