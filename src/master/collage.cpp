@@ -10,6 +10,7 @@
 #include "core/geometry/extent.h"
 #include "core/settings/tuning.h"
 #include "core/shape/shape_field.h"
+#include "master/rules/acceptance.h"
 
 namespace tessera::master {
 namespace {
@@ -77,17 +78,17 @@ Collage::Collage(const Canvas& canvas, const CollageSettings& settings, const Ma
       outlines_(free_, settings.pieces),
       scoring_(settings, context.stances, silhouettes_of(shapes, context.library_shapes), canvas.period,
                drawings_of(shapes, context.library_shapes)),
-      rules_(context, settings.pieces, scoring_, shapes, size_factor),
+      open_shapes_(context, settings.pieces, scoring_, shapes, size_factor),
       apart_(settings, shapes, canvas.period),
-      settling_(shapes, free_, outlines_, rules_.context()),
+      settling_(shapes, free_, outlines_, open_shapes_.context()),
       schedule_(free_, curve_, growth_),
       changed_nodes_(free_.field().value.bounds()) {
   retrace(changed_nodes_);
-  update_rules();
+  update_open_shapes();
 }
 
 void Collage::begin(std::vector<Placement> standing, std::size_t given, std::uint32_t region) {
-  rules_.begin(region, given);
+  open_shapes_.begin(region, given);
   replace_placements(std::move(standing));
   schedule_.mark(free_.field().value.bounds());
 }
@@ -98,13 +99,13 @@ std::vector<ShapeId> Collage::shut_out_shapes() const {
   return apart_.shut_out(context().library_shapes, [this](const auto& holds) { return curve_.any_position(holds); });
 }
 
-/// They follow from the placements: whatever came and went, the same may stand.
-void Collage::update_rules() {
+/// The open shapes follow from the placements: whatever came and went, the same may stand.
+void Collage::update_open_shapes() {
   if (!scoring_.limits_uses() && !apart_.matters()) return;
-  if (!rules_.update(shut_out_shapes(), double(free_.free_256ths_px2()) / 256)) return;
+  if (!open_shapes_.update(shut_out_shapes(), double(free_.free_256ths_px2()) / 256)) return;
   std::vector<SampleId> ids;
   for (const auto& [id, entry] : pool_.entries()) ids.push_back(id);
-  for (const SampleId id : ids) review(id, [this](const Candidate& c) { return rules_.may_stand(c); });
+  for (const SampleId id : ids) review(id, [this](const Candidate& c) { return open_shapes_.allows(c); });
 }
 
 Window Collage::take_changed_nodes() {
@@ -130,7 +131,7 @@ void Collage::add_candidates(const std::vector<TargetSample>& samples, const Mat
     candidate.terms = refined.terms;
     candidate.perimeter = refined.perimeter;
     candidate.radius = refined.radius;
-    if (!scoring_.may_use(docking.shape) || !scoring_.acceptable(candidate) || !keeps_apart(candidate)) continue;
+    if (!scoring_.may_use(docking.shape) || !acceptable(candidate) || !keeps_apart(candidate)) continue;
     if (!fits_into(free_.grid().period(), refined.extent)) continue;
     candidate.score = score(candidate);
     candidate.window = nodes_round(refined.extent, free_.field().origin, context().gap_px + kWindowMargin_px);
@@ -153,7 +154,7 @@ Window Collage::place(const Candidate& candidate) {
   changed_nodes_ = free_.grid().united(changed_nodes_, changed);
   retrace(changed);
   drop_what_is_too_near_to(placements_.back());
-  update_rules();
+  update_open_shapes();
   return piece_window(shape.outline, candidate.canvas_from_shape, free_.field().origin,
                       2 + kept_distance_px(settings_.pieces));
 }
@@ -177,7 +178,7 @@ Window Collage::replace_placements(std::vector<Placement> placements) {
   const Window restamped = restamp(changed);
   changed_nodes_ = free_.grid().united(changed_nodes_, restamped);
   retrace(restamped);
-  update_rules();
+  update_open_shapes();
   Window window;
   for (const Placement& p : changed) {
     window = free_.grid().united(
@@ -271,7 +272,7 @@ void Collage::rescore(const Window& changed, const std::vector<DockingTerms>& te
       if (!free_.grid().overlap(changed, c.window)) return true;
       if (measured == terms.end()) throw std::logic_error("fewer candidates were measured than touched");
       c.terms = *measured++;
-      if (!scoring_.acceptable(c)) return false;
+      if (!acceptable(c)) return false;
       c.score = score(c);
       c.exact = false;
       return true;

@@ -15,6 +15,7 @@
 #include "core/collage/wide_gap.h"
 #include "core/field/canvas.h"
 #include "core/field/free_field.h"
+#include "core/field/opened_field.h"
 #include "core/field/target_curve.h"
 #include "core/matching/match_round.h"
 #include "core/matching/matching_context.h"
@@ -22,9 +23,9 @@
 #include "core/shape/shape_source.h"
 #include "master/exact_checks.h"
 #include "master/rules/kept_apart.h"
+#include "master/rules/open_shapes.h"
 #include "master/rules/outward_growth.h"
 #include "master/rules/scoring.h"
-#include "master/rules/standing_rules.h"
 #include "master/sample_schedule.h"
 #include "master/settling.h"
 
@@ -43,8 +44,8 @@ class Collage {
   /// Begins with these pieces, of which the first `given` stand to the end, in this region of the canvas.
   void begin(std::vector<Placement> standing, std::size_t given, std::uint32_t region);
 
-  /// What may stand for the moment; it follows from the placements.
-  const StandingRules& rules() const { return rules_; }
+  /// Which shapes may come in for the moment; it follows from the placements.
+  const OpenShapes& open_shapes() const { return open_shapes_; }
   /// Which target samples are to be matched.
   SampleSchedule& schedule() { return schedule_; }
 
@@ -118,14 +119,14 @@ class Collage {
   std::vector<ShapeId> shapes_for_gap_in(const Window& window);
   bool needs_first_piece() const;
   bool choose_first(Candidate& first, const StopCheck& check_stop);
-  const MatchingContext& context() const { return rules_.context(); }
+  const MatchingContext& context() const { return open_shapes_.context(); }
   float score(const Candidate& candidate) const;
   ExactAreas check_exactly(Candidate& candidate);
   enum class Settled { unfit, touches_little, fit };
   Settled settle(Candidate& candidate);
   Window stamp_window(const Placement& placement);
   Window restamp(const std::vector<Placement>& changed);
-  void update_rules();
+  void update_open_shapes();
   bool keeps_apart(const Candidate& candidate);
   std::vector<ShapeId> shut_out_shapes() const;
   void drop_what_is_too_near_to(const Placement& placement);
@@ -146,7 +147,7 @@ class Collage {
   PlacedOutlines outlines_;            // of the placements
   std::map<ShapeId, HullRoom> rooms_;  // of shapes that were looked at
   Scoring scoring_;
-  StandingRules rules_;
+  OpenShapes open_shapes_;
   KeptApart apart_;
   Settling settling_;
   std::optional<OutwardGrowth> growth_;

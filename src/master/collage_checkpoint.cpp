@@ -46,16 +46,16 @@ bool sane(const Window& window, const Window& canvas) {
 class StateChecks {
  public:
   /// All arguments outlive the checks.
-  StateChecks(const CheckpointState& state, const CollageSettings& settings, const StandingRules& rules,
+  StateChecks(const CheckpointState& state, const CollageSettings& settings, const OpenShapes& open_shapes,
               const FreeField& free)
       : state_(state),
         settings_(settings),
-        rules_(rules),
+        open_shapes_(open_shapes),
         free_(free),
         frees_given_pieces_(settings.wishes.given.size() > settings.wishes.locked()) {}
 
   void check_pieces() const {
-    const std::size_t any_size = frees_given_pieces_ ? state_.placements.size() : rules_.given();
+    const std::size_t any_size = frees_given_pieces_ ? state_.placements.size() : open_shapes_.given();
     for (std::size_t i = 0; i < state_.placements.size(); ++i) {
       check_piece(state_.placements[i].shape, state_.placements[i].canvas_from_shape, i < any_size);
     }
@@ -77,7 +77,7 @@ class StateChecks {
 
  private:
   void check_piece(ShapeId shape, const Similarity& pose, bool any_size) const {
-    const std::uint32_t shapes = rules_.context().library_shapes;
+    const std::uint32_t shapes = open_shapes_.context().library_shapes;
     if (index_of(shape) >= shapes) {
       fail(state_, "shape " + std::to_string(index_of(shape)) + " of " + std::to_string(shapes));
     }
@@ -86,7 +86,8 @@ class StateChecks {
 
   void check_candidate(const Candidate& c) const {
     check_piece(c.shape, c.canvas_from_shape, false);
-    if (c.stance >= rules_.stances().stances().size()) fail(state_, "a way of standing that the job does not know");
+    if (c.stance >= open_shapes_.stances().stances().size())
+      fail(state_, "a way of standing that the job does not know");
     if (!sane(c.window, free_.field().value.bounds()) || !sane(c.perimeter, c.radius)) {
       fail(state_, "a candidate out of all proportion");
     }
@@ -96,7 +97,7 @@ class StateChecks {
   void check_moving() const {
     const std::vector<Placement>& moving = state_.loop.moving;
     if (moving.empty()) return;
-    const std::size_t given = rules_.given();
+    const std::size_t given = open_shapes_.given();
     if (state_.loop.phase != LoopPhase::replacing || moving.size() < given ||
         !std::equal(moving.begin(), moving.begin() + std::ptrdiff_t(given), state_.placements.begin())) {
       fail(state_, "pieces move that may not");
@@ -111,7 +112,7 @@ class StateChecks {
   void check_best() const {
     const std::vector<Placement>& best = state_.best.placements;
     for (const Placement& p : best) {
-      if (index_of(p.shape) >= rules_.context().library_shapes || !sane(p.canvas_from_shape)) {
+      if (index_of(p.shape) >= open_shapes_.context().library_shapes || !sane(p.canvas_from_shape)) {
         fail(state_, "a piece of an attempt out of all proportion");
       }
     }
@@ -121,7 +122,7 @@ class StateChecks {
   /// Without the pieces that are given.
   void check_cover(const std::vector<Placement>& pieces, const char* what) const {
     double area_px2 = 0;
-    for (std::size_t i = rules_.given(); i < pieces.size(); ++i) {
+    for (std::size_t i = open_shapes_.given(); i < pieces.size(); ++i) {
       const double scale_px = pieces[i].canvas_from_shape.scale();
       area_px2 += scale_px * scale_px;
     }
@@ -131,7 +132,7 @@ class StateChecks {
 
   const CheckpointState& state_;
   const CollageSettings& settings_;
-  const StandingRules& rules_;
+  const OpenShapes& open_shapes_;
   const FreeField& free_;
   bool frees_given_pieces_;  // improving may have moved some of them
 };
@@ -139,7 +140,7 @@ class StateChecks {
 }  // namespace
 
 void Collage::save(CheckpointState& state) const {
-  state.given = std::uint32_t(rules_.given());
+  state.given = std::uint32_t(open_shapes_.given());
   state.placements = placements_;
   for (const auto& [id, entry] : pool_.entries()) state.pool.push_back({id, entry.truncated, entry.candidates});
   std::sort(state.pool.begin(), state.pool.end(),
@@ -150,7 +151,7 @@ void Collage::save(CheckpointState& state) const {
 }
 
 void Collage::restore(const CheckpointState& state) {
-  const StateChecks checks(state, settings_, rules_, free_);
+  const StateChecks checks(state, settings_, open_shapes_, free_);
   checks.check_pieces();
   replace_placements(state.placements);
   checks.check_samples(curve_);

@@ -6,6 +6,7 @@
 #include "core/base/stop.h"
 #include "core/settings/tuning.h"
 #include "master/collage.h"
+#include "master/rules/acceptance.h"
 
 namespace tessera::master {
 namespace {
@@ -60,9 +61,10 @@ Collage::Settled Collage::settle(Candidate& candidate) {
   candidate.canvas_from_shape = free_.grid().period().wrapped(candidate.canvas_from_shape);
   candidate.terms = docking_terms(candidate.canvas_from_shape, shapes_.model(candidate.shape), free_.view(), context());
   const ExactAreas areas = check_exactly(candidate);
-  if (!scoring_.overlaps_little(candidate) || !scoring_.overlaps_little(candidate, areas) || !keeps_apart(candidate))
-    return Settled::unfit;
-  return scoring_.touches(candidate) ? Settled::fit : Settled::touches_little;
+  const bool shows_overlap =
+      !overlaps_little(candidate) || !overlaps_little(candidate, areas, settings_.pieces.padding_px);
+  if (shows_overlap || !keeps_apart(candidate)) return Settled::unfit;
+  return touches(candidate) ? Settled::fit : Settled::touches_little;
 }
 
 const HullRoom& Collage::room_of(ShapeId shape) {
@@ -136,7 +138,8 @@ bool Collage::choose_in_gap(Candidate& best, const Window& window, const StopChe
 /// Where the canvas repeats both ways there is no boundary until something stands, and what grows outward docks to
 /// none.
 bool Collage::needs_first_piece() const {
-  if (placements_.size() != rules_.given() || !(growth_ || free_.grid().period().repeats_both_ways())) return false;
+  if (placements_.size() != open_shapes_.given() || !(growth_ || free_.grid().period().repeats_both_ways()))
+    return false;
   return !schedule_.any_may_dock();
 }
 

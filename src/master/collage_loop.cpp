@@ -2,14 +2,14 @@
 #include "master/collage_loop.h"
 
 #include "core/base/stop.h"
-#include "master/loop_steps.h"
+#include "master/loop_run.h"
 
 namespace tessera::master {
 namespace {
 
 /// Places piece after piece until none fits or a limit of the job is reached (paper, section 4 and Fig. 15). With
 /// fit = "all" it begins again at other sizes, until it knows at which sizes every wanted piece finds a place.
-void fill_region(LoopSteps& run) {
+void fill_region(LoopRun& run) {
   if (run.moves_given_pieces_only()) return run.end_filling();
   for (;;) {
     if (run.attempt_is_decided() && run.regions().begin_other_sizes()) continue;
@@ -24,13 +24,13 @@ void fill_region(LoopSteps& run) {
 }
 
 /// Goes beyond the greedy paper: trials replace pieces or move all of them, and what covers more is kept.
-void improve_region(LoopSteps& run) { run.improving_phase().run(); }
+void improve_region(LoopRun& run) { run.improve(); }
 
 }  // namespace
 
 CollageResult make_collage(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher, ShapeSource& shapes,
                            Observer& observer, const Checkpoints& checkpoints, Replacer* replacer) {
-  LoopSteps run(canvas, settings, matcher, shapes, observer, checkpoints, replacer);
+  LoopRun run(canvas, settings, matcher, shapes, observer, checkpoints, replacer);
   try {
     do {  // a checkpoint may lie in either phase
       if (run.is_filling()) fill_region(run);

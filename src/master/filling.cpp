@@ -1,7 +1,6 @@
 // Rounds: place_one() comes first, then its steps match, choose and merge.
 #include "master/filling.h"
 
-#include <optional>
 #include <utility>
 
 #include "core/base/processor_time.h"
@@ -64,26 +63,44 @@ bool Filling::choose(Candidate& best) {
   return found;
 }
 
+/// Where the matcher was interrupted the piece stands already: the round ends before the interruption goes on.
 void Filling::merge(const Candidate& best) {
+  const Window changed = place(best);
+  const Remeasured now = measure(changed);
+  rescore(changed, now.terms);
+  ++statistics_->rounds;
+  if (now.interrupted) throw *now.interrupted;
+}
+
+Window Filling::place(const Candidate& best) {
   Stopwatch watch;
   const Window changed = collage_.place(best);
-  std::optional<Interrupted> interrupted;
-  std::vector<DockingTerms> terms;
+  statistics_->merge_s += watch.lap();
+  return changed;
+}
+
+/// Measures the candidates that the new piece touches. Where the matcher is interrupted the master does so by itself.
+Filling::Remeasured Filling::measure(const Window& changed) {
+  Stopwatch watch;
+  Remeasured now;
   try {
     send_changes();
     const std::vector<Docking> touched = collage_.touched_by(changed);
     statistics_->merge_s += watch.lap();
     matcher_.post_measure(touched);
-    terms = matcher_.take_measure();
-  } catch (const Interrupted& interruption) {  // the piece stands already: the round ends without the matcher
-    interrupted = interruption;
-    terms = collage_.measure(collage_.touched_by(changed));
+    now.terms = matcher_.take_measure();
+  } catch (const Interrupted& interruption) {
+    now.interrupted = interruption;
+    now.terms = collage_.measure(collage_.touched_by(changed));
   }
   statistics_->dock_s += watch.lap();
+  return now;
+}
+
+void Filling::rescore(const Window& changed, const std::vector<DockingTerms>& terms) {
+  Stopwatch watch;
   collage_.rescore(changed, terms);
   statistics_->merge_s += watch.lap();
-  ++statistics_->rounds;
-  if (interrupted) throw *interrupted;
 }
 
 Filling::Filling(Collage& collage, const MatchingContext& context, const CollageSettings& settings, Matcher& matcher,
@@ -138,8 +155,8 @@ bool Filling::choose_in_gap(Candidate& best) {
 }
 
 void Filling::send_changes() {
-  const StandingRules& rules = collage_.rules();
-  if (std::exchange(sent_version_, rules.version()) != rules.version()) matcher_.limit(rules.limits());
+  const OpenShapes& open = collage_.open_shapes();
+  if (std::exchange(sent_version_, open.version()) != open.version()) matcher_.limit(open.limits());
   const FreeField& free = collage_.free();
   for (const Window& part : free.grid().images(collage_.take_changed_nodes(), free.grid().nodes())) {
     matcher_.update_field(read_patch(free.field().value, part));

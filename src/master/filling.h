@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "core/base/stop.h"
 #include "core/matching/matcher.h"
@@ -11,7 +13,8 @@ namespace tessera::master {
 
 class Filling {
  public:
-  /// Adds to the counters and times of `statistics`. `check_stop` is called while the master computes by itself, and may
+  /// Begins a new field in the matcher, which tells all workers (Matcher::start_field). Adds to the counters and times
+  /// of `statistics`. `check_stop` is called while the master computes by itself, and may
   /// throw what it likes to end that.
   Filling(Collage& collage, const MatchingContext& context, const CollageSettings& settings, Matcher& matcher,
           RunStatistics& statistics, StopCheck check_stop = never_stop);
@@ -35,10 +38,19 @@ class Filling {
   void count_into(RunStatistics& statistics) { statistics_ = &statistics; }
 
  private:
+  /// The terms of the candidates that a new piece touches, in the order of Collage::touched_by.
+  struct Remeasured {
+    std::vector<DockingTerms> terms;
+    std::optional<Interrupted> interrupted = {};  // while the matcher was asked
+  };
+
   bool find(Candidate& best);
   void match_samples();
   bool choose(Candidate& best);
   void merge(const Candidate& best);
+  Window place(const Candidate& best);
+  Remeasured measure(const Window& changed);
+  void rescore(const Window& changed, const std::vector<DockingTerms>& terms);
   bool may_match_again();
   MatchPlan plan();
   void check_ahead();
@@ -52,7 +64,7 @@ class Filling {
   std::uint64_t library_pads_ = 0;
   MatchPlan usual_plan_;
   int most_empty_passes_;           // none without tangent dockings: PADs alone would give what they gave before
-  std::uint64_t sent_version_ = 0;  // of the rules, that the matcher knows; it may have those of another collage still
+  std::uint64_t sent_version_ = 0;  // of the limits that the matcher knows; it may still know those of another collage
   Window region_;
   int empty_passes_ = 0;
 };

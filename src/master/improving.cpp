@@ -63,14 +63,14 @@ Improving::Improving(Collage& collage, Filling& filling, const CollageSettings& 
       filling_(filling),
       shapes_(shapes),
       relaxing_(collage.free(), settings, shapes,
-                [&collage](const Placement& p) { return collage.rules().poses_of(p); }),
+                [&collage](const Placement& p) { return collage.open_shapes().poses_of(p); }),
       relax_(pays_to_relax(settings)),
       trials_per_relaxation_(trials_per_relaxation(area_px2, settings.pieces)),
       pieces_(settings.pieces),
       dwarf_loss_(kDwarfLoss * double(balance_of(settings.objective))),
       off_colour_(settings.colour, shapes),
       repetition_(pays_to_replace(settings)
-                      ? repetition_costs(settings, count_drawings(collage.rules().stances(), shapes), area_px2)
+                      ? repetition_costs(settings, count_drawings(collage.open_shapes().stances(), shapes), area_px2)
                       : RepetitionCosts{}),
       seed_(settings.seed),
       most_scale_px_(settings.pieces.fit_all ? std::numeric_limits<float>::infinity()
@@ -82,7 +82,7 @@ std::vector<std::size_t> Improving::pieces_near(Vec2 gap_px) const {
   constexpr float kDiscRadius = 0.5642f;  // of area 1
   std::vector<std::pair<float, std::size_t>> nearest;
   const std::vector<Placement>& placements = collage_.placements();
-  for (std::size_t i = collage_.rules().given(); i < placements.size(); ++i) {
+  for (std::size_t i = collage_.open_shapes().given(); i < placements.size(); ++i) {
     const Similarity& pose = placements[i].canvas_from_shape;
     if (pose.scale() > most_scale_px_) continue;
     const Vec2 gap = collage_.free().grid().period().nearest(gap_px, pose.translation());
@@ -156,7 +156,8 @@ void Improving::recreate(std::uint32_t trial, const StopCheck& check_stop) {
 
 void Improving::relax_all(const std::vector<Placement>& from, std::span<const RelaxationSchedule> schedules,
                           std::uint32_t trial, const StopCheck& check_stop) {
-  filling_.start(collage_.replace_placements(relaxing_.relaxed(from, collage_.rules().given(), schedules, check_stop)));
+  filling_.start(
+      collage_.replace_placements(relaxing_.relaxed(from, collage_.open_shapes().given(), schedules, check_stop)));
   collage_.schedule().set_first_pass(kPassesPerTrial * trial);
   fill(check_stop);
 }
@@ -180,7 +181,7 @@ Trial Improving::come_to_rest(const std::vector<Placement>& placements, std::uin
 Trial Improving::try_with(const std::function<void()>& change, const StopCheck& check_stop) {
   const std::vector<Placement> before = collage_.placements();
   const std::int64_t loss_before = loss_256ths_px2();
-  const std::uint64_t missing_before = collage_.rules().shortage().pieces;
+  const std::uint64_t missing_before = collage_.open_shapes().shortage().pieces;
   try {
     change();
     check_stop();
@@ -188,7 +189,7 @@ Trial Improving::try_with(const std::function<void()>& change, const StopCheck& 
     collage_.replace_placements(before);
     throw;
   }
-  if (collage_.rules().shortage().pieces <= missing_before && loss_256ths_px2() < loss_before) return Trial::kept;
+  if (collage_.open_shapes().shortage().pieces <= missing_before && loss_256ths_px2() < loss_before) return Trial::kept;
   collage_.replace_placements(before);
   return Trial::put_back;
 }

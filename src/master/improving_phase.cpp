@@ -67,13 +67,13 @@ std::uint64_t ImprovingPhase::replacements() {
 }
 
 void ImprovingPhase::replace(std::uint64_t all) {
-  const StandingRules& rules = collage_.rules();
+  const OpenShapes& open_shapes = collage_.open_shapes();
   Replacing replacing(
-      collage_.free(), rules.stances(), parts_.region.sized, area_px2_, parts_.shapes,
-      [&rules](const Placement& p) { return rules.poses_of(p); }, parts_.replacer);
+      collage_.free(), open_shapes.stances(), parts_.region.sized, area_px2_, parts_.shapes,
+      [&](const Placement& p) { return open_shapes.poses_of(p); }, parts_.replacer);
   ReplacementProgress progress{state_.replaced, all};
   const Stopwatch asked;
-  state_.replace_in(replacing.batch(state_.moving, rules.given(), progress, [this] { parts_.end.check_stop(); }));
+  state_.replace_in(replacing.batch(state_.moving, open_shapes.given(), progress, [this] { parts_.end.check_stop(); }));
   parts_.statistics.improving.replace_s += asked.seconds();
   state_.trials += progress.done / kReplacementsPerTrial - state_.replaced / kReplacementsPerTrial;
   state_.replaced = progress.done;
@@ -100,6 +100,8 @@ bool ImprovingPhase::may_improve() const { return budget_.may_go_on(state_.regio
 
 bool ImprovingPhase::reached_limit() { return parts_.end.reached_limit(collage_.covered_px2()); }
 
-std::size_t ImprovingPhase::free_pieces() const { return collage_.placements().size() - collage_.rules().given(); }
+std::size_t ImprovingPhase::free_pieces() const {
+  return collage_.placements().size() - collage_.open_shapes().given();
+}
 
 }  // namespace tessera::master

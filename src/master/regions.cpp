@@ -72,9 +72,9 @@ bool Regions::begin_other_sizes() {
   if (sizes_.over()) return false;
   const Collage& collage = current_->collage;
   SizeAttempts next = sizes_;
-  next.end_attempt(collage.rules().shortage(), collage.placements());
+  next.end_attempt(collage.open_shapes().shortage(), collage.placements());
   if (next.over()) return go_back_to_best(std::move(next));
-  begin_again(region(), collage.placements(), collage.rules().given(), next);
+  begin_again(region(), collage.placements(), collage.open_shapes().given(), next);
   sizes_ = std::move(next);
   return true;
 }
@@ -82,7 +82,7 @@ bool Regions::begin_other_sizes() {
 void Regions::keep_best() {
   if (sizes_.over()) return;
   SizeAttempts ended = sizes_;
-  ended.give_up(current_->collage.rules().shortage(), current_->collage.placements());
+  ended.give_up(current_->collage.open_shapes().shortage(), current_->collage.placements());
   go_back_to_best(std::move(ended));
 }
 
@@ -90,7 +90,7 @@ void Regions::keep_best() {
 bool Regions::go_back_to_best(SizeAttempts sizes) {
   const std::optional<std::vector<Placement>> best = sizes.take_best();
   if (best) {
-    begin_again(region(), *best, current_->collage.rules().given(), sizes);
+    begin_again(region(), *best, current_->collage.open_shapes().given(), sizes);
     Collage& collage = current_->collage;
     collage.replace_placements(*best);
     collage.schedule().mark(collage.free().field().value.bounds());

@@ -40,8 +40,8 @@ class Regions {
 
   /// The attempt under way, from begin_first() or restore() on.
   RegionFill& current() const { return *current_; }
-  /// From 1; of all attempts at the present sizes.
-  int number() const { return sizes_.number(); }
+  /// The attempt at sizes that is under way, from 1. All regions share the attempts.
+  int attempt_number() const { return sizes_.number(); }
   const GivenPieces& given() const { return given_; }
 
   void begin_first();
@@ -61,7 +61,7 @@ class Regions {
   void restore(const CheckpointState& from);
 
  private:
-  std::uint32_t region() const { return current_->collage.rules().limits().region; }
+  std::uint32_t region() const { return current_->collage.open_shapes().limits().region; }
   void begin(std::uint32_t region, StandingPieces standing, const SizeAttempts& sizes);
   void begin_again(std::uint32_t region, std::vector<Placement> placements, std::size_t given,
                    const SizeAttempts& sizes);

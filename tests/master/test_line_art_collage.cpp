@@ -1,5 +1,7 @@
 // Collages of shapes that enclose much and cover little: no run is over while a gap is left that is wide enough for
 // one, and no line crosses another.
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 

@@ -153,26 +153,5 @@ TEST(Scoring, NearTwinsAreNearAcrossASeam) {
   EXPECT_FLOAT_EQ(scoring.preference(candidate_at(20, {10, 390})), 0.5f) << "no seam that way";
 }
 
-TEST(Scoring, WhatOverlapsMuchOrTouchesNothingIsNotAcceptable) {
-  const Scoring scoring = scoring_of(settings());
-  Candidate c = candidate_at(20, {100, 100});
-  c.terms.matched_px = 1.01f * kLeastMatched * 80;
-  EXPECT_TRUE(scoring.acceptable(c));
-  c.terms.overlap_px2 = 1.01f * kMaxOverlap * 400;
-  EXPECT_FALSE(scoring.acceptable(c));
-  c.terms = {};
-  c.terms.matched_px = 0.99f * kLeastMatched * 80;
-  EXPECT_FALSE(scoring.acceptable(c));
-}
-
-TEST(Scoring, ExactAreasMayNotShowMuchOverlapWithoutPadding) {
-  const Candidate c = candidate_at(20, {100, 100});
-  EXPECT_TRUE(scoring_of(settings()).overlaps_little(c, {0.99f * kMaxOverlap * 400, 0}));
-  EXPECT_FALSE(scoring_of(settings()).overlaps_little(c, {1.01f * kMaxOverlap * 400, 0}));
-  CollageSettings padded = settings();
-  padded.pieces.padding_px = 2;
-  EXPECT_TRUE(scoring_of(padded).overlaps_little(c, {400, 0}));
-}
-
 }  // namespace test_scoring
 }  // namespace tessera::master

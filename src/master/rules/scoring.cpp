@@ -68,22 +68,6 @@ bool Scoring::may_use(ShapeId shape) const {
   return most == 0 || uses_of(shape) < most;
 }
 
-bool Scoring::overlaps_little(const Candidate& candidate) const {
-  const float scale = candidate.canvas_from_shape.scale();
-  return candidate.terms.overlap_px2 <= kMaxOverlap * scale * scale;
-}
-
-bool Scoring::touches(const Candidate& candidate) const {
-  const float scale = candidate.canvas_from_shape.scale();
-  return candidate.terms.matched_px >= kLeastMatched * candidate.perimeter * scale;
-}
-
-/// With padding the areas are those of grown pieces, and the outlines themselves are apart.
-bool Scoring::overlaps_little(const Candidate& candidate, const ExactAreas& areas) const {
-  const float scale = candidate.canvas_from_shape.scale();
-  return pieces_.padding_px > 0 || areas.overlap_px2 <= kMaxOverlap * scale * scale;
-}
-
 float Scoring::score(const Candidate& candidate) const {
   const float scale = candidate.canvas_from_shape.scale();
   const PieceSize size{scale, candidate.perimeter * scale, pieces_.max_scale_px};

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/collage/exact_terms.h"
 #include "core/collage/placement.h"
 #include "core/collage/pool.h"
 #include "core/geometry/period.h"
@@ -43,12 +42,6 @@ class Scoring {
   /// Those that may not stand for the moment, ascending: where some are `missing`, ascending, all
   /// others.
   std::vector<ShapeId> closed_shapes(const std::vector<ShapeId>& missing) const;
-  /// Whether the candidate's terms alone allow it: no overlap shows, and it touches something.
-  bool acceptable(const Candidate& candidate) const { return overlaps_little(candidate) && touches(candidate); }
-  bool overlaps_little(const Candidate& candidate) const;
-  /// Whether the exact areas agree that no overlap shows: where lines lie on lines, the contour sees nothing of it.
-  bool overlaps_little(const Candidate& candidate, const ExactAreas& areas) const;
-  bool touches(const Candidate& candidate) const;
   /// The objective of the candidate's terms, times the weight that is wished for and what its colours are worth there.
   float score(const Candidate& candidate) const;
   /// The part (0..1) of its score that is left to a candidate by what stands already: the smaller, the more there are of

@@ -1,12 +1,12 @@
-// What may stand for the moment.
-#include "master/rules/standing_rules.h"
+// Which shapes and sizes are open for the moment.
+#include "master/rules/open_shapes.h"
 
 #include <gtest/gtest.h>
 
 #include "support/synthetic_library.h"
 
 namespace tessera::master {
-namespace test_standing_rules {
+namespace test_open_shapes {
 
 constexpr std::uint32_t kShapes = 4;
 
@@ -22,65 +22,66 @@ CollageSettings settings() {
   return s;
 }
 
-/// Rules beside what they go by.
+/// The open shapes, beside what they follow from.
 struct Job {
   explicit Job(const CollageSettings& s) : context(make_matching_context(s, kShapes)), scoring(s, context.stances) {
-    rules.emplace(context, s.pieces, scoring, shapes, 1.f);
+    open_shapes.emplace(context, s.pieces, scoring, shapes, 1.f);
   }
 
   std::vector<ShapeId> open() const {
     std::vector<ShapeId> open;
-    for (std::uint32_t i = 0; i < rules->stances().open_shapes(); ++i) open.push_back(rules->stances().open_shape(i));
+    for (std::uint32_t i = 0; i < open_shapes->stances().open_shapes(); ++i)
+      open.push_back(open_shapes->stances().open_shape(i));
     return open;
   }
 
   bool stand(std::uint32_t shape, float scale_px = 40) {
     scoring.count({ShapeId{shape}, {scale_px, 0, 50, 50}, 0, 0});
-    return rules->update({}, 1e4);
+    return open_shapes->update({}, 1e4);
   }
 
   test::VectorShapes shapes{library()};
   MatchingContext context;
   Scoring scoring;
-  std::optional<StandingRules> rules;
+  std::optional<OpenShapes> open_shapes;
 };
 
-TEST(StandingRules, WithoutWishesAllMayStandAndNothingIsMissing) {
+TEST(OpenShapes, WithoutWishesAllMayStandAndNothingIsMissing) {
   Job job(settings());
   EXPECT_EQ(job.open().size(), kShapes);
   EXPECT_FALSE(job.stand(1)) << "nothing changes";
-  EXPECT_TRUE(job.rules->missing().empty());
-  EXPECT_EQ(job.rules->shortage().pieces, 0u);
-  EXPECT_TRUE(job.rules->may_go_on());
+  EXPECT_TRUE(job.open_shapes->missing().empty());
+  EXPECT_EQ(job.open_shapes->shortage().pieces, 0u);
+  EXPECT_TRUE(job.open_shapes->may_go_on());
 }
 
-TEST(StandingRules, AShapeThatIsUsedUpMayNotStand) {
+TEST(OpenShapes, AShapeThatIsUsedUpMayNotStand) {
   CollageSettings s = settings();
   s.pieces.uses = 1;
   Job job(s);
-  const std::uint64_t version = job.rules->version();
+  const std::uint64_t version = job.open_shapes->version();
   EXPECT_TRUE(job.stand(1));
-  EXPECT_NE(job.rules->version(), version);
+  EXPECT_NE(job.open_shapes->version(), version);
   EXPECT_EQ(job.open(), (std::vector{ShapeId{0}, ShapeId{2}, ShapeId{3}}));
-  EXPECT_EQ(job.rules->limits().used_up, std::vector{ShapeId{1}});
+  EXPECT_EQ(job.open_shapes->limits().used_up, std::vector{ShapeId{1}});
   for (const std::uint32_t shape : {0u, 2u, 3u}) {
-    EXPECT_TRUE(job.rules->may_go_on());
+    EXPECT_TRUE(job.open_shapes->may_go_on());
     job.stand(shape);
   }
-  EXPECT_FALSE(job.rules->may_go_on());
+  EXPECT_FALSE(job.open_shapes->may_go_on());
   job.scoring.forget_placements();
-  EXPECT_TRUE(job.rules->update({}, 1e4)) << "it follows from what stands now";
+  EXPECT_TRUE(job.open_shapes->update({}, 1e4)) << "it follows from what stands now";
   EXPECT_EQ(job.open().size(), kShapes);
 }
 
-TEST(StandingRules, OtherShapesWaitForThoseThatAreMissing) {
+TEST(OpenShapes, OtherShapesWaitForThoseThatAreMissing) {
   CollageSettings s = settings();
   s.pieces.least_uses = 1;
   Job job(s);
-  EXPECT_EQ(job.rules->missing().size(), kShapes);
+  EXPECT_EQ(job.open_shapes->missing().size(), kShapes);
   EXPECT_TRUE(job.stand(2));
   EXPECT_EQ(job.open(), (std::vector{ShapeId{0}, ShapeId{1}, ShapeId{3}}));
-  const Shortage shortage = job.rules->shortage();
+  const Shortage shortage = job.open_shapes->shortage();
   EXPECT_EQ(shortage.pieces, 3u);
   EXPECT_DOUBLE_EQ(shortage.placed, 0.25);
   for (const std::uint32_t shape : {0u, 1u, 3u}) job.stand(shape);
@@ -88,25 +89,25 @@ TEST(StandingRules, OtherShapesWaitForThoseThatAreMissing) {
 }
 
 /// Nobody waits for a shape that finds no place.
-TEST(StandingRules, AShapeThatIsShutOutMayNotStandAndIsNotWaitedFor) {
+TEST(OpenShapes, AShapeThatIsShutOutMayNotStandAndIsNotWaitedFor) {
   CollageSettings s = settings();
   s.pieces.least_uses = 1;
   Job job(s);
   for (const std::uint32_t shape : {0u, 1u, 2u}) job.stand(shape);
   EXPECT_EQ(job.open(), std::vector{ShapeId{3}});
-  EXPECT_TRUE(job.rules->update({ShapeId{3}}, 1e4));
+  EXPECT_TRUE(job.open_shapes->update({ShapeId{3}}, 1e4));
   EXPECT_EQ(job.open(), (std::vector{ShapeId{0}, ShapeId{1}, ShapeId{2}}));
 }
 
 /// With fit = "all" pieces leave room for those that are missing.
-TEST(StandingRules, MissingPiecesLimitTheSizes) {
+TEST(OpenShapes, MissingPiecesLimitTheSizes) {
   CollageSettings s = settings();
   s.pieces.fit_all = true;
   s.pieces.uses = 1;
   Job job(s);
   const auto most_scale_px = [&](double free_px2) {
-    job.rules->update({}, free_px2);
-    return job.rules->limits().most_scale_px;
+    job.open_shapes->update({}, free_px2);
+    return job.open_shapes->limits().most_scale_px;
   };
   const float little = most_scale_px(3000);
   EXPECT_LT(little, most_scale_px(9000));
@@ -114,32 +115,32 @@ TEST(StandingRules, MissingPiecesLimitTheSizes) {
   Candidate candidate;
   candidate.shape = ShapeId{1};
   candidate.canvas_from_shape = {0.99f * little, 0, 50, 50};
-  EXPECT_TRUE(job.rules->may_stand(candidate));
+  EXPECT_TRUE(job.open_shapes->allows(candidate));
   candidate.canvas_from_shape.a = 1.01f * little;
-  EXPECT_FALSE(job.rules->may_stand(candidate));
+  EXPECT_FALSE(job.open_shapes->allows(candidate));
 }
 
-TEST(StandingRules, ARegionBeginsWithItsOwnStances) {
+TEST(OpenShapes, ARegionBeginsWithItsOwnStances) {
   CollageSettings s = settings();
   s.pieces.uses = 1;
   Job job(s);
   job.stand(1);
-  job.rules->begin(0, 3);
-  EXPECT_EQ(job.rules->given(), 3u);
+  job.open_shapes->begin(0, 3);
+  EXPECT_EQ(job.open_shapes->given(), 3u);
   EXPECT_EQ(job.open().size(), kShapes) << "until update() says what stands";
 }
 
-TEST(StandingRules, APieceMayHaveThePosesOfItsStanceOrItsOwn) {
+TEST(OpenShapes, APieceMayHaveThePosesOfItsStanceOrItsOwn) {
   const Job job(settings());
-  const PoseRange within = job.rules->poses_of({ShapeId{0}, {40, 0, 50, 50}, 0, 0});
+  const PoseRange within = job.open_shapes->poses_of({ShapeId{0}, {40, 0, 50, 50}, 0, 0});
   EXPECT_FLOAT_EQ(within.min_scale_px, 20);
   EXPECT_FLOAT_EQ(within.max_scale_px, 80);
-  const PoseRange rounded = job.rules->poses_of({ShapeId{0}, {80.0005f, 0, 50, 50}, 0, 0});
+  const PoseRange rounded = job.open_shapes->poses_of({ShapeId{0}, {80.0005f, 0, 50, 50}, 0, 0});
   EXPECT_FLOAT_EQ(rounded.max_scale_px, 80) << "results have poses to three decimals";
-  const PoseRange own = job.rules->poses_of({ShapeId{0}, {100, 0, 50, 50}, 0, 0});
+  const PoseRange own = job.open_shapes->poses_of({ShapeId{0}, {100, 0, 50, 50}, 0, 0});
   EXPECT_EQ(own.min_scale_px, 100);
   EXPECT_EQ(own.max_scale_px, 100);
 }
 
-}  // namespace test_standing_rules
+}  // namespace test_open_shapes
 }  // namespace tessera::master

@@ -1,23 +1,22 @@
-// One run of the loop: its state, and what it reports and keeps. collage_loop.cpp has its outline.
+// One run of the loop: its limits, its progress and its checkpoints. The outline of the loop is in collage_loop.cpp.
 #pragma once
 
 #include "core/collage/loop_state.h"
 #include "core/replacing/own_replacer.h"
 #include "master/collage_loop.h"
-#include "master/improving_phase.h"
 #include "master/loop_end.h"
 #include "master/loop_statistics.h"
 #include "master/regions.h"
 
 namespace tessera::master {
 
-class LoopSteps {
+class LoopRun {
  public:
   /// The arguments of make_collage, which outlive the run. It begins the first region, or where a checkpoint left off.
-  LoopSteps(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher, ShapeSource& shapes,
-            Observer& observer, const Checkpoints& checkpoints, Replacer* replacer);
-  LoopSteps(const LoopSteps&) = delete;  // its parts refer to each other
-  LoopSteps& operator=(const LoopSteps&) = delete;
+  LoopRun(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher, ShapeSource& shapes,
+          Observer& observer, const Checkpoints& checkpoints, Replacer* replacer);
+  LoopRun(const LoopRun&) = delete;  // its parts refer to each other
+  LoopRun& operator=(const LoopRun&) = delete;
 
   bool is_filling() const { return state_.phase == LoopPhase::filling; }
   Regions& regions() { return regions_; }
@@ -32,7 +31,9 @@ class LoopSteps {
   bool end_at_limit_of_filling();
   /// The region is full: improving begins, where the job wants it.
   void end_filling();
-  ImprovingPhase improving_phase();
+  /// Improves the full region until the trials of the job are used up (improving_phase.h). A run that goes on from a
+  /// checkpoint may begin here: why the region is full is found out again.
+  void improve();
   /// Begins the next region, if there is one and the loop is not over.
   bool begin_next_region();
 

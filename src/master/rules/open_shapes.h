@@ -1,5 +1,6 @@
-// What may stand for the moment: the stances of the region that is being filled, without the shapes that are used up
-// or find no place, and, with fit = "all", no larger than leaves room for the pieces that are missing.
+// Which shapes are open for the moment, and in which sizes. Open are the stances of the region that is being filled,
+// without the shapes that are used up or find no place. With fit = "all" sizes leave room for the pieces that are
+// missing.
 #pragma once
 
 #include <cstddef>
@@ -16,12 +17,12 @@
 
 namespace tessera::master {
 
-class StandingRules {
+class OpenShapes {
  public:
   /// `context`: at size factor 1. `pieces` have their sizes times `size_factor`. `scoring` knows which pieces stand; it
-  /// and `shapes` outlive the rules.
-  StandingRules(const MatchingContext& context, const PieceSettings& pieces, const Scoring& scoring,
-                ShapeSource& shapes, float size_factor);
+  /// and `shapes` outlive this object.
+  OpenShapes(const MatchingContext& context, const PieceSettings& pieces, const Scoring& scoring, ShapeSource& shapes,
+             float size_factor);
 
   /// Begins a region of the canvas. The first `given` pieces of the collage stand to its end.
   void begin(std::uint32_t region, std::size_t given);
@@ -39,8 +40,8 @@ class StandingRules {
   const MatchingContext& context() const { return context_; }
   /// The stances in which shapes may come in now.
   const StanceTable& stances() const { return context_.stances; }
-  /// Whether the limits allow the candidate.
-  bool may_stand(const Candidate& candidate) const;
+  /// Whether the candidate's shape is open, and its size within the limits. acceptance.h: what else it needs.
+  bool allows(const Candidate& candidate) const;
 
   /// The shapes of which fewer stand than are wanted at least, ascending.
   std::vector<ShapeId> missing() const;

@@ -1,9 +1,11 @@
-#include "master/loop_steps.h"
+#include "master/loop_run.h"
+
+#include "master/improving_phase.h"
 
 namespace tessera::master {
 
-LoopSteps::LoopSteps(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher, ShapeSource& shapes,
-                     Observer& observer, const Checkpoints& checkpoints, Replacer* replacer)
+LoopRun::LoopRun(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher, ShapeSource& shapes,
+                 Observer& observer, const Checkpoints& checkpoints, Replacer* replacer)
     : canvas_(canvas),
       settings_(settings),
       shapes_(shapes),
@@ -24,26 +26,26 @@ LoopSteps::LoopSteps(const Canvas& canvas, const CollageSettings& settings, Matc
   statistics_.end_set_up();
 }
 
-bool LoopSteps::moves_given_pieces_only() const {
+bool LoopRun::moves_given_pieces_only() const {
   const GivenPieces& given = regions_.given();
   return given.any_free() && end_.has_all_pieces(given.size());
 }
 
-bool LoopSteps::attempt_is_decided() const {
+bool LoopRun::attempt_is_decided() const {
   return regions_.may_try_other_sizes() &&
-         (collage().rules().shortage().pieces == 0 || end_.is_covered(collage().covered_px2()));
+         (collage().open_shapes().shortage().pieces == 0 || end_.is_covered(collage().covered_px2()));
 }
 
-bool LoopSteps::end_at_limit_of_filling() {
+bool LoopRun::end_at_limit_of_filling() {
   return end_.end_at_limit_of_filling(collage().placements().size(), collage().covered_px2());
 }
 
-StopReason LoopSteps::why_full() const {
+StopReason LoopRun::why_full() const {
   if (moves_given_pieces_only()) return StopReason::pieces;
-  return collage().rules().may_go_on() ? StopReason::full : StopReason::used_up;
+  return collage().open_shapes().may_go_on() ? StopReason::full : StopReason::used_up;
 }
 
-void LoopSteps::end_filling() {
+void LoopRun::end_filling() {
   end_.region_is_full(why_full());
   if (settings_.improve.trials > 0 || settings_.improve.seconds > 0) {
     state_.phase = LoopPhase::trying;
@@ -52,26 +54,32 @@ void LoopSteps::end_filling() {
   }
 }
 
-ImprovingPhase LoopSteps::improving_phase() {
+void LoopRun::improve() {
   end_.region_is_full(why_full());
-  return ImprovingPhase({canvas_, settings_, regions_.current(), shapes_, replacer_, state_, end_, statistics_,
-                         [this] { after_step(); }});
+  ImprovingPhase phase({canvas_, settings_, regions_.current(), shapes_, replacer_, state_, end_, statistics_,
+                        [this] { after_step(); }});
+  phase.run();
 }
 
-bool LoopSteps::begin_next_region() {
+bool LoopRun::begin_next_region() {
   if (end_.is_over() || !regions_.begin_next()) return false;
-  state_.begin_region(collage().rules().limits().region);
+  state_.begin_region(collage().open_shapes().limits().region);
   return true;
 }
 
-void LoopSteps::after_step() {
-  observer_.progressed({collage().placements().size(), collage().covered_px2() / canvas_.area_px2, end_.run_s(),
-                        state_.phase == LoopPhase::replacing, collage().open_samples(), state_.trials,
-                        std::uint64_t(settings_.improve.trials), regions_.number()});
+void LoopRun::after_step() {
+  observer_.progressed({.pieces = collage().placements().size(),
+                        .coverage = collage().covered_px2() / canvas_.area_px2,
+                        .seconds = end_.run_s(),
+                        .exchanging = state_.phase == LoopPhase::replacing,
+                        .open_samples = collage().open_samples(),
+                        .trials = state_.trials,
+                        .most_trials = std::uint64_t(settings_.improve.trials),
+                        .attempt = regions_.attempt_number()});
   if (keeper_ && keeper_->due()) keeper_->keep(checkpoint());
 }
 
-CheckpointState LoopSteps::checkpoint() {
+CheckpointState LoopRun::checkpoint() {
   CheckpointState checkpoint;
   state_.run_s = end_.run_s();
   checkpoint.loop = state_;
@@ -80,7 +88,7 @@ CheckpointState LoopSteps::checkpoint() {
   return checkpoint;
 }
 
-CollageResult LoopSteps::finish() {
+CollageResult LoopRun::finish() {
   state_.run_s = end_.run_s();
   RunStatistics whole = statistics_.of_run(state_);
   whole.stopped_by = end_.reason();

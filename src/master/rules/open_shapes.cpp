@@ -1,4 +1,4 @@
-#include "master/rules/standing_rules.h"
+#include "master/rules/open_shapes.h"
 
 #include <algorithm>
 #include <iterator>
@@ -33,8 +33,8 @@ std::vector<ShapeId> joined(const std::vector<ShapeId>& a, const std::vector<Sha
 
 }  // namespace
 
-StandingRules::StandingRules(const MatchingContext& context, const PieceSettings& pieces, const Scoring& scoring,
-                             ShapeSource& shapes, float size_factor)
+OpenShapes::OpenShapes(const MatchingContext& context, const PieceSettings& pieces, const Scoring& scoring,
+                       ShapeSource& shapes, float size_factor)
     : context_(context),
       all_stances_(context.stances),
       fit_all_(pieces.fit_all),
@@ -44,19 +44,19 @@ StandingRules::StandingRules(const MatchingContext& context, const PieceSettings
   region_stances_ = context_.stances;
 }
 
-void StandingRules::begin(std::uint32_t region, std::size_t given) {
+void OpenShapes::begin(std::uint32_t region, std::size_t given) {
   limit({.region = region, .size_factor = limits_.size_factor});
   region_stances_ = context_.stances;
   given_ = given;
 }
 
-void StandingRules::limit(const StandingLimits& limits) {
+void OpenShapes::limit(const StandingLimits& limits) {
   limits_ = limits;
   ++version_;
   tessera::limit(context_, all_stances_, limits);
 }
 
-bool StandingRules::update(const std::vector<ShapeId>& shut_out, double free_px2) {
+bool OpenShapes::update(const std::vector<ShapeId>& shut_out, double free_px2) {
   std::vector<ShapeId> missing = this->missing();
   // Other shapes do not wait for one that has no place now. With fit = "all" they do: it needs smaller sizes.
   if (!fit_all_) missing = without(missing, shut_out);
@@ -68,7 +68,7 @@ bool StandingRules::update(const std::vector<ShapeId>& shut_out, double free_px2
   return true;
 }
 
-float StandingRules::most_scale_for(const std::vector<ShapeId>& missing, double free_px2) const {
+float OpenShapes::most_scale_for(const std::vector<ShapeId>& missing, double free_px2) const {
   std::vector<WantedPieces> left;
   for (const ShapeId shape : missing) {
     if (shapes_.drawing(shape) != shape) continue;  // one of the two takes the places of both
@@ -78,12 +78,12 @@ float StandingRules::most_scale_for(const std::vector<ShapeId>& missing, double 
   return most_scale_px(free_px2, left);
 }
 
-bool StandingRules::may_stand(const Candidate& candidate) const {
+bool OpenShapes::allows(const Candidate& candidate) const {
   return context_.stances.list(candidate.shape).count > 0 &&
          candidate.canvas_from_shape.scale() <= limits_.most_scale_px * (1 + kScaleRounding);
 }
 
-std::vector<ShapeId> StandingRules::missing() const {
+std::vector<ShapeId> OpenShapes::missing() const {
   if (!scoring_.limits_uses()) return {};
   std::vector<ShapeId> missing;
   for (std::uint32_t i = 0; i < region_stances_.open_shapes(); ++i) {
@@ -93,7 +93,7 @@ std::vector<ShapeId> StandingRules::missing() const {
   return missing;
 }
 
-Shortage StandingRules::shortage() const {
+Shortage OpenShapes::shortage() const {
   if (!scoring_.limits_uses()) return {};
   Shortage shortage;
   double wanted_px2 = 0;
@@ -111,13 +111,13 @@ Shortage StandingRules::shortage() const {
   return shortage;
 }
 
-bool StandingRules::may_go_on() const {
+bool OpenShapes::may_go_on() const {
   StandingLimits by_uses = limits_;
   by_uses.used_up = scoring_.closed_shapes(missing());
   return all_stances_.limited(by_uses).open_shapes() > 0;
 }
 
-PoseRange StandingRules::poses_of(const Placement& p) const {
+PoseRange OpenShapes::poses_of(const Placement& p) const {
   for (const Stance& stance : region_stances_.of(region_stances_.list(p.shape))) {
     const PoseRange poses = sized_at(context_, stance, p.canvas_from_shape.translation()).poses;
     if (poses.contains(p.canvas_from_shape) || is_rounded_out_of(poses, p.canvas_from_shape)) return poses;

@@ -1,0 +1,18 @@
+// May this candidate stand as a piece, by its terms alone? No overlap may show, and it must touch something.
+#pragma once
+
+#include "core/collage/exact_terms.h"
+#include "core/collage/pool.h"
+
+namespace tessera::master {
+
+/// Whether the overlap that the contour samples saw does not show.
+bool overlaps_little(const Candidate& candidate);
+/// Whether the exact areas agree that no overlap shows. The contour samples see no overlap where lines lie on lines.
+bool overlaps_little(const Candidate& candidate, const ExactAreas& areas, float padding_px);
+/// Whether enough of the candidate's boundary lies on the target curve.
+bool touches(const Candidate& candidate);
+/// Whether the candidate overlaps little and touches something.
+bool acceptable(const Candidate& candidate);
+
+}  // namespace tessera::master
