@@ -1,9 +1,12 @@
+// Rank 0 of tessera collage. lead() is the outline: it reads the input, has compute() make the collage, and draws it.
 #include "run/collage_run.h"
 
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "comm/stop_signals.h"
 #include "comm/teams/loop_clock.h"
@@ -17,12 +20,12 @@
 #include "master/collage_loop.h"
 #include "result/rank_table.h"
 #include "run/collage_checkpoints.h"
-#include "run/collage_engine.h"
 #include "run/collage_input.h"
 #include "run/collage_journal.h"
 #include "run/collage_publishing.h"
 #include "run/collage_worker.h"
 #include "run/command_line.h"
+#include "run/loop_matchers.h"
 #include "run/messages/collage_warnings.h"
 #include "run/problem_exchange.h"
 #include "run/program_identity.h"
@@ -40,6 +43,21 @@ namespace {
 void say(const CollageArguments& arguments, const std::string& text) {
   if (!arguments.quiet) print_lines(text + "\n");
 }
+
+/// A run of rank 0 that has something to compute.
+struct MasterRun {
+  const CollageArguments& arguments;
+  const CollageInput& input;
+  const TimeLimit& limit;
+  comm::Communicator& ranks;
+  std::shared_ptr<CollageJournal> journal;  // the ranks' watch shares it
+};
+
+/// What the loop came to.
+struct LoopOutcome {
+  master::CollageResult result;
+  RankStatistics times;
+};
 
 /// Nothing where mpirun is ending the job, or a question was given up: workers may be gone, or busy with it.
 RankStatistics times_of(comm::LoopClock& clock, const master::CollageResult& result) {
@@ -66,69 +84,80 @@ RunRecord record_of(const CollageInput& input) {
 /// A rank that does not say goodbye is waited for (rank_program.cpp), then killed by mpirun: each takes two seconds.
 double leaving_s(const comm::Communicator& ranks) { return ranks.size() > 1 ? 4 : 0; }
 
+void note_beginning(const MasterRun& run) {
+  warn_of_problem(run.arguments, run.input, *run.journal);
+  run.journal->warn(short_limit_warning(run.limit.seconds(), leaving_s(run.ranks)));
+  if (run.input.from) run.journal->resumed(*run.input.from);
+}
+
 /// Signals and the time limit hold from here on, whatever this rank waits for; so does the watch over the workers.
-StopQuestion watch_waits(comm::Communicator& ranks, const Job& job, const TimeLimit& limit,
-                         const std::shared_ptr<CollageJournal>& journal) {
+StopQuestion watch_waits(const MasterRun& run) {
   comm::install_stop_handlers();
-  const StopQuestion shall_stop = [limit, leaving_s = leaving_s(ranks)]() -> std::optional<StopReason> {
+  const StopQuestion shall_stop = [limit = run.limit, leaving_s = leaving_s(run.ranks)]() -> std::optional<StopReason> {
     if (comm::stop_signalled()) return StopReason::signal;
     return limit.round_over(leaving_s) ? std::optional(StopReason::time_limit) : std::nullopt;
   };
-  ranks.interrupt_waits_when(shall_stop);
-  ranks.watch_workers(job.comm.silence_s, [journal](const std::string& line) {
+  run.ranks.interrupt_waits_when(shall_stop);
+  run.ranks.watch_workers(run.input.problem.job().comm.silence_s, [journal = run.journal](const std::string& line) {
     journal->warn(line + " (comm.silence_s): the run ends here");
   });
   return shall_stop;
 }
 
-master::CollageResult run_loop(const CollageArguments& arguments, const CollageInput& input, const TimeLimit& limit,
-                               Matcher& matcher, Replacer& replacer, ShapeSource& shapes,
-                               CollageCheckpoints& checkpoints) {
-  const CheckpointState* from = input.from ? &*input.from : nullptr;
-  if (from) say(arguments, "going on from " + from->name + ", " + count_text(from->placements.size(), "piece"));
-  const CollageSettings& settings = input.problem.settings();
-  CollageProgress progress(settings, arguments.quiet, limit);
-  master::CollageResult result = master::make_collage(input.problem.canvas(), settings, matcher, shapes, progress,
-                                                      {from, &checkpoints}, &replacer);
-  result.statistics.last_tenth = progress.history().gained_in_last_tenth(result.statistics.total_s);
-  return result;
+/// Installs the stop handlers again over those that LLVM brings with the first kernel. LLVM's handlers reset themselves
+/// when they are called, and a second signal at that moment, as timeout(1) sends it, would end the process.
+LoopMatchers signal_safe_matchers(const MasterRun& run, ShapeSource& shapes, const StopQuestion& shall_stop) {
+  LoopMatchers matchers = gather_matchers(run.ranks, run.input.problem, shapes, shall_stop);
+  comm::install_stop_handlers();
+  return matchers;
 }
 
-/// From the empty canvas or a checkpoint to the result without its pictures.
-CollageEnd compute(const CollageArguments& arguments, const CollageInput& input, const TimeLimit& limit,
-                   comm::Communicator& ranks, const std::shared_ptr<CollageJournal>& journal) {
-  const CanvasProblem& problem = input.problem;
-  const Job& job = problem.job();
-  warn_of_problem(arguments, input, *journal);
-  journal->warn(short_limit_warning(limit.seconds(), leaving_s(ranks)));
-  if (input.from) journal->resumed(*input.from);
-  const StopQuestion shall_stop = watch_waits(ranks, job, limit, journal);
-  announce_problem(ranks, program_identity(), problem, input.origin.library_digest);
-  LibraryShapes shapes(problem.library());
-  const CollageEngine engine = engine_of(ranks, problem, shapes, shall_stop);
-  // Over those that LLVM brings with the first kernel: they reset themselves when they are called, and a second signal
-  // at that moment, as timeout(1) sends it, would end the process.
-  comm::install_stop_handlers();
-  journal->ranks_are(comm::gather_sites(ranks, engine.site));
-  if (input.start == Start::restart) input.checkpoints.remove();
+LoopOutcome run_loop(const MasterRun& run, LoopMatchers& matchers, ShapeSource& shapes,
+                     CollageCheckpoints& checkpoints) {
+  const CollageInput& input = run.input;
+  const CheckpointState* from = input.from ? &*input.from : nullptr;
+  comm::LoopClock clock(run.ranks);
+  if (from) say(run.arguments, "going on from " + from->name + ", " + count_text(from->placements.size(), "piece"));
+  const CollageSettings& settings = input.problem.settings();
+  CollageProgress progress(settings, run.arguments.quiet, run.limit);
+  master::CollageResult result = master::make_collage(input.problem.canvas(), settings, *matchers.matcher, shapes,
+                                                      progress, {from, &checkpoints}, matchers.replacer.get());
+  result.statistics.last_tenth = progress.history().gained_in_last_tenth(result.statistics.total_s);
+  RankStatistics times = times_of(clock, result);
+  return {std::move(result), std::move(times)};
+}
 
-  CollageCheckpoints checkpoints(input.checkpoints, input.origin, job.checkpoint.every_s);
-  comm::LoopClock clock(ranks);
-  const master::CollageResult result =
-      run_loop(arguments, input, limit, *engine.matcher, *engine.replacer, shapes, checkpoints);
-  const RankStatistics times = times_of(clock, result);
-  const std::vector<MissingShape> missing = missing_shapes(problem, result);
-  warn_of_result(arguments, input, result, missing, *journal);
-  journal->keep_warning(checkpoints.warning());
-  const RunRecord& record = journal->ended(result.statistics.stopped_by.value(), result.placements.size());
+/// Warns of what the result lacks, and writes all of the result but its pictures.
+CollageEnd conclude(const MasterRun& run, const LoopOutcome& loop, const CollageCheckpoints& checkpoints) {
+  const CollageInput& input = run.input;
+  const master::CollageResult& result = loop.result;
+  const std::vector<MissingShape> missing = missing_shapes(input.problem, result);
+  warn_of_result(run.arguments, input, result, missing, *run.journal);
+  run.journal->keep_warning(checkpoints.warning());
+  const RunRecord& record = run.journal->ended(result.statistics.stopped_by.value(), result.placements.size());
   if (leaves_older_result(input, result)) {
     checkpoints.require_one();
     return CollageEnd::nothing_placed;
   }
-  const std::string card = publish(input, result, missing, times, record, checkpoints) + ranks_text(times);
-  say(arguments, card + "\nwritten to " + input.folder);
+  const std::string card = publish(input, result, missing, loop.times, record, checkpoints) + ranks_text(loop.times);
+  say(run.arguments, card + "\nwritten to " + input.folder);
   if (result.unfinished) return CollageEnd::unfinished;
   return missing.empty() && !result.placements.empty() ? CollageEnd::finished : CollageEnd::incomplete;
+}
+
+/// From the empty canvas or a checkpoint to the result without its pictures.
+CollageEnd compute(const MasterRun& run) {
+  const CollageInput& input = run.input;
+  note_beginning(run);
+  const StopQuestion shall_stop = watch_waits(run);
+  announce_problem(run.ranks, program_identity(), input.problem, input.origin.library_digest);
+  LibraryShapes shapes(input.problem.library());
+  LoopMatchers matchers = signal_safe_matchers(run, shapes, shall_stop);
+  run.journal->ranks_are(comm::gather_sites(run.ranks, matchers.site));
+  if (input.start == Start::restart) input.checkpoints.remove();
+  CollageCheckpoints checkpoints(input.checkpoints, input.origin, input.problem.job().checkpoint.every_s);
+  const LoopOutcome loop = run_loop(run, matchers, shapes, checkpoints);
+  return conclude(run, loop, checkpoints);
 }
 
 /// The pictures of a finished collage. False: interrupted.
@@ -162,9 +191,8 @@ CollageEnd lead(const CollageArguments& arguments, comm::Communicator& ranks) {
     print_warning(incomplete_warning(input.folder, input.earlier.whole->manifest));
     if (input.earlier.whole->drawn) return end;
   } else {
-    const auto journal =
-        std::make_shared<CollageJournal>(input.folder, record_of(input));  // the ranks' watch shares it
-    end = journal->watch([&] { return compute(arguments, input, limit, ranks, journal); });
+    const auto journal = std::make_shared<CollageJournal>(input.folder, record_of(input));
+    end = journal->watch([&] { return compute({arguments, input, limit, ranks, journal}); });
     if (!is_finished(end)) return end;
   }
   return draw_pictures(arguments, input, limit, ranks) ? end : CollageEnd::not_drawn;
@@ -177,7 +205,7 @@ CollageEnd end_of_finished(const ResultManifest& manifest) {
 }
 
 CollageEnd run_collage(const CollageArguments& arguments, comm::Communicator& ranks) {
-  if (ranks.rank() != 0) run_collage_worker(ranks);
+  if (ranks.rank() != 0) run_collage_worker(ranks);  // never returns: a worker leaves by JobEnded
   try {
     return lead(arguments, ranks);
   } catch (const Interrupted&) {  // before the first round: what was there is there still

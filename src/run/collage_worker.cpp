@@ -1,6 +1,5 @@
 #include "run/collage_worker.h"
 
-#include <memory>
 #include <utility>
 
 #include "comm/heartbeat.h"
@@ -8,12 +7,9 @@
 #include "comm/teams/rank_sites.h"
 #include "comm/teams/worker_server.h"
 #include "core/base/rank_pool.h"
-#include "core/base/stop.h"
 #include "core/ranks/partition.h"
-#include "core/replacing/own_replacer.h"
 #include "library/library_shapes.h"
-#include "library/storage/shape_models.h"
-#include "run/collage_engine.h"
+#include "run/loop_matchers.h"
 #include "run/problem_exchange.h"
 #include "run/program_identity.h"
 #include "worker/device_group.h"
@@ -33,22 +29,15 @@ void run_collage_worker(comm::Communicator& ranks) {
   Job masters = receive_job(ranks, program_identity());
   const comm::Heart heart(ranks, masters.comm.silence_s);
   const CollageProblem problem = receive_problem(ranks, std::move(masters));
-  const Job& job = problem.job();
-  const LibraryView& library = problem.library();
-  const ShapeRange part = even_range(library.size(), ranks.rank() - 1, ranks.size() - 1);
-  const MatchingContext context = context_of(problem);
-  const worker::DeviceShare share = share_of_node(ranks, job);
+  const worker::DeviceShare share = share_of_node(ranks, problem.job());
   share_cores(share.workers);
   worker::limit_cpu_threads(rank_cores());
-  comm::first_worker_of_node_first(ranks, [&] { worker::compile_kernels(job.devices, context); });
-  const StopCheck check_stop = [&ranks] { ranks.look(); };
-  const auto models = models_of(library, context);
-  const std::vector<worker::DevicePart> parts =
-      worker::device_parts(job.devices, context, part, needs_of(job, *models), share, check_stop);
-  comm::tell_site(ranks, {host_name(), worker::describe(parts)});
-  LibraryShapes shapes(library);
-  comm::serve(ranks, worker::make_device_matcher(parts, context, models, check_stop),
-              std::make_unique<OwnReplacer>(shapes, rank_pool(), check_stop));
+  comm::first_worker_of_node_first(ranks, [&] { compile_kernels(problem); });
+  LibraryShapes shapes(problem.library());
+  const ShapeRange part = even_range(problem.library().size(), ranks.rank() - 1, ranks.size() - 1);
+  LoopMatchers own = own_matchers(problem, shapes, part, share, [&ranks] { ranks.look(); });
+  comm::tell_site(ranks, own.site);
+  comm::serve(ranks, std::move(own.matcher), std::move(own.replacer));
 }
 
 }  // namespace tessera
