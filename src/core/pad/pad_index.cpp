@@ -8,13 +8,12 @@ namespace {
 
 constexpr std::size_t kNodePads = std::size_t(kIndexFanOut) * kIndexFanOut;
 
-/// The window of scales is an octave wide, pairs that are docked agree in their elements to a few percent: the variance
-/// of the scale counts less. It hardly matters: 3,000 shapes, 1, 4, 16, 64: 1.57, 1.52, 1.47, 1.47 % of the blocks.
-constexpr double kScaleWeight = 16;
-
 class Splitter {
  public:
-  Splitter(std::span<const PadBytes> pads, int elements) : pads_(pads), elements_(elements) {}
+  Splitter(std::span<const PadBytes> pads, int elements, double scale_share)
+      : pads_(pads),
+        elements_(elements),
+        scale_share_(scale_share) {}
 
   /// Orders PADs so that every whole block, and every whole node, is one branch of the tree.
   void split(std::span<std::uint32_t> order) const {
@@ -69,7 +68,7 @@ class Splitter {
     for (int row = 0; row <= elements_; ++row) {
       const double mean = double(sum[std::size_t(row)]) / double(order.size());
       double variance = double(squares[std::size_t(row)]) / double(order.size()) - mean * mean;
-      if (row == elements_) variance /= kScaleWeight;
+      if (row == elements_) variance *= scale_share_;
       if (variance > most) {
         most = variance;
         widest = row;
@@ -80,6 +79,7 @@ class Splitter {
 
   std::span<const PadBytes> pads_;
   int elements_;
+  double scale_share_;
 };
 
 /// Of some PADs; bytes side by side, so that one instruction compares them all.
@@ -140,12 +140,12 @@ PadBytes pad_bytes(const QuantisedPad& pad, float scale_length, float convexity)
   return bytes;
 }
 
-std::vector<std::uint32_t> pad_order(std::span<const PadBytes> pads, int elements) {
+std::vector<std::uint32_t> pad_order(std::span<const PadBytes> pads, int elements, double scale_share) {
   std::vector<std::uint32_t> order(pads.size());
   std::iota(order.begin(), order.end(), 0u);
   const auto others =
       std::stable_partition(order.begin(), order.end(), [&](std::uint32_t i) { return pads[i].sign == sign_byte(1); });
-  Splitter(pads, elements).split_by_sign(order, std::size_t(others - order.begin()), kNodePads);
+  Splitter(pads, elements, scale_share).split_by_sign(order, std::size_t(others - order.begin()), kNodePads);
   return order;
 }
 
@@ -163,6 +163,8 @@ PadIndex boxed(std::vector<std::uint32_t> order, std::span<const PadBytes> pads)
   return index;
 }
 
-PadIndex make_pad_index(std::span<const PadBytes> pads, int elements) { return boxed(pad_order(pads, elements), pads); }
+PadIndex make_pad_index(std::span<const PadBytes> pads, int elements, double scale_share) {
+  return boxed(pad_order(pads, elements, scale_share), pads);
+}
 
 }  // namespace tessera

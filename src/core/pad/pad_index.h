@@ -53,12 +53,21 @@ struct PadIndex {
   std::vector<PadBox> nodes;
 };
 
+/// How much the variance of the scales counts beside that of an element, when a branch of the tree is split. Pairs that
+/// are docked agree in their elements to a few percent, and their window of scales is an octave wide: here it hardly
+/// matters (3,000 shapes, shares of 1, 1/4, 1/16, 1/64: 1.57, 1.52, 1.47, 1.47 % of the blocks are visited).
+inline constexpr double kDockingScaleShare = 1.0 / 16;
+/// Recognition looks for PADs of which few elements are known, at scales of half an octave: the scale tells most (700
+/// shapes, shares of 1/16, 1, 10: 95, 68, 48 microseconds a search).
+inline constexpr double kRecognitionScaleShare = 10;
+
 /// The order of an index. `elements`: of a PAD, from the first on. The same PADs give the same order.
-std::vector<std::uint32_t> pad_order(std::span<const PadBytes> pads, int elements);
+std::vector<std::uint32_t> pad_order(std::span<const PadBytes> pads, int elements,
+                                     double scale_share = kDockingScaleShare);
 
 /// The index with an order of all these PADs. Whatever the order, a search finds the same; it decides how fast.
 PadIndex boxed(std::vector<std::uint32_t> order, std::span<const PadBytes> pads);
 
-PadIndex make_pad_index(std::span<const PadBytes> pads, int elements);
+PadIndex make_pad_index(std::span<const PadBytes> pads, int elements, double scale_share = kDockingScaleShare);
 
 }  // namespace tessera

@@ -26,6 +26,14 @@ inline float curvature_dead_zone(float sigma) { return 0.024f / sigma; }
 /// gives delta_tau.
 inline constexpr float kFlatTriangle = 0.05f;
 
+/// s of the paper: the sign of the triangle of level 0's ends and the point itself, 0 where it is flat.
+inline float convexity_of(const ArclengthPyramid& pyramid, int levels) {
+  const Vec2 in = pyramid.keypoint[levels] - pyramid.keypoint[levels - 1];
+  const Vec2 out = pyramid.keypoint[levels + 1] - pyramid.keypoint[levels];
+  const float sine = cross(in, out) / std::max(norm(in) * norm(out), 1e-12f);
+  return sine > kFlatTriangle ? 1.f : sine < -kFlatTriangle ? -1.f : 0.f;
+}
+
 namespace detail {
 
 struct SideOfPyramid {
@@ -117,10 +125,7 @@ ArclengthPyramid make_pyramid(const Walk& centre, const PadParameters& pad, floa
     pyramid.keypoint[n - 1 - i] = l.end[i];
     pyramid.keypoint[n + 1 + i] = r.end[i];
   }
-  const Vec2 in = pyramid.keypoint[n] - pyramid.keypoint[n - 1];
-  const Vec2 out = pyramid.keypoint[n + 1] - pyramid.keypoint[n];
-  const float sine = cross(in, out) / std::max(norm(in) * norm(out), 1e-12f);
-  pyramid.convexity = sine > kFlatTriangle ? 1.f : sine < -kFlatTriangle ? -1.f : 0.f;
+  pyramid.convexity = convexity_of(pyramid, n);
   return pyramid;
 }
 

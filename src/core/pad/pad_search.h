@@ -1,0 +1,81 @@
+// The PADs of an index that are nearest to one, of which some levels may be missing, as along the boundary of a shape that
+// is partly hidden. The distance is the largest difference of an element, as in Equation 1, but each side is divided by its
+// longest interval that is known. Elements are the index's bytes: a difference is known to 1/256.
+//
+// The search visits the index's blocks from the nearest box on and stops where no box can hold anything nearer. What it
+// finds is what a scan of all PADs finds (tests/core/pad/test_pad_search.cpp).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "core/pad/pad_index.h"
+
+namespace tessera {
+
+/// What is looked for: a PAD, its sides with as many levels as are known of them.
+struct PadTarget {
+  /// 2^-i times the length of level i, divided by that of the side's last known level, for all levels below that one.
+  std::array<float, kMaxPadLevels> left{};
+  std::array<float, kMaxPadLevels> right{};
+  int left_levels = 0;  // 2 .. levels, both
+  int right_levels = 0;
+  std::uint8_t sign = 0;       // sign_byte()
+  ScaleWindow scales{0, 255};  // of the bytes of the lengths that estimate the scale
+};
+
+/// `left_levels`, `right_levels`: how many levels of each side are known.
+PadTarget make_pad_target(const ArclengthPyramid& pyramid, int left_levels, int right_levels);
+
+struct PadHit {
+  float distance = 0;
+  std::uint32_t place = 0;  // in what the index was made of
+
+  friend bool operator==(const PadHit&, const PadHit&) = default;
+};
+inline bool operator<(const PadHit& a, const PadHit& b) {
+  return a.distance != b.distance ? a.distance < b.distance : a.place < b.place;
+}
+
+class PadSearch {
+ public:
+  /// `levels`: of the PADs.
+  PadSearch(const PadIndex& index, std::span<const PadBytes> pads, int levels);
+
+  /// The `most` nearest of the PADs that are nearer than `reach`, lie within the target's scales, agree with its sign and
+  /// are `wanted`; the nearest first, equal ones by their places.
+  std::vector<PadHit> nearest(const PadTarget& target, float reach, std::size_t most,
+                              const std::function<bool(std::uint32_t place)>& wanted) const;
+
+ private:
+  using Row = std::array<std::uint8_t, kIndexFanOut>;
+  using Distances = std::array<float, kIndexFanOut>;
+
+  struct PadRows {  // 64 PADs
+    std::array<Row, kMaxPadElements> element;
+    Row scale;
+    Row sign;  // 0: no PAD
+  };
+  struct BoxRows {  // 64 boxes
+    std::array<Row, kMaxPadElements> low;
+    std::array<Row, kMaxPadElements> high;
+    Row scale_low;
+    Row scale_high;
+    Row signs;  // 0: no box
+  };
+
+  static std::vector<BoxRows> rows_of(const std::vector<PadBox>& boxes);
+  void measure(const PadRows& rows, const PadTarget& target, Distances& distance) const;
+  void bound(const BoxRows& rows, const PadTarget& target, Distances& distance) const;
+
+  int levels_;
+  std::vector<std::uint32_t> order_;
+  std::vector<PadRows> pads_;    // by block
+  std::vector<BoxRows> blocks_;  // by node: of its blocks
+  std::vector<BoxRows> nodes_;   // of 64 nodes each
+};
+
+}  // namespace tessera

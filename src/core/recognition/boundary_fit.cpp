@@ -1,0 +1,110 @@
+#include "core/recognition/boundary_fit.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+
+namespace tessera {
+namespace {
+
+/// Cosine of the angle between tangents up to which points belong together: 60 degrees.
+constexpr float kLeastCosine = 0.5f;
+/// Points count in full up to the first distance, in widths of the narrowest smoothing, and nothing from the second one on,
+/// or from this part of the query's radius, where that is farther.
+constexpr float kCloseWidths = 0.67f;
+constexpr float kFarWidths = 2;
+constexpr float kFarOfRadius = 0.05f;
+/// Added to the diagonal, in parts of its mean: one straight side leaves a direction open.
+constexpr double kDamping = 1e-3;
+constexpr float kLargestTurn_rad = 0.2f;
+constexpr float kLargestGrowth = 0.2f;
+
+/// Turns and scales what `pose` does about the point that lies at `centre` after it, then shifts it.
+Similarity changed(const Similarity& pose, Vec2 centre, Vec2 shift, float turn_rad, float factor) {
+  const float c = std::cos(turn_rad) * factor;
+  const float s = std::sin(turn_rad) * factor;
+  const Vec2 t = pose.translation() - centre;
+  return {c * pose.a - s * pose.b, s * pose.a + c * pose.b, c * t.x - s * t.y + centre.x + shift.x,
+          s * t.x + c * t.y + centre.y + shift.y};
+}
+
+/// Sums over the points near the query; unknowns: shift x, shift y, turn, growth, the last two as movements at `arm`.
+struct NormalEquations {
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d right = Eigen::Vector4d::Zero();
+  int points = 0;
+
+  void add(Vec2 normal, Vec2 from_centre, float arm, float off, float weight) {
+    const Eigen::Vector4d row{normal.x, normal.y, cross(from_centre, normal) / arm, dot(from_centre, normal) / arm};
+    matrix += weight * row * row.transpose();
+    right -= weight * off * row;
+    ++points;
+  }
+  Eigen::Vector4d solved() const {
+    Eigen::Matrix4d damped = matrix;
+    damped.diagonal().array() += kDamping * matrix.trace() / 4;
+    return damped.ldlt().solve(right);
+  }
+};
+
+/// 1 on the curve, 0 from `far` on: the mean of parabolas that end at `close`, twice, four times as far, and so on.
+float closeness(float distance, float close, float far) {
+  float sum = 0;
+  int parabolas = 0;
+  for (float end = close; end < 1.01f * far; end *= 2, ++parabolas) {
+    sum += std::max(0.f, 1 - (distance / end) * (distance / end));
+  }
+  return sum / float(parabolas);
+}
+
+NormalEquations equations_at(const Query& query, const BoundaryPoints& shape, const Similarity& pose, float reach) {
+  NormalEquations equations;
+  const float scale = pose.scale();
+  for (std::size_t i = 0; i < shape.position.size(); ++i) {
+    const Vec2 p = pose.apply(shape.position[i]);
+    const CurveMap::Nearest near = query.map().nearest(p);
+    if (near.distance >= reach || near.at_end) continue;
+    if (dot(pose.apply_direction(shape.tangent[i]), near.tangent) < kLeastCosine * scale) continue;
+    const Vec2 normal{-near.tangent.y, near.tangent.x};
+    const float relative = near.distance / reach;
+    const float weight = (1 - relative * relative) * (1 - relative * relative);
+    equations.add(normal, p - query.centre(), query.radius(), dot(p - near.point, normal), weight);
+  }
+  return equations;
+}
+
+}  // namespace
+
+Similarity refined_pose(const Query& query, const BoundaryPoints& shape, Similarity pose, int steps, float reach,
+                        float least_reach, const ScaleLimits& scales) {
+  for (int step = 0; step < steps; ++step) {
+    const float part = steps > 1 ? float(step) / float(steps - 1) : 1.f;
+    const NormalEquations equations = equations_at(query, shape, pose, reach * std::pow(least_reach / reach, part));
+    if (equations.points < 4) break;
+    const Eigen::Vector4d x = equations.solved();
+    const float turn = std::clamp(float(x[2]) / query.radius(), -kLargestTurn_rad, kLargestTurn_rad);
+    const float growth = std::clamp(float(x[3]) / query.radius(), -kLargestGrowth, kLargestGrowth);
+    const float scale = pose.scale();
+    const float factor = std::clamp(scale * (1 + growth), scales.least, scales.most) / scale;
+    pose = changed(pose, query.centre(), {float(x[0]), float(x[1])}, turn, factor);
+  }
+  return pose;
+}
+
+float followed_part(const Query& query, const BoundaryPoints& shape, const Similarity& pose) {
+  const float scale = pose.scale();
+  const float close = kCloseWidths * query.least_sigma();
+  const float far = std::max(kFarWidths * query.least_sigma(), kFarOfRadius * query.radius());
+  float followed = 0;
+  for (std::size_t i = 0; i < shape.position.size(); ++i) {
+    const CurveMap::Nearest near = query.map().nearest(pose.apply(shape.position[i]));
+    if (near.distance >= far || near.at_end) continue;
+    const float cosine = dot(pose.apply_direction(shape.tangent[i]), near.tangent) / scale;
+    if (cosine < kLeastCosine) continue;
+    followed += std::min(cosine, 1.f) * closeness(near.distance, close, far);
+  }
+  return followed * shape.spacing * scale / query.length();
+}
+
+}  // namespace tessera

@@ -1,0 +1,46 @@
+// Shapes of a library that follow one another, made ready for searches: an index of their PADs at each smoothing level.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/pad/pad_search.h"
+#include "core/shape/shape_id.h"
+#include "core/shape/shape_model.h"
+
+namespace tessera {
+
+class KnownShapes {
+ public:
+  /// `models`: of shapes first, first + 1, ... with all their parts, and all with the same levels. `drawn_scales_px`: of
+  /// each (Shape::drawn_scale_px).
+  KnownShapes(ShapeId first, std::vector<ShapeModel> models, std::vector<float> drawn_scales_px, int pad_levels);
+
+  /// The index of one smoothing level. Its places count the shapes' samples, shape by shape.
+  struct Level {
+    int level = 0;              // index into kSmoothingLevels
+    std::uint32_t samples = 0;  // of a shape
+    PadSearch search;
+
+    std::uint32_t shape_of(std::uint32_t place) const { return place / samples; }
+    std::uint32_t sample_of(std::uint32_t place) const { return place % samples; }
+  };
+
+  std::size_t size() const { return models_.size(); }
+  ShapeId id(std::uint32_t shape) const { return ShapeId(index_of(first_) + shape); }
+  const ShapeModel& model(std::uint32_t shape) const { return models_[shape]; }
+  float drawn_scale_px(std::uint32_t shape) const { return drawn_scales_px_[shape]; }
+  const std::vector<Level>& levels() const { return levels_; }
+  int pad_levels() const { return pad_levels_; }
+  /// The key points of a sample of the level with this place in levels().
+  Keypoints keypoints_of(std::size_t level, std::uint32_t place) const;
+
+ private:
+  ShapeId first_;
+  std::vector<ShapeModel> models_;
+  std::vector<float> drawn_scales_px_;
+  int pad_levels_;
+  std::vector<Level> levels_;
+};
+
+}  // namespace tessera

@@ -1,0 +1,19 @@
+// The similarity transform that lays some points onto others.
+#pragma once
+
+#include <span>
+
+#include "core/geometry/similarity.h"
+
+namespace tessera {
+
+struct PointFit {
+  Similarity query_from_shape;
+  float residual = 0;  // root mean square, in parts of the query points' own spread
+};
+
+/// Least squares over corresponding points, at least 3 (Umeyama 1991, without reflections). The residual is 1 where the
+/// points of one side are one.
+PointFit fit_points(std::span<const Vec2> shape, std::span<const Vec2> query);
+
+}  // namespace tessera

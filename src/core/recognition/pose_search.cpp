@@ -1,0 +1,112 @@
+#include "core/recognition/pose_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "core/recognition/point_fit.h"
+
+namespace tessera {
+namespace {
+
+/// Distance of PADs, and how many of the nearest are tried for each PAD of the query.
+constexpr float kPadReach = 0.08f;
+constexpr std::size_t kMostPairs = 100;
+/// Sizes of shapes that are looked for: at least this part of the query's extent, at most so many lengths of its curves.
+constexpr float kLeastSize = 0.22f;
+constexpr float kLargestSize = 1.2f;
+/// The step between widths, and what they overlap.
+constexpr float kWidthSlack = 1.04f;
+/// Key points of one pair that are farther apart belong to different curves.
+constexpr float kMostResidual = 0.3f;
+/// The scale by key points, against the one that the widths of the smoothing stand for.
+constexpr float kScaleSlack = 1.15f;
+/// The scale by key points, against the known one.
+constexpr float kKnownSlack = 1.1f;
+/// What the scale may change by while a pose is made better.
+constexpr float kRefinedSlack = 1.4f;
+constexpr float kRefinedKnownSlack = 1.02f;
+
+class PoseSearch {
+ public:
+  PoseSearch(const Query& query, const KnownShapes& shapes, std::optional<float> query_per_drawn_px)
+      : query_(query),
+        shapes_(shapes),
+        query_per_drawn_px_(query_per_drawn_px) {}
+
+  std::vector<PosedShape> poses() && {
+    for (const QueryWidth& width : query_.widths()) {
+      for (std::size_t level = 0; level < shapes_.levels().size(); ++level) {
+        const ScaleLimits scales = scales_of(width.sigma, shapes_.levels()[level].level);
+        if (scales.most < kLeastSize * query_.extent() || scales.least > kLargestSize * query_.length()) continue;
+        for (const PartialPyramid& pyramid : width.pyramids) look_up(pyramid, level, scales);
+      }
+    }
+    return std::move(poses_);
+  }
+
+ private:
+  static ScaleLimits scales_of(float sigma, int level) {
+    const float scale = sigma / kSmoothingLevels[std::size_t(level)].sigma;
+    const float half_step = std::sqrt(kWidthStep) * kWidthSlack;
+    return {scale / half_step, scale * half_step};
+  }
+
+  float known_scale(std::uint32_t shape) const { return shapes_.drawn_scale_px(shape) * *query_per_drawn_px_; }
+  /// Whether a shape may have one of these scales.
+  bool may_have(std::uint32_t shape, const ScaleLimits& scales) const {
+    if (!query_per_drawn_px_) return true;
+    const float known = known_scale(shape);
+    return known > scales.least / kKnownSlack && known < scales.most * kKnownSlack;
+  }
+
+  void look_up(const PartialPyramid& of_query, std::size_t level, const ScaleLimits& scales) {
+    PadTarget target = make_pad_target(of_query.pyramid, of_query.left_levels, of_query.right_levels);
+    if (std::min(of_query.left_levels, of_query.right_levels) > kChordLevel) {
+      const float length = scale_length(of_query.pyramid, shapes_.pad_levels());
+      target.scales = scale_window(length / scales.most, length / scales.least);
+    }
+    const KnownShapes::Level& index = shapes_.levels()[level];
+    const auto wanted = [&](std::uint32_t place) { return may_have(index.shape_of(place), scales); };
+    for (const PadHit& hit : index.search.nearest(target, kPadReach, kMostPairs, wanted)) {
+      add_pose(of_query, level, hit.place, scales);
+    }
+  }
+
+  void add_pose(const PartialPyramid& of_query, std::size_t level, std::uint32_t place, const ScaleLimits& scales) {
+    const auto first = std::size_t(shapes_.pad_levels() - of_query.left_levels);
+    const auto count = std::size_t(of_query.left_levels + of_query.right_levels + 1);
+    const Keypoints of_shape = shapes_.keypoints_of(level, place);
+    const PointFit fit = fit_points(std::span(of_shape).subspan(first, count),
+                                    std::span(of_query.pyramid.keypoint).subspan(first, count));
+    if (fit.residual > kMostResidual) return;
+    const float scale = fit.query_from_shape.scale();
+    if (scale < scales.least / kScaleSlack || scale > scales.most * kScaleSlack) return;
+    const std::uint32_t shape = shapes_.levels()[level].shape_of(place);
+    if (!may_have(shape, {scale, scale})) return;
+    poses_.push_back({shape, fit.query_from_shape, 0});
+  }
+
+  const Query& query_;
+  const KnownShapes& shapes_;
+  std::optional<float> query_per_drawn_px_;
+  std::vector<PosedShape> poses_;
+};
+
+}  // namespace
+
+ScaleLimits scale_limits(const KnownShapes& shapes, const PosedShape& posed, std::optional<float> query_per_drawn_px) {
+  if (query_per_drawn_px) {
+    const float known = shapes.drawn_scale_px(posed.shape) * *query_per_drawn_px;
+    return {known / kRefinedKnownSlack, known * kRefinedKnownSlack};
+  }
+  const float scale = posed.query_from_shape.scale();
+  return {scale / kRefinedSlack, scale * kRefinedSlack};
+}
+
+std::vector<PosedShape> posed_shapes(const Query& query, const KnownShapes& shapes,
+                                     std::optional<float> query_per_drawn_px) {
+  return PoseSearch(query, shapes, query_per_drawn_px).poses();
+}
+
+}  // namespace tessera

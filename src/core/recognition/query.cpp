@@ -1,0 +1,111 @@
+#include "core/recognition/query.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tessera {
+namespace {
+
+/// Of the map: parts of the query's radius, and of its extent.
+constexpr float kMapCell = 1.f / 48;
+constexpr float kLeastMapCell = 1.f / 512;
+constexpr float kMapReach = 0.16f;
+constexpr float kMapPoints = 1.f / 96;
+/// The map's curves are smoothed by this part of the narrowest width: as much as takes the stairs of pixels out.
+constexpr float kMapSmoothing = 2.f / 3;
+
+/// The widest smoothing: a part of the curves' length.
+constexpr float kWidest = 1.f / 12;
+/// A curve is smoothed with so many points a width.
+constexpr float kPointsOfWidth = 4;
+constexpr int kLeastPoints = 48;
+constexpr int kMostPoints = 2000;
+constexpr int kMostMapPoints = 20000;
+/// PADs are not taken of curves shorter than so many widths, which have lost their shape, nor of those shorter than this
+/// part of all curves.
+constexpr float kShortestCurve = 6;
+constexpr float kShortestShare = 1.f / 64;
+/// PADs are so many widths apart, or farther, where more than so many would be looked up.
+constexpr float kPadSpacing = 1.5f;
+constexpr float kMostPads = 48;
+/// Levels of inner_levels().
+constexpr int kInnerLevels = 3;
+
+/// The first levels alone. Something else than the shape may go on beyond them: the edge at which a shape was clipped, or
+/// what hides the rest of it.
+PartialPyramid inner_levels(PartialPyramid pyramid) {
+  pyramid.left_levels = std::min(pyramid.left_levels, kInnerLevels);
+  pyramid.right_levels = std::min(pyramid.right_levels, kInnerLevels);
+  return pyramid;
+}
+
+QueryWidth make_width(const std::vector<Curve>& curves, float sigma, float length, const PadParameters& pad) {
+  QueryWidth width{sigma, {}};
+  const float spacing = std::max(kPadSpacing * sigma, length / kMostPads);
+  for (const Curve& curve : curves) {
+    const float own = length_of(curve);
+    if (own < std::max(kShortestCurve * sigma, kShortestShare * length)) continue;
+    const int count = std::clamp(int(own * kPointsOfWidth / sigma), kLeastPoints, kMostPoints);
+    const int stride = std::max(1, int(spacing * float(count) / own));
+    for (const PartialPyramid& p : partial_pyramids(smoothed(resampled(curve, count), sigma), sigma, stride, pad)) {
+      if (tells_enough(p)) width.pyramids.push_back(p);
+      const bool has_more = std::max(p.left_levels, p.right_levels) > kInnerLevels;
+      if (curve.closed && has_more && tells_enough(inner_levels(p))) width.pyramids.push_back(inner_levels(p));
+    }
+  }
+  return width;
+}
+
+}  // namespace
+
+Query::Measures Query::measure(const std::vector<Curve>& curves) {
+  Measures result{};
+  Vec2 low = curves.front().points.front();
+  Vec2 high = low;
+  double x = 0, y = 0, squares = 0, count = 0;
+  for (const Curve& curve : curves) {
+    const float length = length_of(curve);
+    result.length += length;
+    const Curve even = resampled(curve, 256);
+    for (const Vec2 p : even.points) {
+      const double weight = double(length) / 256;
+      x += weight * p.x;
+      y += weight * p.y;
+      squares += weight * dot(p, p);
+      count += weight;
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+  }
+  result.centre = {float(x / count), float(y / count)};
+  const double variance = squares / count - (x / count) * (x / count) - (y / count) * (y / count);
+  result.extent = std::max(high.x - low.x, high.y - low.y);
+  result.radius = std::max(float(std::sqrt(std::max(variance, 0.0))), 1e-3f * result.extent);
+  return result;
+}
+
+CurveMap Query::make_map(const std::vector<Curve>& curves, float sigma, const Measures& measures) {
+  std::vector<Curve> even;
+  const auto bounded = [](float points) { return int(std::clamp<float>(points, kLeastPoints, kMostMapPoints)); };
+  for (const Curve& curve : curves) {
+    const float length = length_of(curve);
+    const Curve smooth = smoothed(resampled(curve, bounded(2 * length / sigma)), sigma);
+    even.push_back(resampled(smooth, bounded(length / (kMapPoints * measures.radius))));
+  }
+  const float cell = std::max(kMapCell * measures.radius, kLeastMapCell * measures.extent);
+  return CurveMap(even, cell, kMapReach * measures.radius);
+}
+
+Query::Query(const std::vector<Curve>& curves, const QuerySettings& settings)
+    : Query(curves, settings, measure(curves)) {}
+
+Query::Query(const std::vector<Curve>& curves, const QuerySettings& settings, const Measures& measures)
+    : map_(make_map(curves, kMapSmoothing * settings.least_sigma, measures)),
+      measures_(measures),
+      least_sigma_(settings.least_sigma) {
+  for (float sigma = settings.least_sigma; sigma < kWidest * measures.length; sigma *= kWidthStep) {
+    widths_.push_back(make_width(curves, sigma, measures.length, settings.pad));
+  }
+}
+
+}  // namespace tessera

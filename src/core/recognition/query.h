@@ -1,0 +1,60 @@
+// What is looked for: the curves of a drawing, or of what is seen of it, prepared once for all comparisons. Units are the
+// query's own (px of an image, or a drawing's units).
+#pragma once
+
+#include <vector>
+
+#include "core/recognition/curve_map.h"
+#include "core/recognition/partial_pyramid.h"
+
+namespace tessera {
+
+/// The query's pyramids after smoothing by one width.
+struct QueryWidth {
+  float sigma = 0;
+  std::vector<PartialPyramid> pyramids;  // tells_enough() of each
+};
+
+struct QuerySettings {
+  PadParameters pad;
+  /// The narrowest smoothing, query units: what the curves' own noise needs. 1.5 pixels of a clean silhouette.
+  float least_sigma = 1.5f;
+};
+
+class Query {
+ public:
+  /// `curves`: at least one, each without a curve_fault().
+  Query(const std::vector<Curve>& curves, const QuerySettings& settings);
+
+  const CurveMap& map() const { return map_; }
+  const std::vector<QueryWidth>& widths() const { return widths_; }
+  float least_sigma() const { return least_sigma_; }
+  /// Of all curves.
+  float length() const { return measures_.length; }
+  /// Root mean square distance of the curves' points from their mean, `centre`.
+  float radius() const { return measures_.radius; }
+  Vec2 centre() const { return measures_.centre; }
+  /// Longer side of the box round all curves.
+  float extent() const { return measures_.extent; }
+
+ private:
+  struct Measures {
+    float length = 0;
+    float radius = 0;
+    float extent = 0;
+    Vec2 centre;
+  };
+  static Measures measure(const std::vector<Curve>& curves);
+  static CurveMap make_map(const std::vector<Curve>& curves, float sigma, const Measures& measures);
+  Query(const std::vector<Curve>& curves, const QuerySettings& settings, const Measures& measures);
+
+  CurveMap map_;
+  Measures measures_;
+  float least_sigma_;
+  std::vector<QueryWidth> widths_;
+};
+
+/// Widths of the smoothing are so far apart: half an octave.
+inline constexpr float kWidthStep = 1.41421356f;
+
+}  // namespace tessera

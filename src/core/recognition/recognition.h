@@ -1,0 +1,42 @@
+// Which shapes of a library a query is, or is a part of: the query's PADs are looked up in the library's index; each pair
+// gives a pose, poses are tried on the query's curves, the best are made better and compared (paper, section 3.3 and
+// Figs. 26 and 27).
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/geometry/polygon.h"
+#include "core/geometry/similarity.h"
+#include "core/recognition/known_shapes.h"
+#include "core/recognition/query.h"
+
+namespace tessera {
+
+struct RecognitionSettings {
+  /// Query units for one px of the library's drawings, where it is known: shapes are then looked for at their drawn scale.
+  std::optional<float> query_per_drawn_px;
+  std::size_t most = 10;  // shapes that are told
+};
+
+struct Recognition {
+  ShapeId shape{};
+  Similarity query_from_shape;
+  /// How much of the query's boundary the shape follows, and how closely: 0 to about 1.
+  float similarity = 0;
+};
+/// The better one first; equal ones by their numbers.
+inline bool operator<(const Recognition& a, const Recognition& b) {
+  return a.similarity != b.similarity ? a.similarity > b.similarity : a.shape < b.shape;
+}
+
+/// The outline of a shape, shape frame.
+using OutlineOf = std::function<Outline(ShapeId)>;
+
+/// The `most` best of these shapes, the best first, each once. The answer for several lots of shapes is the best of what
+/// each lot gives.
+std::vector<Recognition> recognised(const Query& query, const KnownShapes& shapes, const RecognitionSettings& settings,
+                                    const OutlineOf& outline_of);
+
+}  // namespace tessera
