@@ -33,14 +33,15 @@ enum class Tag : int {
   times_reply,
   broadcast,
   barrier,
-  nest_layout,  // worker -> rank 0: the best layout of its chains of a nesting
-  site,         // worker -> rank 0: where it runs, on which devices
-  turn,         // worker -> worker of the same node: it is your turn
-  failure,      // any rank -> rank 0: this rank cannot go on
-  end,          // rank 0 -> all: leave
-  bye,          // any rank -> rank 0: nothing more comes from here
-  leave,        // rank 0 -> all: nothing more comes from anywhere
-  heartbeat,    // worker -> rank 0: it is alive
+  nest_layout,   // worker -> rank 0: the best layout of its chains of a nesting
+  recognitions,  // worker -> rank 0: the best shapes of its lots for each query
+  site,          // worker -> rank 0: where it runs, on which devices
+  turn,          // worker -> worker of the same node: it is your turn
+  failure,       // any rank -> rank 0: this rank cannot go on
+  end,           // rank 0 -> all: leave
+  bye,           // any rank -> rank 0: nothing more comes from here
+  leave,         // rank 0 -> all: nothing more comes from anywhere
+  heartbeat,     // worker -> rank 0: it is alive
 };
 
 inline constexpr std::size_t kTags = std::size_t(Tag::heartbeat) + 1;
@@ -50,7 +51,7 @@ inline constexpr std::array<std::string_view, kTags> kTagNames = {
     "hello",          "breadth",       "start field",   "update field",    "limit",         "count request",
     "count reply",    "dock request",  "dock reply",    "refine request",  "refine reply",  "measure request",
     "measure reply",  "replace request", "replace reply", "times request", "times reply",   "broadcast",
-    "barrier",        "nest layout",   "site",          "turn",          "failure",         "end",           "bye",
+    "barrier",        "nest layout",   "recognitions", "site",          "turn",          "failure",         "end",           "bye",
     "leave",          "heartbeat"};
 // clang-format on
 

@@ -1,5 +1,9 @@
 #include "core/recognition/known_shapes.h"
 
+#include <optional>
+
+#include "core/base/rank_pool.h"
+
 namespace tessera {
 namespace {
 
@@ -22,9 +26,11 @@ KnownShapes::KnownShapes(ShapeId first, std::vector<ShapeModel> models, std::vec
       drawn_scales_px_(std::move(drawn_scales_px)),
       pad_levels_(pad_levels) {
   if (models_.empty()) return;
-  for (std::size_t k = 0; k < models_.front().levels.size(); ++k) {
-    const ModelLevel& level = models_.front().levels[k];
-    levels_.push_back({level.level, std::uint32_t(level.samples.size()), make_search(models_, k, pad_levels_)});
+  const std::vector<ModelLevel>& levels = models_.front().levels;
+  std::vector<std::optional<PadSearch>> searches(levels.size());
+  parallel_for(levels.size(), [&](std::size_t k) { searches[k].emplace(make_search(models_, k, pad_levels_)); });
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    levels_.push_back({levels[k].level, std::uint32_t(levels[k].samples.size()), std::move(*searches[k])});
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/base/rank_pool.h"
 #include "core/recognition/point_fit.h"
 
 namespace tessera {
@@ -34,15 +35,20 @@ class PoseSearch {
         shapes_(shapes),
         query_per_drawn_px_(query_per_drawn_px) {}
 
-  std::vector<PosedShape> poses() && {
-    for (const QueryWidth& width : query_.widths()) {
-      for (std::size_t level = 0; level < shapes_.levels().size(); ++level) {
-        const ScaleLimits scales = scales_of(width.sigma, shapes_.levels()[level].level);
-        if (scales.most < kLeastSize * query_.extent() || scales.least > kLargestSize * query_.length()) continue;
-        for (const PartialPyramid& pyramid : width.pyramids) look_up(pyramid, level, scales);
-      }
-    }
-    return std::move(poses_);
+  /// Each width is looked up at each level on a thread of its own; the poses come in the order of both.
+  std::vector<PosedShape> poses() const {
+    const std::size_t levels = shapes_.levels().size();
+    std::vector<std::vector<PosedShape>> of_part(query_.widths().size() * levels);
+    parallel_for(of_part.size(), [&](std::size_t part) {
+      const QueryWidth& width = query_.widths()[part / levels];
+      const std::size_t level = part % levels;
+      const ScaleLimits scales = scales_of(width.sigma, shapes_.levels()[level].level);
+      if (scales.most < kLeastSize * query_.extent() || scales.least > kLargestSize * query_.length()) return;
+      for (const PartialPyramid& pyramid : width.pyramids) look_up(pyramid, level, scales, of_part[part]);
+    });
+    std::vector<PosedShape> poses;
+    for (const std::vector<PosedShape>& some : of_part) poses.insert(poses.end(), some.begin(), some.end());
+    return poses;
   }
 
  private:
@@ -60,7 +66,8 @@ class PoseSearch {
     return known > scales.least / kKnownSlack && known < scales.most * kKnownSlack;
   }
 
-  void look_up(const PartialPyramid& of_query, std::size_t level, const ScaleLimits& scales) {
+  void look_up(const PartialPyramid& of_query, std::size_t level, const ScaleLimits& scales,
+               std::vector<PosedShape>& poses) const {
     PadTarget target = make_pad_target(of_query.pyramid, of_query.left_levels, of_query.right_levels);
     if (std::min(of_query.left_levels, of_query.right_levels) > kChordLevel) {
       const float length = scale_length(of_query.pyramid, shapes_.pad_levels());
@@ -69,11 +76,12 @@ class PoseSearch {
     const KnownShapes::Level& index = shapes_.levels()[level];
     const auto wanted = [&](std::uint32_t place) { return may_have(index.shape_of(place), scales); };
     for (const PadHit& hit : index.search.nearest(target, kPadReach, kMostPairs, wanted)) {
-      add_pose(of_query, level, hit.place, scales);
+      add_pose(of_query, level, hit.place, scales, poses);
     }
   }
 
-  void add_pose(const PartialPyramid& of_query, std::size_t level, std::uint32_t place, const ScaleLimits& scales) {
+  void add_pose(const PartialPyramid& of_query, std::size_t level, std::uint32_t place, const ScaleLimits& scales,
+                std::vector<PosedShape>& poses) const {
     const auto first = std::size_t(shapes_.pad_levels() - of_query.left_levels);
     const auto count = std::size_t(of_query.left_levels + of_query.right_levels + 1);
     const Keypoints of_shape = shapes_.keypoints_of(level, place);
@@ -84,13 +92,12 @@ class PoseSearch {
     if (scale < scales.least / kScaleSlack || scale > scales.most * kScaleSlack) return;
     const std::uint32_t shape = shapes_.levels()[level].shape_of(place);
     if (!may_have(shape, {scale, scale})) return;
-    poses_.push_back({shape, fit.query_from_shape, 0});
+    poses.push_back({shape, fit.query_from_shape, 0});
   }
 
   const Query& query_;
   const KnownShapes& shapes_;
   std::optional<float> query_per_drawn_px_;
-  std::vector<PosedShape> poses_;
 };
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
+#include <unordered_set>
 
+#include "core/base/rank_pool.h"
 #include "core/recognition/pose_search.h"
 
 namespace tessera {
@@ -28,6 +30,10 @@ constexpr std::size_t kMostCompared = 40;
 constexpr int kCompareSteps = 4;
 constexpr float kCompareReach = 2;
 constexpr float kComparedReach = 1;
+
+/// Of the poses, for a task of one thread.
+constexpr std::size_t kPortion = 1024;
+constexpr std::size_t kRefinedPortion = 16;
 
 /// A quick measure of how much of the query the shape follows, by some of its points.
 float roughly_followed(const Query& query, const ShapeModel& model, const Similarity& query_from_shape) {
@@ -62,38 +68,35 @@ bool nearly_one_of(const std::vector<Similarity>& others, const Similarity& pose
   });
 }
 
-/// The first poses of each shape that differ, made better; the best one of each.
-std::vector<PosedShape> refined(const Query& query, const KnownShapes& shapes, const std::vector<PosedShape>& posed,
-                                const RecognitionSettings& settings) {
-  std::vector<PosedShape> best;
-  struct OfShape {
-    std::size_t place;  // in best
-    std::vector<Similarity> tried;
-  };
-  std::unordered_map<std::uint32_t, OfShape> of_shape;
-  std::size_t tried = 0;
-  for (const PosedShape& start : posed) {
-    if (tried == kMostRefined) break;
-    const auto [at, is_new] = of_shape.try_emplace(start.shape, OfShape{best.size(), {}});
-    std::vector<Similarity>& others = at->second.tried;
-    if (others.size() == kMostOfShape || nearly_one_of(others, start.query_from_shape, query)) continue;
-    others.push_back(start.query_from_shape);
-    ++tried;
-    const ShapeModel& model = shapes.model(start.shape);
-    const BoundaryPoints points{model.boundary, model.tangent, model.perimeter / kBoundaryPoints};
-    PosedShape result = start;
-    const float least_reach = std::max(kCompareReach * query.least_sigma(), kRefinedReach * query.radius());
-    result.query_from_shape =
-        refined_pose(query, points, start.query_from_shape, kRefineSteps, kRefineReach * query.radius(), least_reach,
-                     scale_limits(shapes, start, settings.query_per_drawn_px));
-    result.followed = followed_part(query, points, result.query_from_shape);
-    if (is_new) {
-      best.push_back(result);
-    } else if (result.followed > best[at->second.place].followed) {
-      best[at->second.place] = result;
-    }
+/// The first poses of each shape that differ, so many of each and in all.
+std::vector<PosedShape> first_of_each(const Query& query, const std::vector<PosedShape>& posed) {
+  std::vector<PosedShape> chosen;
+  std::unordered_map<std::uint32_t, std::vector<Similarity>> of_shape;
+  for (const PosedShape& p : posed) {
+    if (chosen.size() == kMostRefined) break;
+    std::vector<Similarity>& others = of_shape[p.shape];
+    if (others.size() == kMostOfShape || nearly_one_of(others, p.query_from_shape, query)) continue;
+    others.push_back(p.query_from_shape);
+    chosen.push_back(p);
   }
-  return best;
+  return chosen;
+}
+
+PosedShape refined(const Query& query, const KnownShapes& shapes, const PosedShape& start,
+                   const RecognitionSettings& settings) {
+  const ShapeModel& model = shapes.model(start.shape);
+  const BoundaryPoints points{model.boundary, model.tangent, model.perimeter / kBoundaryPoints};
+  const float least_reach = std::max(kCompareReach * query.least_sigma(), kRefinedReach * query.radius());
+  const Similarity pose =
+      refined_pose(query, points, start.query_from_shape, kRefineSteps, kRefineReach * query.radius(), least_reach,
+                   scale_limits(shapes, start, settings.query_per_drawn_px));
+  return {start.shape, pose, followed_part(query, points, pose)};
+}
+
+/// Of poses in order, the first one of each shape.
+void keep_first_of_each(std::vector<PosedShape>& posed) {
+  std::unordered_set<std::uint32_t> seen;
+  std::erase_if(posed, [&](const PosedShape& p) { return !seen.insert(p.shape).second; });
 }
 
 /// Points and tangents of all curves of an outline.
@@ -121,10 +124,15 @@ struct OutlinePoints {
 std::vector<Recognition> recognised(const Query& query, const KnownShapes& shapes, const RecognitionSettings& settings,
                                     const OutlineOf& outline_of) {
   std::vector<PosedShape> posed = posed_shapes(query, shapes, settings.query_per_drawn_px);
-  for (PosedShape& p : posed) p.followed = roughly_followed(query, shapes.model(p.shape), p.query_from_shape);
+  parallel_for_portions(posed.size(), kPortion, [&](std::size_t i) {
+    posed[i].followed = roughly_followed(query, shapes.model(posed[i].shape), posed[i].query_from_shape);
+  });
   sort_by_followed(posed);
-  posed = refined(query, shapes, posed, settings);
+  posed = first_of_each(query, posed);
+  parallel_for_portions(posed.size(), kRefinedPortion,
+                        [&](std::size_t i) { posed[i] = refined(query, shapes, posed[i], settings); });
   sort_by_followed(posed);
+  keep_first_of_each(posed);
   posed.resize(std::min(posed.size(), std::max(kMostCompared, 2 * settings.most)));
   std::vector<Recognition> result;
   for (const PosedShape& p : posed) {

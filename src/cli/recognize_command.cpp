@@ -1,0 +1,50 @@
+#include <memory>
+
+#include "cli/commands.h"
+#include "run/recognition/recognition_run.h"
+
+namespace tessera::cli {
+namespace {
+
+constexpr const char* kRecognizeExamples =
+    "Examples:\n"
+    "  tessera recognize torn.png --library animals.h5                      which of the animals is this a part of\n"
+    "  tessera recognize signs/*.png --library signs.h5 --json signs.json --sheet signs.png\n"
+    "  mpirun -n 8 tessera recognize q.svg --library large.h5               the same answer on any number of ranks\n"
+    "A query may be turned, of any size, clipped or partly hidden. Similarity: how much of the query's outline the "
+    "shape\n"
+    "follows, and how closely; 1 is all of it. The exit code is 3 where a query is nothing that the library has.";
+
+}  // namespace
+
+void add_recognize_command(CLI::App& app, Command& selected) {
+  const auto arguments = std::make_shared<RecognizeArguments>();
+  CLI::App* command =
+      app.add_subcommand("recognize", "Find the shapes of a library that pictures are, or are parts of");
+  command->footer(kRecognizeExamples);
+  command->add_option("QUERY", arguments->queries, "SVGs, images with transparency, masks, pictures on a plain ground")
+      ->required()
+      ->type_name("FILE ...");
+  command->add_option("--library", arguments->library, "The library")->required()->type_name("LIB.h5");
+  command->add_option("--top", arguments->most, "How many shapes are told of each query")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command
+      ->add_option("--least", arguments->least_similarity, "A query that no shape is so similar to counts as unknown")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  command
+      ->add_option("--scale", arguments->scale,
+                   "Where it is known: px of the query for one px of the library's drawings, which excludes others")
+      ->type_name("FACTOR");
+  command->add_option("--json", arguments->json, "Write the answer for programs, too")->type_name("FILE");
+  command->add_option("--sheet", arguments->sheet, "Draw queries and shapes side by side")->type_name("FILE.png");
+  command->add_flag("--quiet", arguments->quiet, "Warnings and errors only");
+  command->callback([arguments, &selected] {
+    selected.run_on_all_ranks = [arguments](comm::Communicator& ranks) {
+      return recognize_on_all_ranks(*arguments, ranks);
+    };
+  });
+}
+
+}  // namespace tessera::cli

@@ -1,0 +1,39 @@
+// What tessera recognize tells of its queries: for programs, and as a picture.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "library/storage/library_file.h"
+#include "run/recognition/query_file.h"
+#include "run/recognition/recognition_messages.h"
+
+namespace tessera {
+
+struct RecognisedShape {
+  std::string name;
+  double similarity = 0;
+  double scale = 0;  // px of the query's picture for one px of the library's drawing; 0: the library does not know
+  double rotation_deg = 0;  // from the drawing to the picture, clockwise as y points down
+};
+
+struct RecognisedQuery {
+  std::string file;
+  std::vector<RecognisedShape> shapes;  // the best first
+
+  bool found(double least_similarity) const { return !shapes.empty() && shapes.front().similarity >= least_similarity; }
+};
+
+/// `in_own_px`: the poses are in px of the pictures, not in those that were traced.
+std::vector<RecognisedQuery> recognised_queries(const std::vector<QueryFile>& files, const Recognitions& found,
+                                                const LibraryFile& library, bool in_own_px);
+
+/// Writes JSON. Throws EnvironmentError where the file cannot be written, as does write_recognition_sheet.
+void write_recognitions(const std::string& path, const std::string& library,
+                        const std::vector<RecognisedQuery>& queries);
+
+/// Writes a PNG: a row for each query, its outlines first, then the best shapes.
+void write_recognition_sheet(const std::string& path, const std::vector<QueryFile>& files, const Recognitions& found,
+                             const LibraryFile& library);
+
+}  // namespace tessera

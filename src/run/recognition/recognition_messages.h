@@ -1,0 +1,53 @@
+// What the ranks of a recognition tell each other (comm/archive.h).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "comm/messages.h"
+#include "core/recognition/recognition.h"
+
+namespace tessera {
+
+/// Rank 0 to all others: what is looked for, and where.
+struct RecognitionQuestion {
+  std::vector<std::vector<Curve>> queries;  // the curves of each
+  std::string library;                      // the file, which every rank opens itself
+  std::uint64_t library_digest = 0;         // ShapeLibrary::content_digest()
+  float query_per_drawn_px = 0;             // RecognitionSettings; 0: unknown
+  std::uint64_t most = 10;
+};
+
+/// The best shapes for each query, the best first.
+using Recognitions = std::vector<std::vector<Recognition>>;
+
+}  // namespace tessera
+
+namespace tessera::comm {
+
+template <class T>
+requires kIsOneOf<T, Recognition>
+inline constexpr bool kSentAsItLies<T> = true;
+
+template <class T>
+requires kIsOneOf<T, Curve, RecognitionQuestion>
+inline constexpr bool kSentByMembers<T> = true;
+
+}  // namespace tessera::comm
+
+namespace boost::serialization {
+
+template <class Archive>
+void serialize(Archive& archive, tessera::Curve& curve, unsigned) {
+  auto& [points, closed] = curve;
+  tessera::comm::send_members(archive, points, closed);
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::RecognitionQuestion& question, unsigned) {
+  auto& [queries, library, library_digest, query_per_drawn_px, most] = question;
+  tessera::comm::send_members(archive, queries, library, library_digest, query_per_drawn_px, most);
+}
+
+}  // namespace boost::serialization

@@ -1,0 +1,105 @@
+#include "run/recognition/recognition_run.h"
+
+#include <cstdio>
+
+#include "core/base/error.h"
+#include "core/base/stopwatch.h"
+#include "library/storage/library_file.h"
+#include "run/recognition/query_file.h"
+#include "run/recognition/recognition_files.h"
+#include "run/recognition/recognition_search.h"
+#include "terminal/exit_codes.h"
+#include "terminal/progress_bar.h"
+#include "terminal/terminal.h"
+#include "text/text_table.h"
+#include "text/utf8_text.h"
+
+namespace tessera {
+namespace {
+
+void check(const RecognizeArguments& arguments) {
+  if (arguments.scale && !(*arguments.scale > 0 && *arguments.scale < 1e6)) {
+    throw InputError("--scale: must be above 0 and below a million");
+  }
+}
+
+std::vector<QueryFile> read_queries(const RecognizeArguments& arguments) {
+  Drawers drawers({});
+  std::vector<QueryFile> files;
+  for (const std::string& path : arguments.queries) files.push_back(read_query_file(drawers, path));
+  return files;
+}
+
+/// A known scale is one of pictures, which are drawn at different sizes for tracing: so is each query of the question.
+RecognitionQuestion question_of(const RecognizeArguments& arguments, const std::vector<QueryFile>& files,
+                                const ShapeLibrary& library) {
+  RecognitionQuestion question;
+  question.library = arguments.library;
+  question.library_digest = library.content_digest();
+  question.most = arguments.most;
+  if (arguments.scale) question.query_per_drawn_px = float(*arguments.scale);
+  for (const QueryFile& file : files) {
+    std::vector<Curve> outlines = file.outlines;
+    if (arguments.scale) {
+      for (Curve& curve : outlines) {
+        for (Vec2& p : curve.points) p = p * (1 / file.traced_per_px);
+      }
+    }
+    question.queries.push_back(std::move(outlines));
+  }
+  return question;
+}
+
+Recognitions searched(const RecognizeArguments& arguments, const RecognitionQuestion& question,
+                      const ShapeLibrary& library, comm::Communicator& ranks) {
+  std::optional<ProgressBar> bar;
+  return recognised_by_all_ranks(ranks, question, library, [&](std::size_t done, std::size_t all) {
+    if (arguments.quiet || all < 2) return;
+    if (!bar) bar.emplace("searching", all);
+    bar->update(done);
+  });
+}
+
+void print_table(const RecognizeArguments& arguments, const std::vector<RecognisedQuery>& queries) {
+  for (const RecognisedQuery& query : queries) {
+    print_line("%s", printable_utf8(query.file).c_str());
+    TextTable table({"shape", "similarity", "scale", "turned"});
+    for (const RecognisedShape& shape : query.shapes) {
+      char similarity[16], scale[16], turned[16];
+      std::snprintf(similarity, sizeof similarity, "%.3f", shape.similarity);
+      std::snprintf(scale, sizeof scale, "%.3f", shape.scale);
+      std::snprintf(turned, sizeof turned, "%.1f deg", shape.rotation_deg);
+      table.add({shape.name, similarity, scale, turned});
+    }
+    if (!query.shapes.empty()) print_lines(table.text());
+    if (!query.found(arguments.least_similarity)) {
+      print_line("  nothing of the library: no similarity of %.2f or more (--least)", arguments.least_similarity);
+    }
+  }
+}
+
+int lead(const RecognizeArguments& arguments, comm::Communicator& ranks) {
+  check(arguments);
+  const std::vector<QueryFile> files = read_queries(arguments);
+  const LibraryFile library(arguments.library);
+  const Stopwatch watch;
+  const RecognitionQuestion question = question_of(arguments, files, library);
+  const Recognitions found = searched(arguments, question, library, ranks);
+  const std::vector<RecognisedQuery> queries = recognised_queries(files, found, library, arguments.scale.has_value());
+  if (!arguments.quiet) print_table(arguments, queries);
+  if (!arguments.json.empty()) write_recognitions(arguments.json, arguments.library, queries);
+  if (!arguments.sheet.empty()) write_recognition_sheet(arguments.sheet, files, found, library);
+  if (!arguments.quiet) print_line("%zu shapes, %.1f s", library.size(), watch.seconds());
+  bool all_found = true;
+  for (const RecognisedQuery& query : queries) all_found &= query.found(arguments.least_similarity);
+  return all_found ? kDoneExitCode : kIncompleteExitCode;
+}
+
+}  // namespace
+
+int recognize_on_all_ranks(const RecognizeArguments& arguments, comm::Communicator& ranks) {
+  if (ranks.rank() != 0) work_on_recognition(ranks);  // never returns
+  return lead(arguments, ranks);
+}
+
+}  // namespace tessera

@@ -1,0 +1,114 @@
+#include "run/recognition/recognition_search.h"
+
+#include <algorithm>
+#include <mutex>
+
+#include "comm/encode.h"
+#include "comm/heartbeat.h"
+#include "core/base/error.h"
+#include "core/base/rank_pool.h"
+#include "library/storage/library_file.h"
+#include "library/storage/shape_models.h"
+#include "run/program_identity.h"
+
+namespace tessera {
+namespace {
+
+/// Smoothing levels that are searched. The coarsest says too little of parts.
+const std::vector<int> kSearchedLevels = {1, 2, 3, 4};
+/// A worker that rank 0 does not hear of for so long is lost.
+constexpr double kSilence_s = 300;
+
+std::size_t lots_of(const ShapeLibrary& library) { return (library.size() + kLotShapes - 1) / kLotShapes; }
+
+ShapeRange lot_of(const ShapeLibrary& library, std::size_t lot) {
+  const std::size_t begin = lot * kLotShapes;
+  return {std::uint32_t(begin), std::uint32_t(std::min(library.size(), begin + kLotShapes))};
+}
+
+KnownShapes read_lot(const ShapeLibrary& library, const ShapeRange& range) {
+  MatchingContext context;
+  context.pad = library.pad_parameters();
+  context.levels = kSearchedLevels;
+  context.library_shapes = std::uint32_t(library.size());
+  std::vector<float> drawn_scales_px;
+  for (const Shape& head :
+       library.read(range.begin, range.end, {.outline = false, .field = false, .levels = 0, .artwork = false})) {
+    drawn_scales_px.push_back(head.drawn_scale_px);
+  }
+  return KnownShapes(ShapeId(range.begin), models_of(library, context)->models(range, {}), std::move(drawn_scales_px),
+                     context.pad.levels);
+}
+
+std::vector<Query> prepared_queries(const RecognitionQuestion& question, const PadParameters& pad) {
+  std::vector<Query> queries;
+  queries.reserve(question.queries.size());
+  for (const std::vector<Curve>& curves : question.queries) queries.emplace_back(curves, QuerySettings{.pad = pad});
+  return queries;
+}
+
+void keep_best(std::vector<Recognition>& best, const std::vector<Recognition>& more, std::size_t most) {
+  best.insert(best.end(), more.begin(), more.end());
+  std::sort(best.begin(), best.end());
+  if (best.size() > most) best.resize(most);
+}
+
+/// This rank's lots: each one whose number leaves the rank's number, divided by that of the ranks.
+Recognitions recognised_here(const comm::Communicator& ranks, const RecognitionQuestion& question,
+                             const ShapeLibrary& library, const LotProgress& progress) {
+  const std::vector<Query> queries = prepared_queries(question, library.pad_parameters());
+  RecognitionSettings settings{.query_per_drawn_px = {}, .most = question.most};
+  if (question.query_per_drawn_px > 0) settings.query_per_drawn_px = question.query_per_drawn_px;
+  std::mutex reading;  // a library is read by one thread at a time
+  const OutlineOf outline_of = [&](ShapeId id) {
+    const std::lock_guard lock(reading);
+    return library
+        .read(index_of(id), index_of(id) + 1, {.outline = true, .field = false, .levels = 0, .artwork = false})
+        .front()
+        .outline;
+  };
+  Recognitions best(queries.size());
+  const std::size_t lots = lots_of(library);
+  for (std::size_t lot = std::size_t(ranks.rank()); lot < lots; lot += std::size_t(ranks.size())) {
+    progress(lot, lots);
+    const KnownShapes shapes = read_lot(library, lot_of(library, lot));
+    parallel_for(queries.size(), [&](std::size_t q) {
+      keep_best(best[q], recognised(queries[q], shapes, settings, outline_of), settings.most);
+    });
+  }
+  progress(lots, lots);
+  return best;
+}
+
+}  // namespace
+
+Recognitions recognised_by_all_ranks(comm::Communicator& ranks, const RecognitionQuestion& question,
+                                     const ShapeLibrary& library, const LotProgress& progress) {
+  announce_program(ranks, program_identity());
+  ranks.broadcast(comm::encode(question));
+  Recognitions best = recognised_here(ranks, question, library, [&](std::size_t done, std::size_t all) {
+    ranks.look();
+    progress(done, all);
+  });
+  for (int worker = 1; worker < ranks.size(); ++worker) {
+    const auto of_worker = comm::decode<Recognitions>(ranks.receive(worker, comm::Tag::recognitions));
+    if (of_worker.size() != best.size()) comm::refuse_message();
+    for (std::size_t q = 0; q < best.size(); ++q) keep_best(best[q], of_worker[q], question.most);
+  }
+  return best;
+}
+
+void work_on_recognition(comm::Communicator& ranks) {
+  check_program(ranks, program_identity());
+  const comm::Heart heart(ranks, kSilence_s);
+  const auto question = comm::decode<RecognitionQuestion>(ranks.broadcast({}));
+  const LibraryFile library(question.library);
+  if (library.content_digest() != question.library_digest) {
+    throw InputError(question.library + ": is another library than on rank 0; copy the same file to every node");
+  }
+  const Recognitions found = recognised_here(ranks, question, library, [&](std::size_t, std::size_t) { ranks.look(); });
+  ranks.send(0, comm::Tag::recognitions, comm::encode(found));
+  for (;;) ranks.receive(0, comm::Tag::recognitions);  // nothing comes: JobEnded
+}
+
+}  // namespace tessera

@@ -1,0 +1,29 @@
+// Queries looked up in a library, whose shapes are shared among the ranks. The library is searched in lots of equal size,
+// whoever searches them, so that the answer is the same on any number of ranks.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+#include "comm/communicator.h"
+#include "library/storage/shape_library.h"
+#include "run/recognition/recognition_messages.h"
+
+namespace tessera {
+
+/// Shapes of a lot.
+inline constexpr std::uint32_t kLotShapes = kSegmentShapes;
+
+/// Told by rank 0 how many of its lots are searched. It may throw to end the search.
+using LotProgress = std::function<void(std::size_t done, std::size_t all)>;
+
+/// Rank 0: sends the question to all ranks and gives the best shapes of all lots for each query. `library`: the one that
+/// the question names. Throws InputError where it is damaged.
+Recognitions recognised_by_all_ranks(comm::Communicator& ranks, const RecognitionQuestion& question,
+                                     const ShapeLibrary& library, const LotProgress& progress);
+
+/// Every other rank: searches its lots. Leaves by JobEnded. Throws InputError where this rank's library has another
+/// content than rank 0's; EnvironmentError where rank 0 runs another program.
+[[noreturn]] void work_on_recognition(comm::Communicator& ranks);
+
+}  // namespace tessera
