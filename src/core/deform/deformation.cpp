@@ -18,7 +18,8 @@ constexpr int kRounds = 12;
 constexpr int kVoronoiRounds = 24;  // each brings 2 px at most
 /// Then those that still overlap go back.
 constexpr int kClearingRounds = 4;
-/// Then who is nearer to another than a wished gap is deformed less, and in the last of these rounds not at all.
+/// Then those that are nearer to each other than a wished gap are deformed less. After these rounds they are not deformed
+/// at all, and neither is who is then too near to them.
 constexpr int kGapRounds = 12;
 
 /// Of the region that the piece lies in, or of the whole canvas.
@@ -78,14 +79,32 @@ class Deformation {
   }
 
   void keep_gaps() {
-    std::vector<std::uint8_t> nearer(pieces_.size());
-    for (int round = 1; round <= kGapRounds; ++round) {
-      const BoundaryMap now = map();
+    for (int round = 1; true; ++round) {
+      const std::vector<std::uint8_t> gives_way = too_near();
+      if (std::none_of(gives_way.begin(), gives_way.end(), [](std::uint8_t g) { return g != 0; })) return;
       parallel_for(pieces_.size(), [&](std::size_t i) {
-        nearer[i] = !pieces_[i].stays && deformers_[i]->weakened_where_nearer(now, gap_px_, round == kGapRounds);
+        if (gives_way[i] == 0) return;
+        if (round <= kGapRounds) {
+          deformers_[i]->shrink();
+        } else {
+          deformers_[i]->undo();
+        }
       });
-      if (std::none_of(nearer.begin(), nearer.end(), [](std::uint8_t n) { return n != 0; })) return;
     }
+  }
+
+  /// Says of each piece whether it is deformed and has less than the gap to another. Both of a pair count: only one of
+  /// them has the point that is near, and the other one may have moved.
+  std::vector<std::uint8_t> too_near() {
+    const BoundaryMap now = map();
+    std::vector<std::vector<std::uint32_t>> others(pieces_.size());
+    parallel_for(pieces_.size(), [&](std::size_t i) { others[i] = deformers_[i]->nearer_than(gap_px_, now); });
+    std::vector<std::uint8_t> is_near(pieces_.size());
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      for (const std::uint32_t other : others[i]) is_near[i] = is_near[other] = 1;
+    }
+    for (std::size_t i = 0; i < pieces_.size(); ++i) is_near[i] = is_near[i] != 0 && deformers_[i]->is_deformed();
+    return is_near;
   }
 
   BoundaryMap map() {
