@@ -129,8 +129,22 @@ for list in "" --list; do
   expect_word "tessera: $refused another --out, or remove that folder"
 done
 cmp before.toml campaign/seed_1/job.toml || fail "overwritten"
-run 0 campaign job.toml --seeds 2-3 --out campaign
-[[ $(grep -c 'finished before' output) == 1 ]] || fail "not one of two was there"
+
+# One campaign more in its folder extends it, or is refused: the new ranking would leave out what is there.
+cp campaign/ranking.csv before.csv
+for other in '--seeds 2-3' '--seeds 2' '--set pieces.uses=1,2' '--seeds 1-2 --set pieces.uses=1,2'; do
+  # shellcheck disable=SC2086
+  run 2 campaign job.toml --out campaign $other
+  expect_word 'tessera: campaign: holds results that this campaign does not make: seed_1'
+  expect_word '; give --seeds and --set that make these, too, or another --out'
+done
+cmp before.csv campaign/ranking.csv || fail "another ranking"
+[[ ! -e campaign/seed_3 ]] || fail "a part of the campaign that was refused"
+cp -r campaign more
+cp -r campaign/seed_1 more/seed_1-relaxed
+sed -i '0,/{/s//{"start": {"pieces": "seed_1", "digest": "0000000000000000"},/' more/seed_1-relaxed/manifest.json
+run 0 campaign job.toml --seeds 1-3 --out more
+[[ $(grep -c 'finished before' output) == 2 ]] || fail "not two of three were there"
 echo "ok campaigns"
 
 # A lost card is no lost collage, and a file that cannot be read is no reason to replace one.
@@ -157,9 +171,9 @@ mv before.toml campaign/seed_1/job.toml
 echo "ok lost cards and unreadable files"
 
 # One seed is a campaign, too, which a larger one takes over.
-run 0 campaign job.toml --seeds 4 --out campaign
-[[ -s campaign/seed_4/collage.png && -s campaign/ranking.csv ]] || fail "no campaign of one seed"
-run 0 campaign job.toml --seeds 4-5 --out campaign
+run 0 campaign job.toml --seeds 4 --out single
+[[ -s single/seed_4/collage.png && -s single/ranking.csv ]] || fail "no campaign of one seed"
+run 0 campaign job.toml --seeds 4-5 --out single
 [[ $(grep -c 'finished before' output) == 1 ]] || fail "the single seed was made again"
 echo "ok a single seed"
 
