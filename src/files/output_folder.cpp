@@ -21,7 +21,7 @@ constexpr const char* kAdvice = "; give another output";
 
 std::string cannot_write_into(const std::string& folder) { return "cannot write into the folder " + folder + ": "; }
 
-/// `part` of the folder's path is none, and making it failed for that reason.
+/// `part` of its path is what could not be made into a folder; empty: all of it is there.
 [[noreturn]] void fail(const std::string& folder, const fs::path& part, int reason) {
   std::error_code error;
   if (fs::exists(part, error)) throw InputError(cannot_write_into(folder) + part.string() + " is a file" + kAdvice);
@@ -46,6 +46,7 @@ void make_folders(const std::string& folder, const std::function<void(const std:
 }  // namespace
 
 void check_takes_files(const std::string& folder) {
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(folder, {}, errno);
   try {
     TemporaryFile probe((fs::path(folder) / ".tessera-write-test").string());
     probe.write(std::array<std::uint8_t, 1>{});  // a disk without room takes files, but no bytes

@@ -48,6 +48,12 @@ for command in "draw result --to" "collage job.toml --out" "refine result --rela
   # shellcheck disable=SC2086
   ends_by=2 before_work 'cannot write into the folder file/a: file is a file; give another output' $command file/a
 done
+for command in "library build drawings -o" "library subset own.h5 --include * -o" "puzzle solve own.h5 --job-only --job"; do
+  set -f
+  # shellcheck disable=SC2086
+  ends_by=2 before_work 'cannot write file/new: file is a file; give another output' $command file/new
+  set +f
+done
 ends_by=2 before_work 'cannot write into the folder own.h5: own.h5 is a file; give another output' collage job.toml --out own.h5
 # Where no folder can be made, whoever asks.
 for command in "draw result --to" "collage job.toml --out" "campaign job.toml --seeds 1 --out" "nest own.h5 --strip 100 --out"; do
