@@ -18,6 +18,9 @@ constexpr int kRounds = 12;
 constexpr int kVoronoiRounds = 24;  // each brings 2 px at most
 /// Then those that still overlap go back.
 constexpr int kClearingRounds = 4;
+/// Where a gap is wished: what is cleared here, and a little more, need not be taken back from whole pieces.
+constexpr int kGapClearingRounds = 12;
+constexpr float kGapMargin_px = 0.05f;
 /// Then those that are nearer to each other than a wished gap are deformed less. After these rounds they are not deformed
 /// at all, and neither is who is then too near to them.
 constexpr int kGapRounds = 12;
@@ -56,9 +59,9 @@ class Deformation {
     const BoundaryMap undeformed = map();
     each_moving([&](PieceDeformer& piece) { piece.set_limits(undeformed); });
     const int rounds = settings_.kind == DeformKind::voronoi ? kVoronoiRounds : kRounds;
-    for (int round = 0; round < rounds; ++round) step(false);
+    for (int round = 0; round < rounds; ++round) step(gap_px_, false);
     each_moving([](PieceDeformer& piece) { piece.grow_less(); });
-    for (int round = 0; round < kClearingRounds; ++round) step(true);
+    clear();
     const BoundaryMap last = map();
     each_moving([&](PieceDeformer& piece) {
       piece.undo_where_crossed(last);
@@ -71,10 +74,16 @@ class Deformation {
   }
 
  private:
-  void step(bool clears) {
+  void clear() {
+    const bool keeps_gap = gap_px_ > 0;
+    const int rounds = keeps_gap ? kGapClearingRounds : kClearingRounds;
+    for (int round = 0; round < rounds; ++round) step(keeps_gap ? gap_px_ + kGapMargin_px : 0, true);
+  }
+
+  void step(float gap_px, bool clears) {
     const BoundaryMap now = map();
     parallel_for(pieces_.size(), [&](std::size_t i) {
-      if (!pieces_[i].stays) deformers_[i]->step(now, edges_[i], gap_px_, clears);
+      if (!pieces_[i].stays) deformers_[i]->step(now, edges_[i], gap_px, clears);
     });
   }
 
