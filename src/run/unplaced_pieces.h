@@ -23,7 +23,8 @@ std::string unplaced_warning(const CollageInput& input, const master::CollageRes
 /// Names the regions in which no piece lies, and says what helps. Empty where there are none, and of an empty collage.
 std::string empty_regions_warning(const CanvasProblem& problem, const master::CollageResult& result);
 
-/// Names the shapes that fit nowhere on the canvas in a size or rotation of their own ([[shapes]], or as drawn), so that none of them stands, and says what helps; those that the job counts are told elsewhere. Empty where there are no
+/// Names the shapes that fit nowhere on the canvas in a size or rotation of their own ([[shapes]], or as drawn), so that
+/// none of them stands, and says what helps; those that the job counts are told elsewhere. Empty where there are no
 /// such shapes, and for an empty collage.
 std::string never_fitting_warning(const CanvasProblem& problem, const master::CollageResult& result);
 

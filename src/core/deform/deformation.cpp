@@ -21,8 +21,8 @@ constexpr int kClearingRounds = 4;
 /// Where a gap is wished: what is cleared here, and a little more, need not be taken back from whole pieces.
 constexpr int kGapClearingRounds = 12;
 constexpr float kGapMargin_px = 0.05f;
-/// Then those that are nearer to each other than a wished gap are deformed less. After these rounds they are not deformed
-/// at all, and neither is who is then too near to them.
+/// Then those that are nearer to each other than a wished gap are deformed less. After these rounds they are not
+/// deformed at all, and neither is who is then too near to them.
 constexpr int kGapRounds = 12;
 
 /// Of the region that the piece lies in, or of the whole canvas.
