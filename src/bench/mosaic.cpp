@@ -12,10 +12,10 @@
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
 #include "files/atomic_file.h"
+#include "files/output_folder.h"
 #include "job/canvas/overlay.h"
 #include "products/mosaic/mosaic_plan.h"
 #include "result/card_input.h"
-#include "result/collage_files.h"
 #include "result/mosaic_file.h"
 #include "text/csv_text.h"
 #include "text/number_text.h"
@@ -205,7 +205,7 @@ Report bench_mosaic(const Setting& setting, const MosaicOptions& asked) {
   const LibraryFile library(options.library);
   for (const std::string& image : options.images) image_of(image);  // a slip of the pen costs no mosaic
   const std::string folder = fs::path(setting.out).replace_extension().string();
-  create_output_directory(folder);
+  make_folder(folder);
   const std::string csv = folder + ".csv";
   check_can_be_written(csv);
   const bool with_peer = has_metapixel();

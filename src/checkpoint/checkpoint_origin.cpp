@@ -77,7 +77,7 @@ void check_origin(const Checkpoint& checkpoint, const CheckpointOrigin& now) {
   const std::string differences =
       differences_of(before, job_from_toml(now.job, "the job of now"), then, now, [](const JobKey&) { return true; });
   if (differences.empty()) return;
-  throw InputError(checkpoint.state.name + ": written for another job" + differences +
+  throw InputError(checkpoint.state.name + ": unfinished work of another job" + differences +
                    "; give what it was then, or another --out");
 }
 

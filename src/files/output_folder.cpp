@@ -6,6 +6,7 @@
 #include <array>
 #include <cerrno>
 #include <filesystem>
+#include <functional>
 #include <system_error>
 
 #include "core/base/error.h"
@@ -16,16 +17,47 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const std::string& folder, int reason) {
-  throw EnvironmentError("cannot write into the folder " + folder + ": " + std::generic_category().message(reason));
+constexpr const char* kAdvice = "; give another output";
+
+std::string cannot_write_into(const std::string& folder) { return "cannot write into the folder " + folder + ": "; }
+
+/// `part` of its path is what could not be made into a folder; empty: all of it is there.
+[[noreturn]] void fail(const std::string& folder, const fs::path& part, int reason) {
+  std::error_code error;
+  if (fs::exists(part, error)) throw InputError(cannot_write_into(folder) + part.string() + " is a file" + kAdvice);
+  throw EnvironmentError(cannot_write_into(folder) + std::generic_category().message(reason) + kAdvice);
+}
+
+/// Calls `made` with each part of the path that was not there.
+void make_folders(const std::string& folder, const std::function<void(const std::string&)>& made) {
+  fs::path part;
+  for (const fs::path& name : fs::path(folder)) {
+    part /= name;
+    if (::mkdir(part.c_str(), 0777) == 0) {
+      made(part.string());
+      continue;
+    }
+    const int reason = errno;  // EROFS and EACCES, too, where the folder is there
+    std::error_code error;
+    if (!fs::is_directory(part, error)) fail(folder, part, reason);
+  }
 }
 
 }  // namespace
 
 void check_takes_files(const std::string& folder) {
-  TemporaryFile probe((fs::path(folder) / ".tessera-write-test").string());
-  probe.write(std::array<std::uint8_t, 1>{});  // a disk without room takes files, but no bytes
-  probe.flush();
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(folder, {}, errno);
+  try {
+    TemporaryFile probe((fs::path(folder) / ".tessera-write-test").string());
+    probe.write(std::array<std::uint8_t, 1>{});  // a disk without room takes files, but no bytes
+    probe.flush();
+  } catch (const EnvironmentError& error) {
+    throw EnvironmentError(error.what() + std::string(kAdvice));
+  }
+}
+
+void make_folder(const std::string& folder) {
+  make_folders(folder, [](const std::string&) {});
 }
 
 OutputFolder::OutputFolder(const std::string& folder) {
@@ -44,18 +76,10 @@ OutputFolder::~OutputFolder() {
 }
 
 void OutputFolder::make(const std::string& folder) {
-  fs::path part;
-  for (const fs::path& name : fs::path(folder)) {
-    part /= name;
-    if (::mkdir(part.c_str(), 0777) == 0) {
-      made_.push_back(part.string());
-      leftovers_.emplace_back(made_.back());
-      continue;
-    }
-    const int reason = errno;  // EROFS and EACCES, too, where the folder is there
-    std::error_code error;
-    if (!fs::is_directory(part, error)) fail(folder, reason == EEXIST ? ENOTDIR : reason);
-  }
+  make_folders(folder, [this](const std::string& part) {
+    made_.push_back(part);
+    leftovers_.emplace_back(made_.back());
+  });
 }
 
 }  // namespace tessera

@@ -126,6 +126,9 @@ void take(int file, const std::string& path, const std::string& output, Locking 
 FileDescriptor opened(const std::string& path, const std::string& output) {
   const std::string parent = std::filesystem::path(path).parent_path();
   const std::string folder = parent.empty() ? "." : parent;
+  std::error_code error;
+  if (std::filesystem::exists(folder, error) && !std::filesystem::is_directory(folder, error))
+    throw InputError("cannot write " + output + ": " + folder + " is a file; give another output");
   if (access(folder.c_str(), W_OK | X_OK) == 0) return open_own_file(path, O_RDWR);
   const int reason = errno;
   throw EnvironmentError("cannot write " + output + ": the folder " + folder + ": " +

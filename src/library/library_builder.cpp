@@ -42,7 +42,6 @@ struct Variant {
 
 struct NoShape {
   std::string reason;
-  bool is_hollow = false;  // SkipReason::hollow
 };
 
 using Loaded = std::variant<ArtworkShape, NoShape>;
@@ -50,9 +49,7 @@ using Loaded = std::variant<ArtworkShape, NoShape>;
 Loaded loaded(const ShapeLoader& loader, const std::string& path) {
   try {
     std::variant<ArtworkShape, SkipReason> shape = loader.load(path);
-    if (const auto* reason = std::get_if<SkipReason>(&shape)) {
-      return NoShape{skip_reason_text(*reason), *reason == SkipReason::hollow};
-    }
+    if (const auto* reason = std::get_if<SkipReason>(&shape)) return NoShape{skip_reason_text(*reason)};
     return std::move(std::get<ArtworkShape>(shape));
   } catch (const InputError& error) {
     return NoShape{error.what()};
@@ -82,9 +79,7 @@ class Builder {
     if (auto* artwork = std::get_if<ArtworkShape>(&loaded)) {
       take_shape(path, std::move(*artwork));
     } else {
-      const auto& none = std::get<NoShape>(loaded);
-      if (none.is_hollow) report_.hollow.push_back(path);
-      skip(path, none.reason);
+      skip(path, std::get<NoShape>(loaded).reason);
     }
     progress_(index + 1, report_.shapes);
   }
@@ -100,7 +95,7 @@ class Builder {
  private:
   void take_shape(const std::string& path, ArtworkShape artwork) {
     try {
-      add(path, std::move(artwork.shape), artwork.style);
+      if (!add(path, std::move(artwork.shape), artwork.style)) return;
       if (artwork.other_components > 0) report_.trimmed.push_back(path);
       if (artwork.loses_text) report_.textless.push_back(path);
       if (artwork.loses_parts) report_.faint.push_back(path);
@@ -110,13 +105,14 @@ class Builder {
     }
   }
 
-  void add(const std::string& path, Shape shape, const StyleFeatures& style) {
+  /// False where the library has the shape already.
+  bool add(const std::string& path, Shape shape, const StyleFeatures& style) {
     std::vector<Variant>& variants = variants_of_silhouette_[silhouette_hash(shape.outline)];
     const auto same = std::find_if(variants.begin(), variants.end(),
                                    [&](const Variant& v) { return same_colour(v.mean_lab, shape.mean_lab); });
     if (same != variants.end() && !settings_.keep_twins) {
       report_.merged.push_back({path, same->name});
-      return;
+      return false;
     }
     if (settings_.embed) embed(path, shape.artwork);
     shape.name = names_.unique(shape.name, path);
@@ -124,6 +120,7 @@ class Builder {
     writer_.append(shape, variants.empty() ? index : variants.front().index, style);
     variants.push_back({index, shape.name, shape.mean_lab});
     ++report_.shapes;
+    return true;
   }
 
   static void embed(const std::string& path, Artwork& artwork) {

@@ -38,7 +38,7 @@ struct LibraryBuildReport {
   std::vector<std::string> trimmed;   // paths of shapes: parts that do not touch the largest one were left out
   std::vector<std::string> textless;  // paths of shapes: their text was not drawn, as this machine has no font
   std::vector<std::string> faint;     // paths of shapes: parts that are too faint or too thin were left out
-  std::vector<std::string> hollow;    // paths of shapes and skipped files that TracingRules::fill_holes would help
+  std::vector<std::string> hollow;    // paths of shapes that TracingRules::fill_holes would help
 };
 
 struct ShapeLoader {

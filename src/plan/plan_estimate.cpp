@@ -160,19 +160,19 @@ void add_times(const PlanInput& input, PlanEstimate& plan) {
   const double pads = shapes * double(plan.pads_per_shape);
   const double sample_s = kPairsOfCubeRoot_s * std::cbrt(pads) + kDocking_s + kDockingOfRoot_s * std::sqrt(shapes);
   const double attempts = s.pieces.fit_all ? kAttempts : 1;
-  const double filling_s = attempts * plan.pieces * kSamplesOfAPiece * sample_s;
+  const double matching_s = attempts * plan.pieces * kSamplesOfAPiece * sample_s;
   const double placing_s = attempts * plan.pieces * kMasterOfAPiece_s;
   const double trial_s = kSamplesOfATrial * sample_s;
   const double trials = expected_trials(input, 1 / (trial_s / plan.workers + kMasterOfATrial_s));
   const double replaced = master::pays_to_replace(s) ? master::kPartReplaced * trials : 0;
   const double others = trials - replaced;
-  plan.matching_s = filling_s + others * trial_s;
-  plan.master_s = placing_s + others * kMasterOfATrial_s;
   const double improving_s = limited(
       others * (trial_s / plan.workers + kMasterOfATrial_s) + replacing_s(input, plan, replaced), s.improve.seconds);
-  const double loop_s = filling_s / plan.workers + placing_s;
-  plan.total_s = kOverhead_s + double(plan.shapes_per_worker) * kLoadingAShape_s + plan.pieces * kWritingAPiece_s +
-                 limited(loop_s + improving_s, s.stop.seconds);
+  const double loop_s = matching_s / plan.workers + placing_s;
+  plan.filling_s = limited(loop_s, s.stop.seconds);
+  plan.improving_s = limited(loop_s + improving_s, s.stop.seconds) - plan.filling_s;
+  plan.beside_s = kOverhead_s + double(plan.shapes_per_worker) * kLoadingAShape_s + plan.pieces * kWritingAPiece_s;
+  plan.total_s = plan.filling_s + plan.improving_s + plan.beside_s;
 }
 
 }  // namespace

@@ -36,10 +36,11 @@ struct PlanEstimate {
   double largest_buffer_bytes = 0;  // of these
   double worker_bytes = 0;          // host memory
   double master_bytes = 0;
-  double node_bytes = 0;  // of the node with the master
-  double matching_s = 0;  // all workers together
-  double master_s = 0;
-  double total_s = 0;
+  double node_bytes = 0;   // of the node with the master
+  double filling_s = 0;    // with the workers side by side
+  double improving_s = 0;  // likewise
+  double beside_s = 0;     // start, loading, files
+  double total_s = 0;      // the sum of these
   double checkpoint_bytes = 0;
 };
 

@@ -26,9 +26,23 @@ std::string megabytes(double bytes) {
   return bytes < 10e6 ? fixed(bytes / 1e6, 1) + " MB" : fixed(bytes / 1e6, 0) + " MB";
 }
 
-std::string time_text(double seconds) {
-  if (seconds < 120) return fixed(seconds, 0) + " s";
-  return seconds < 7200 ? fixed(seconds / 60, 0) + " min" : fixed(seconds / 3600, 1) + " h";
+struct TimeUnit {
+  double seconds;
+  const char* name;
+  int decimals;
+};
+
+TimeUnit unit_of(double seconds) {
+  if (seconds < 120) return {1, " s", 0};
+  return seconds < 7200 ? TimeUnit{60, " min", 0} : TimeUnit{3600, " h", 1};
+}
+
+/// The parts have the unit of their sum, and a digit more.
+std::string time_text(const PlanEstimate& plan) {
+  const TimeUnit unit = unit_of(plan.total_s);
+  const auto part = [&](double seconds) { return fixed(seconds / unit.seconds, unit.decimals + 1) + unit.name; };
+  return "about " + fixed(plan.total_s / unit.seconds, unit.decimals) + unit.name + ": filling " +
+         part(plan.filling_s) + ", improving " + part(plan.improving_s) + ", start and files " + part(plan.beside_s);
 }
 
 std::string ranks_text(const PlanInput& input, const PlanEstimate& plan) {
@@ -65,9 +79,7 @@ std::string plan_text(const PlanInput& input, const PlanEstimate& plan) {
                              count_text(std::size_t(plan.levels), "smoothing level") + ", " +
                              count_text(std::size_t(plan.pads_per_shape), "PAD") + " a shape; " +
                              count_text(std::size_t(plan.shapes_per_worker), "shape") + " a worker") +
-         line("pieces", "about " + fixed(plan.pieces, 0)) + memory_text(input, plan) +
-         line("time", "about " + time_text(plan.total_s) + ": matching " + time_text(plan.matching_s) + " / " +
-                          std::to_string(plan.workers) + ", master " + time_text(plan.master_s)) +
+         line("pieces", "about " + fixed(plan.pieces, 0)) + memory_text(input, plan) + line("time", time_text(plan)) +
          (input.settings.pieces.fit_all ? line("", "for a few attempts at sizes (pieces.fit), of 12 at most") : "") +
          line("checkpoint", "about " + megabytes(plan.checkpoint_bytes)) +
          "\nFrom formulas with figures of one machine, 120 to 10,000 shapes and 30 to 500 pieces; a worker has two CPU "

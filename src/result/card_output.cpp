@@ -210,17 +210,26 @@ std::string end_text(const RunStatistics& run, int trials_limit) {
          by_count(most, " trial", " trials");
 }
 
-std::string run_text(const RunStatistics& run, int trials_limit) {
-  const StageShares share = stage_shares(run);
-  return std::string("Run (the paper's Table 2)\n") +
-         card_line("candidates", grouped(run.shapes) + "  (shapes in the library)") +
-         card_line("PADs per shape", fixed(run.pads_per_shape, 1)) + card_line("iterations", grouped(run.rounds)) +
+/// Of what the run did not do, as where pieces only moved or gave way, there is nothing to say.
+std::string matching_text(const RunStatistics& run) {
+  if (run.rounds == 0) return "";
+  return card_line("PADs per shape", fixed(run.pads_per_shape, 1)) + card_line("iterations", grouped(run.rounds)) +
          card_line("docking choices", grouped(run.docking_choices)) +
-         card_line("pruned", percent_text(run.pruned_fraction())) +
+         card_line("pruned", percent_text(run.pruned_fraction()));
+}
+
+std::string shares_text(const RunStatistics& run) {
+  if (run.prune_s + run.dock_s + run.objective_s + run.merge_s <= 0) return "";
+  const StageShares share = stage_shares(run);
+  return card_line("prune / dock", percent_text(share.prune, 1) + " / " + percent_text(share.dock, 1)) +
+         card_line("objective / merge", percent_text(share.objective, 1) + " / " + percent_text(share.merge, 1));
+}
+
+std::string run_text(const RunStatistics& run, int trials_limit) {
+  return std::string("Run (the paper's Table 2)\n") +
+         card_line("candidates", grouped(run.shapes) + "  (shapes in the library)") + matching_text(run) +
          card_line("total time", fixed(run.total_s, 1) + " s") + last_tenth_text(run) + improvement_text(run) +
-         card_line("prune / dock", percent_text(share.prune, 1) + " / " + percent_text(share.dock, 1)) +
-         card_line("objective / merge", percent_text(share.objective, 1) + " / " + percent_text(share.merge, 1)) +
-         card_line("stopped by", end_text(run, trials_limit));
+         shares_text(run) + card_line("stopped by", end_text(run, trials_limit));
 }
 
 /// The shapes are the first ones where many are missing: the card stays small enough to be read again.

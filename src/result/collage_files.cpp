@@ -81,14 +81,8 @@ std::string write_cards(const std::string& dir, const CollageReport& report, con
 
 }  // namespace
 
-void create_output_directory(const std::string& dir) {
-  std::error_code error;
-  fs::create_directories(dir, error);
-  if (error) throw EnvironmentError("cannot create the output directory " + dir + ": " + error.message());
-}
-
 void prepare_output_directory(const std::string& dir) {
-  create_output_directory(dir);
+  make_folder(dir);
   check_takes_files(dir);
 }
 

@@ -75,9 +75,6 @@ struct ResultSource {
   std::shared_ptr<const std::vector<std::uint8_t>> shown_png;  // Job::shown_png
 };
 
-/// Creates the folder with its parents. Throws EnvironmentError.
-void create_output_directory(const std::string& dir);
-
 /// Creates `dir` and proves that it can be written; throws EnvironmentError. Called before the work.
 void prepare_output_directory(const std::string& dir);
 

@@ -1,18 +1,22 @@
 #include "run/campaign_run.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
 
 #include "comm/stop_signals.h"
+#include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "files/output_lock.h"
+#include "job/job_entry.h"
 #include "job/job_file.h"
 #include "job/pieces/variations.h"
 #include "job/quality_word.h"
 #include "result/card_input.h"
 #include "result/collage_files.h"
 #include "result/folder/finished_result.h"
+#include "result/folder/result_file.h"
 #include "run/collage_problem.h"
 #include "run/collage_run.h"
 #include "run/ranking_run.h"
@@ -49,10 +53,10 @@ Job effective_job(const Job& job, const Job& found) {
 }
 
 /// How the run in this folder ended, if its collage is computed and drawn. Throws InputError where the folder holds the
-/// finished result of another job, which would be lost.
+/// result of another job, which would be lost.
 std::optional<CollageEnd> earlier_end(const std::string& folder, const Job& job) {
   const EarlierResult earlier = find_earlier_result(folder);
-  if (!earlier.finished() || !is_finished_result_of(earlier, effective_job(job, earlier.whole->job)) ||
+  if (!earlier.whole || !is_finished_result_of(earlier, effective_job(job, earlier.whole->job)) ||
       !earlier.whole->drawn)
     return {};
   return end_of_finished(earlier.whole->manifest);
@@ -67,6 +71,35 @@ std::vector<Task> tasks_of(const CampaignArguments& arguments) {
     tasks.push_back({std::move(variation), folder, earlier_end(folder, job)});
   }
   return tasks;
+}
+
+/// The results in a campaign's folder, by name, but for those that refining made of others.
+std::vector<std::string> results_in(const std::string& folder) {
+  std::vector<std::string> names;
+  std::error_code error;  // where there is no folder, there are no results
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::string path = entry.path().string();
+    if (!entry.is_directory(error) || !is_in_result(path, kManifestName)) continue;
+    const EarlierResult found = find_earlier_result(path);
+    if (found.whole && !found.whole->manifest.start.empty()) continue;
+    names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// Throws InputError where the folder holds results that this campaign does not make: those of another one, which the
+/// new ranking would leave out.
+void check_extends_what_is_there(const CampaignArguments& arguments, const std::vector<Task>& tasks) {
+  std::vector<std::string> others = results_in(campaign_folder(arguments));
+  std::erase_if(others, [&](const std::string& name) {
+    return std::any_of(tasks.begin(), tasks.end(), [&](const Task& task) { return task.variation.name == name; });
+  });
+  if (others.empty()) return;
+  const std::string more = others.size() > 1 ? " and " + count_text(others.size() - 1, "other") : "";
+  throw InputError(campaign_folder(arguments) +
+                   ": holds results that this campaign does not make: " + printable(others.front()) + more +
+                   "; give --seeds and --set that make these, too, or another --out; tessera rank ranks any results");
 }
 
 /// Folders that an earlier campaign left, or whoever else: before hours of work.
@@ -137,6 +170,7 @@ int run_campaign(const CampaignArguments& arguments, comm::Communicator& ranks) 
                      " ranks, allowed: 1; over more ranks slurm/campaign.sh makes an array of jobs");
   }
   const std::vector<Task> tasks = tasks_of(arguments);
+  check_extends_what_is_there(arguments, tasks);
   if (arguments.list) {
     print_list(tasks);
     return 0;

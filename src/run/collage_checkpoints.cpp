@@ -55,6 +55,20 @@ void require(const Found& wanted, const Found& other, const std::string& damage)
                    (damage.empty() ? "" : "; the result in its folder is not whole: " + damage));
 }
 
+/// Where a run is to begin and nobody said what becomes of what is there.
+void require_nothing(const CheckpointFolder& folder, const CheckpointOrigin& origin) {
+  if (!folder.has_any()) return;
+  const bool latest = folder.has_latest();
+  const std::string& path = latest ? folder.latest() : folder.previous();
+  try {
+    read_matching(path, origin);
+  } catch (const InputError& error) {
+    throw InputError(error.what() + ways_out(folder, latest ? Start::resume : Start::resume_previous, origin));
+  }
+  throw InputError(path + ": unfinished work; " + (latest ? "--resume" : "--resume=previous") + " goes on with it, " +
+                   kStartAgain);
+}
+
 }  // namespace
 
 Start automatic_start(const EarlierResult& earlier) {
@@ -69,15 +83,12 @@ CheckpointFolder checked_start(const EarlierResult& earlier, Start start) {
   const Found previous{folder.previous(), "--resume=previous", folder.has_previous()};
   if (start == Start::resume && !earlier.finished()) require(latest, previous, earlier.damage);
   if (start == Start::resume_previous) require(previous, latest, earlier.damage);
-  if (start == Start::fresh && (latest.there || previous.there)) {
-    const Found& best = latest.there ? latest : previous;
-    throw InputError(best.path + ": unfinished work; " + best.option + " goes on with it, " + kStartAgain);
-  }
   return folder;
 }
 
 std::optional<CheckpointState> starting_state(const CheckpointFolder& folder, Start start,
                                               const CheckpointOrigin& origin) {
+  if (start == Start::fresh) require_nothing(folder, origin);
   if (start == Start::fresh || start == Start::restart) return {};
   try {
     return read_matching(start == Start::resume ? folder.latest() : folder.previous(), origin);

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "files/output_folder.h"
 #include "job/pieces/start_pieces.h"
 #include "result/collage_files.h"
 #include "run/refined_result.h"
@@ -35,7 +36,7 @@ CheckpointOrigin checked_origin(const CollageArguments& arguments, const CanvasP
 
 /// The folder is there then. Returns the place of its lock.
 std::string locked_folder(const std::string& folder) {
-  create_output_directory(folder);
+  make_folder(folder);
   return folder_lock_path(folder);
 }
 

@@ -71,6 +71,7 @@ void warn_of_result(const CollageArguments& arguments, const CollageInput& input
   const std::size_t given = settings.wishes.given.size();
   const bool drawn_sizes = has_drawn_sizes(WrittenKeys(problem.job()));
   journal.warn(unplaced_warning(input, result, missing, arguments.refined.get()));
+  journal.warn(empty_regions_warning(problem, result));
   journal.warn(never_fitting_warning(problem, result));
   journal.warn(used_up_warning(settings.pieces, drawn_sizes, problem.canvas(), result));
   if (relaxes(arguments)) journal.warn(nothing_gained_warning(settings, result));

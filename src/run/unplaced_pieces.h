@@ -20,7 +20,10 @@ std::vector<MissingShape> missing_shapes(const CanvasProblem& problem, const mas
 std::string unplaced_warning(const CollageInput& input, const master::CollageResult& result,
                              const std::vector<MissingShape>& missing, const RefinedResult* refined);
 
-/// Names the shapes that fit nowhere on the canvas in a size of their own ([[shapes]] scale_px, or as drawn), so that
+/// Names the regions in which no piece lies, and says what helps. Empty where there are none, and of an empty collage.
+std::string empty_regions_warning(const CanvasProblem& problem, const master::CollageResult& result);
+
+/// Names the shapes that fit nowhere on the canvas in a size or rotation of their own ([[shapes]], or as drawn), so that
 /// none of them stands, and says what helps; those that the job counts are told elsewhere. Empty where there are no
 /// such shapes, and for an empty collage.
 std::string never_fitting_warning(const CanvasProblem& problem, const master::CollageResult& result);

@@ -180,7 +180,8 @@ class Origin : public testing::Test {
   }
 
   static std::string other_job(const std::string& differences) {
-    return "out/checkpoint.h5: written for another job; " + differences + "; give what it was then, or another --out";
+    return "out/checkpoint.h5: unfinished work of another job; " + differences +
+           "; give what it was then, or another --out";
   }
 
   ScratchFolder scratch_;

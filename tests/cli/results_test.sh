@@ -41,6 +41,31 @@ expect_word 'tessera: warning: empty: the collage is empty: nothing fits; try pi
 [[ -s empty/collage.png ]] || fail "no picture"
 echo "ok nothing fits"
 
+# Of two regions one stays empty: its name, and the key that decides there, which is not pieces.scale_px.
+cat >halves.svg <<'EOF'
+<svg xmlns="http://www.w3.org/2000/svg" width="120" height="90">
+<rect width="60" height="90" fill="#ff0000"/><rect x="60" width="60" height="90" fill="#0000ff"/></svg>
+EOF
+{
+  sed 's/^size_px/file = "halves.svg"\n&/' job.toml
+  printf '[[regions]]\nname = "left"\ncolour = "#ff0000"\n'
+  printf '[[regions]]\nname = "right"\ncolour = "#0000ff"\nscale_px = [1500, 2000]\n'
+} >halves.toml
+run 0 collage halves.toml --out halves --quiet --set stop.pieces=0
+expect_word 'tessera: warning: nothing lies in the region "right"; try pieces of '
+expect_word ' px or less, scale_px of [[regions]] "right" (now [1500, 2000]); a larger canvas.size_px (now [120, 90])'
+[[ $(wc -l <errors) == 1 ]] || fail "not one line"
+grep -qF 'nothing lies in the region "right"' halves/run.log || fail "run.log does not name the region"
+run 0 collage halves.toml --out halves --quiet
+expect_word 'nothing lies in the region "right": stop.pieces (now 2) ended the collage before it'
+sed '/#ff0000/a scale_px = 1200' halves.toml >no_halves.toml
+run 3 collage no_halves.toml --out no_halves --quiet --set stop.pieces=0
+expect_word ' px or less, scale_px of [[regions]] "left" (now [1200, 1200]), "right" (now [1500, 2000]); a larger'
+printf '[[shapes]]\nnames = "*"\nregions = "left"\n' >>halves.toml
+run 0 collage halves.toml --out halves --quiet --set stop.pieces=0
+expect_word 'nothing lies in the region "right": no shape may stand there by sizes, weights, regions and names of [[shapes]]'
+echo "ok a region that stays empty"
+
 # More work than time: how to go on is said to quiet users, too, and as the command was.
 forever=(--quiet --time-limit 4 --set stop.pieces=0 --set improve.seconds=1000)
 run 75 collage job.toml --out long "${forever[@]}"
@@ -104,8 +129,22 @@ for list in "" --list; do
   expect_word "tessera: $refused another --out, or remove that folder"
 done
 cmp before.toml campaign/seed_1/job.toml || fail "overwritten"
-run 0 campaign job.toml --seeds 2-3 --out campaign
-[[ $(grep -c 'finished before' output) == 1 ]] || fail "not one of two was there"
+
+# One campaign more in its folder extends it, or is refused: the new ranking would leave out what is there.
+cp campaign/ranking.csv before.csv
+for other in '--seeds 2-3' '--seeds 2' '--set pieces.uses=1,2' '--seeds 1-2 --set pieces.uses=1,2'; do
+  # shellcheck disable=SC2086
+  run 2 campaign job.toml --out campaign $other
+  expect_word 'tessera: campaign: holds results that this campaign does not make: seed_1'
+  expect_word '; give --seeds and --set that make these, too, or another --out'
+done
+cmp before.csv campaign/ranking.csv || fail "another ranking"
+[[ ! -e campaign/seed_3 ]] || fail "a part of the campaign that was refused"
+cp -r campaign more
+cp -r campaign/seed_1 more/seed_1-relaxed
+sed -i '0,/{/s//{"start": {"pieces": "seed_1", "digest": "0000000000000000"},/' more/seed_1-relaxed/manifest.json
+run 0 campaign job.toml --seeds 1-3 --out more
+[[ $(grep -c 'finished before' output) == 2 ]] || fail "not two of three were there"
 echo "ok campaigns"
 
 # A lost card is no lost collage, and a file that cannot be read is no reason to replace one.
@@ -132,9 +171,9 @@ mv before.toml campaign/seed_1/job.toml
 echo "ok lost cards and unreadable files"
 
 # One seed is a campaign, too, which a larger one takes over.
-run 0 campaign job.toml --seeds 4 --out campaign
-[[ -s campaign/seed_4/collage.png && -s campaign/ranking.csv ]] || fail "no campaign of one seed"
-run 0 campaign job.toml --seeds 4-5 --out campaign
+run 0 campaign job.toml --seeds 4 --out single
+[[ -s single/seed_4/collage.png && -s single/ranking.csv ]] || fail "no campaign of one seed"
+run 0 campaign job.toml --seeds 4-5 --out single
 [[ $(grep -c 'finished before' output) == 1 ]] || fail "the single seed was made again"
 echo "ok a single seed"
 

@@ -9,7 +9,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
 
 # before_work MESSAGE COMMAND...
 before_work() {
-  run 1 "${@:2}"
+  run "${ends_by:-1}" "${@:2}"
   [[ ! -s output ]] || fail "work was done before: ${*:2}"
   [[ $(wc -l <errors) == 1 ]] || fail "more than one line: ${*:2}"
   expect_word "$1"
@@ -36,14 +36,30 @@ before_work "cannot write taken.png$is_folder" library info own.h5 --sheet taken
 before_work "cannot write free.png: free.png.tmp $in_the_way" library styles own.h5 --sheet free.png
 before_work "cannot write taken.png$is_folder" library extract sun.png --element-px 75 -o new.h5 --ground taken.png
 before_work "cannot write found/sun_found.png$is_folder" library extract sun.png --element-px 75 -o new.h5 --overview found
-before_work 'cannot write into the folder file: Not a directory' library extract sun.png --element-px 75 -o new.h5 --overview file
+ends_by=2 before_work 'cannot write into the folder file: file is a file; give another output' library extract sun.png --element-px 75 -o new.h5 --overview file
 before_work "cannot write free.toml: free.toml.tmp $in_the_way" mosaic sun.png own.h5 --job free.toml
 before_work "cannot write taken.json$is_folder" bench pairs --out taken.json
 before_work "cannot write free.json: free.json.tmp $in_the_way" bench pairs --out free.json
-before_work 'cannot write into the folder file: Not a directory' rank result --out file
+ends_by=2 before_work 'cannot write into the folder file: file is a file; give another output' rank result --out file
 before_work 'cannot write nowhere/new.h5: the folder nowhere: No such file or directory; give another output' \
   library build drawings -o nowhere/new.h5
-before_work 'cannot create the output directory file' draw result --to file
+for command in "draw result --to" "collage job.toml --out" "refine result --relax --out" "campaign job.toml --seeds 1 --out" \
+  "nest own.h5 --strip 100 --out"; do
+  # shellcheck disable=SC2086
+  ends_by=2 before_work 'cannot write into the folder file/a: file is a file; give another output' $command file/a
+done
+for command in "library build drawings -o" "library subset own.h5 --include * -o" "puzzle solve own.h5 --job-only --job"; do
+  set -f
+  # shellcheck disable=SC2086
+  ends_by=2 before_work 'cannot write file/new: file is a file; give another output' $command file/new
+  set +f
+done
+ends_by=2 before_work 'cannot write into the folder own.h5: own.h5 is a file; give another output' collage job.toml --out own.h5
+# Where no folder can be made, whoever asks.
+for command in "draw result --to" "collage job.toml --out" "campaign job.toml --seeds 1 --out" "nest own.h5 --strip 100 --out"; do
+  # shellcheck disable=SC2086
+  before_work '; give another output' $command /proc/folder
+done
 for name in collage.svg collage.png collage.pdf collage.tiff; do
   mkdir -p "elsewhere/$name"
   before_work "cannot write elsewhere/$name$is_folder" draw result --to elsewhere --png --svg --pdf --tiff --quiet
@@ -87,7 +103,7 @@ mkdir -p campaign/seed_2/card.txt.tmp/inside
 before_work "cannot write campaign/seed_2/card.txt: card.txt.tmp $in_the_way" campaign job.toml --seeds 1-2 --out campaign
 rm -r campaign/seed_2
 echo "a file" >campaign/seed_2
-before_work 'campaign/seed_2' campaign job.toml --seeds 1-2 --out campaign
+ends_by=2 before_work 'campaign/seed_2' campaign job.toml --seeds 1-2 --out campaign
 [[ ! -e campaign/seed_1 ]] || fail "a collage of a campaign that cannot be finished"
 mkdir -p report.svg.tmp/inside
 before_work "cannot write report.svg: report.svg.tmp $in_the_way" bench quality --library own.h5 --quick --out report.json

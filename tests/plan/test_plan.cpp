@@ -32,6 +32,36 @@ TEST(Plan, is_near_what_was_measured) {
   EXPECT_LT(plan.total_s, 4.9 * 3);  // with start and files
 }
 
+/// The numbers in the line of times.
+std::vector<double> told_times(const std::string& text) {
+  const std::size_t begin = text.find("about ", text.find("  time"));
+  const std::string line = text.substr(begin, text.find('\n', begin) - begin);
+  std::vector<double> times;
+  for (std::size_t at = 0; (at = line.find_first_of("0123456789", at)) != std::string::npos;) {
+    std::size_t length = 0;
+    times.push_back(std::stod(line.substr(at), &length));
+    at += length;
+  }
+  return times;
+}
+
+TEST(Plan, the_parts_of_the_time_add_up) {
+  for (const int trials : {0, 60, 3000, 200'000}) {
+    for (const double limit_s : {0., 0.5, 400.}) {
+      PlanInput input = animals();
+      input.settings.improve.trials = trials;
+      input.settings.stop.seconds = limit_s;
+      const PlanEstimate plan = estimate(input);
+      EXPECT_DOUBLE_EQ(plan.filling_s + plan.improving_s + plan.beside_s, plan.total_s);
+      const bool improves = trials > 0 && limit_s != 0.5;  // which the filling takes
+      EXPECT_EQ(plan.improving_s > 0, improves) << trials << " trials, " << limit_s << " s";
+      const std::vector<double> times = told_times(plan_text(input, plan));
+      ASSERT_EQ(times.size(), 4u);
+      EXPECT_NEAR(times[1] + times[2] + times[3], times[0], 0.66) << trials;
+    }
+  }
+}
+
 TEST(Plan, a_search_for_sizes_takes_a_few_attempts) {
   PlanInput input = animals();
   input.settings.pieces.uses = 1;
@@ -39,7 +69,7 @@ TEST(Plan, a_search_for_sizes_takes_a_few_attempts) {
   EXPECT_EQ(plan_text(input, once).find("attempts"), std::string::npos);
   input.settings.pieces.fit_all = true;
   const PlanEstimate searched = estimate(input);
-  EXPECT_GT(searched.matching_s, 2 * once.matching_s);
+  EXPECT_GT(searched.filling_s, 2 * once.filling_s);
   EXPECT_GT(searched.pads_per_shape, once.pads_per_shape) << "of the levels for smaller sizes, too";
   EXPECT_NE(plan_text(input, searched).find("a few attempts at sizes (pieces.fit), of 12 at most"), std::string::npos);
 }

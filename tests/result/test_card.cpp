@@ -204,7 +204,12 @@ TEST(Card, ARunThatDidNothing) {
   const auto card = nlohmann::json::parse(card_json({}, {}, {}));
   EXPECT_EQ(card["run"]["prune_share_percent"], 0);
   EXPECT_EQ(card["run"]["pruned_percent"], 0);
-  EXPECT_FALSE(card_text({}, {}, {}).empty());
+  const std::string text = card_text({}, {}, {});
+  EXPECT_NE(text.find("candidates"), std::string::npos);
+  for (const char* line : {"PADs", "iterations", "docking choices", "pruned", "prune / dock", "objective / merge"}) {
+    EXPECT_EQ(text.find(line), std::string::npos) << line;
+    EXPECT_NE(card_text({}, sample_run(), {}).find(line), std::string::npos) << line;
+  }
 }
 
 }  // namespace test_card

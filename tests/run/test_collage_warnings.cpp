@@ -8,6 +8,7 @@
 #include "core/colour/colour_target.h"
 #include "core/field/keep_out.h"
 #include "run/messages/collage_warnings.h"
+#include "run/messages/place_advice.h"
 #include "run/messages/written_keys.h"
 #include "support/synthetic_shapes.h"
 
@@ -66,6 +67,46 @@ TEST(WrittenKeys, LengthsAreInMmWhereTheCanvasHasASizeOnPaper) {
   EXPECT_EQ(WrittenKeys(job).with_value("pieces", "padding_px"), "pieces.padding_mm (now 0)");
   EXPECT_EQ(WrittenKeys(job).with_value("pieces", "uses"), "pieces.uses (now 0)");
   EXPECT_EQ(WrittenKeys(job).length_text(41.25), "8.25 mm");
+}
+
+TEST(WrittenKeys, RowsOfTablesHaveTheirNamesAndValues) {
+  Job job;
+  for (const char* name : {"sky", "land", "sea", "sand"}) {
+    JobRow row;
+    row["name"].text = name;
+    if (std::string(name) != "land") row["scale_px"].numbers = {20, 160};
+    job.tables["regions"].push_back(row);
+  }
+  JobRow cats;
+  cats["names"].texts = {"cat*", "kitten"};
+  cats["scale_px"].numbers = {180, 180};
+  job.tables["shapes"] = {cats};
+  const WrittenKeys keys(job);
+  EXPECT_EQ(keys.rows_with("regions", "scale_px"), (std::vector<std::uint32_t>{0, 2, 3}));
+  EXPECT_EQ(keys.rows_with_values("regions", "scale_px", {0, 2}),
+            "scale_px of [[regions]] \"sky\" (now [20, 160]), \"sea\" (now [20, 160])");
+  EXPECT_EQ(keys.rows_with_values("shapes", "scale_px", {0}), "scale_px of [[shapes]] \"cat*\", ... (now [180, 180])");
+  EXPECT_EQ(keys.rows_with_values("shapes", "scale_px", {}), "");
+  job.canvas.width_mm = job.canvas.height_mm = 200;
+  EXPECT_EQ(keys.rows_with_values("regions", "scale_px", {0}), "scale_mm of [[regions]] \"sky\" (now [4, 32])");
+}
+
+/// [pieces] is not named where no shape goes by it.
+TEST(PlaceAdvice, OnlyWhatDecidesIsNamed) {
+  Job job;
+  JobRow row;
+  row["name"].text = "sky";
+  row["scale_px"].numbers = {20, 160};
+  job.tables["regions"] = {row};
+  row.erase("scale_px");
+  job.tables["regions"].push_back(row);
+  Wishes wishes;
+  wishes.regions.resize(2);
+  wishes.regions[0].poses.scale_px = {{20, 160}};
+  const std::string sky = "scale_px of [[regions]] \"sky\" (now [20, 160])", pieces = "pieces.scale_px (now [20, 160])";
+  EXPECT_EQ(where_sizes_stand(WrittenKeys(job), wishes, {{ShapeId{0}}, {0}}), sky);
+  EXPECT_EQ(where_sizes_stand(WrittenKeys(job), wishes, {{ShapeId{0}}, {1}}), pieces);
+  EXPECT_EQ(where_sizes_stand(WrittenKeys(job), wishes, {{ShapeId{0}}, {0, 1}}), sky + " or " + pieces);
 }
 
 TEST(CollageWarnings, KeysThatMeanNothingAreTold) {

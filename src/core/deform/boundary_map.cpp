@@ -114,7 +114,7 @@ bool BoundaryMap::is_inside_of(const Side& side, Vec2 p) const {
   return convex ? left_of(in) && left_of(out) : left_of(in) || left_of(out);
 }
 
-float BoundaryMap::distance_to_others_px(Vec2 p, std::uint32_t piece, float reach_px) const {
+NearestOther BoundaryMap::nearest_other(Vec2 p, std::uint32_t piece, float reach_px) const {
   float best = reach_px;
   const Side* nearest = nullptr;
   // What is not within this radius lies in a cell that is not looked into.
@@ -129,7 +129,8 @@ float BoundaryMap::distance_to_others_px(Vec2 p, std::uint32_t piece, float reac
     });
     if (best <= radius || radius >= reach_px) break;
   }
-  return nearest && is_inside_of(*nearest, p) ? -best : best;
+  if (nearest == nullptr) return {best, {}};
+  return {is_inside_of(*nearest, p) ? -best : best, nearest->piece};
 }
 
 RayHits BoundaryMap::hits(Vec2 from, Vec2 direction, float length_px, std::uint32_t piece) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/geometry/period.h"
@@ -17,13 +18,22 @@ struct RayHits {
   float other_px = 0;  // that of another, or of an image of the piece
 };
 
+/// Of all other pieces, and images of a piece, the nearest boundary.
+struct NearestOther {
+  float distance_px = 0;  // negative inside of that piece
+  std::optional<std::uint32_t> piece;
+};
+
 class BoundaryMap {
  public:
   /// Canvas frame. On a seamless canvas all images count.
   BoundaryMap(const std::vector<Outline>& pieces_px, const Period& period);
 
-  /// The distance to the nearest boundary of another piece, negative inside of that piece; `reach_px` where none is nearer.
-  float distance_to_others_px(Vec2 p, std::uint32_t piece, float reach_px) const;
+  /// `reach_px` and no piece where none is nearer.
+  NearestOther nearest_other(Vec2 p, std::uint32_t piece, float reach_px) const;
+  float distance_to_others_px(Vec2 p, std::uint32_t piece, float reach_px) const {
+    return nearest_other(p, piece, reach_px).distance_px;
+  }
 
   /// `direction` has length 1. What it touches within kSelf_px of its start is where it starts from.
   RayHits hits(Vec2 from, Vec2 direction, float length_px, std::uint32_t piece) const;

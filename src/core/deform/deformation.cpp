@@ -18,7 +18,11 @@ constexpr int kRounds = 12;
 constexpr int kVoronoiRounds = 24;  // each brings 2 px at most
 /// Then those that still overlap go back.
 constexpr int kClearingRounds = 4;
-/// Then who is nearer to another than a wished gap is deformed less, and in the last of these rounds not at all.
+/// Where a gap is wished: what is cleared here, and a little more, need not be taken back from whole pieces.
+constexpr int kGapClearingRounds = 12;
+constexpr float kGapMargin_px = 0.05f;
+/// Then those that are nearer to each other than a wished gap are deformed less. After these rounds they are not
+/// deformed at all, and neither is who is then too near to them.
 constexpr int kGapRounds = 12;
 
 /// Of the region that the piece lies in, or of the whole canvas.
@@ -55,9 +59,9 @@ class Deformation {
     const BoundaryMap undeformed = map();
     each_moving([&](PieceDeformer& piece) { piece.set_limits(undeformed); });
     const int rounds = settings_.kind == DeformKind::voronoi ? kVoronoiRounds : kRounds;
-    for (int round = 0; round < rounds; ++round) step(false);
+    for (int round = 0; round < rounds; ++round) step(gap_px_, false);
     each_moving([](PieceDeformer& piece) { piece.grow_less(); });
-    for (int round = 0; round < kClearingRounds; ++round) step(true);
+    clear();
     const BoundaryMap last = map();
     each_moving([&](PieceDeformer& piece) {
       piece.undo_where_crossed(last);
@@ -70,22 +74,46 @@ class Deformation {
   }
 
  private:
-  void step(bool clears) {
+  void clear() {
+    const bool keeps_gap = gap_px_ > 0;
+    const int rounds = keeps_gap ? kGapClearingRounds : kClearingRounds;
+    for (int round = 0; round < rounds; ++round) step(keeps_gap ? gap_px_ + kGapMargin_px : 0, true);
+  }
+
+  void step(float gap_px, bool clears) {
     const BoundaryMap now = map();
     parallel_for(pieces_.size(), [&](std::size_t i) {
-      if (!pieces_[i].stays) deformers_[i]->step(now, edges_[i], gap_px_, clears);
+      if (!pieces_[i].stays) deformers_[i]->step(now, edges_[i], gap_px, clears);
     });
   }
 
   void keep_gaps() {
-    std::vector<std::uint8_t> nearer(pieces_.size());
-    for (int round = 1; round <= kGapRounds; ++round) {
-      const BoundaryMap now = map();
+    for (int round = 1; true; ++round) {
+      const std::vector<std::uint8_t> gives_way = too_near();
+      if (std::none_of(gives_way.begin(), gives_way.end(), [](std::uint8_t g) { return g != 0; })) return;
       parallel_for(pieces_.size(), [&](std::size_t i) {
-        nearer[i] = !pieces_[i].stays && deformers_[i]->weakened_where_nearer(now, gap_px_, round == kGapRounds);
+        if (gives_way[i] == 0) return;
+        if (round <= kGapRounds) {
+          deformers_[i]->shrink();
+        } else {
+          deformers_[i]->undo();
+        }
       });
-      if (std::none_of(nearer.begin(), nearer.end(), [](std::uint8_t n) { return n != 0; })) return;
     }
+  }
+
+  /// Says of each piece whether it is deformed and has less than the gap to another. Both of a pair count: only one of
+  /// them has the point that is near, and the other one may have moved.
+  std::vector<std::uint8_t> too_near() {
+    const BoundaryMap now = map();
+    std::vector<std::vector<std::uint32_t>> others(pieces_.size());
+    parallel_for(pieces_.size(), [&](std::size_t i) { others[i] = deformers_[i]->nearer_than(gap_px_, now); });
+    std::vector<std::uint8_t> is_near(pieces_.size());
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      for (const std::uint32_t other : others[i]) is_near[i] = is_near[other] = 1;
+    }
+    for (std::size_t i = 0; i < pieces_.size(); ++i) is_near[i] = is_near[i] != 0 && deformers_[i]->is_deformed();
+    return is_near;
   }
 
   BoundaryMap map() {

@@ -21,8 +21,8 @@ constexpr float kMostInRound_px = 2;
 constexpr float kShorter = 0.85f;
 constexpr int kMostShorter = 16;
 constexpr int kMostWeaker = 40;
-/// A gap that is wished is kept up to this: less than what is written of a polygon.
-constexpr float kGapSlack_px = 0.01f;
+/// A gap that is wished is kept up to this, which is what rounding may take of it.
+constexpr float kGapSlack_px = 0.002f;
 
 int neighbours_for(float spacing) { return std::clamp(int(kFade / spacing + 0.5f), 1, 64); }
 
@@ -132,17 +132,23 @@ void PieceDeformer::grow_less() {
 void PieceDeformer::weaken() {
   if (settings_.kind == DeformKind::capped && farthest_px() > most_px()) scale_warp(most_px() / farthest_px());
   for (int k = 0; k < kMostWeaker && !keeps_identity(); ++k) scale_warp(kShorter);
-  if (!keeps_identity()) scale_warp(0);
+  if (!keeps_identity()) undo();
 }
 
-bool PieceDeformer::weakened_where_nearer(const BoundaryMap& map, float gap_px, bool last) {
-  const auto is_near = [&](const Point& point) {
+void PieceDeformer::shrink() { scale_warp(kShorter); }
+
+void PieceDeformer::undo() { scale_warp(0); }
+
+std::vector<std::uint32_t> PieceDeformer::nearer_than(float gap_px, const BoundaryMap& map) const {
+  std::vector<std::uint32_t> pieces;
+  for (const Point& point : points_) {
     const Vec2 p = piece_.canvas_from_shape.apply(warp_.apply(point.home));
-    return map.distance_to_others_px(p, index_, gap_px) < gap_px - kGapSlack_px;
-  };
-  if (farthest_px() == 0 || std::none_of(points_.begin(), points_.end(), is_near)) return false;
-  scale_warp(last ? 0 : kShorter);
-  return true;
+    const NearestOther other = map.nearest_other(p, index_, gap_px);
+    if (other.piece && other.distance_px < gap_px - kGapSlack_px) pieces.push_back(*other.piece);
+  }
+  std::sort(pieces.begin(), pieces.end());
+  pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
+  return pieces;
 }
 
 void PieceDeformer::scale_warp(float factor) {
@@ -156,7 +162,7 @@ float PieceDeformer::farthest_px() const {
 }
 
 void PieceDeformer::undo_where_crossed(const BoundaryMap& map) {
-  if (!crossed_ && map.crosses_itself(index_)) scale_warp(0);
+  if (!crossed_ && map.crosses_itself(index_)) undo();
 }
 
 Outline PieceDeformer::outline_px() const {

@@ -28,9 +28,13 @@ class PieceDeformer {
   void grow_less();
   /// The same for certain, and no farther than the settings allow, by less of the whole deformation.
   void weaken();
-  /// Less of the deformation where another boundary in `map` is nearer than `gap_px`; `last`: none of it is left there.
-  /// Returns whether one was nearer.
-  bool weakened_where_nearer(const BoundaryMap& map, float gap_px, bool last);
+  /// Some less of the deformation.
+  void shrink();
+  void undo();
+
+  bool is_deformed() const { return farthest_px() > 0; }
+  /// The pieces to whose boundaries in `map` a point of this one's is nearer than `gap_px`.
+  std::vector<std::uint32_t> nearer_than(float gap_px, const BoundaryMap& map) const;
 
   /// Without any deformation, where the boundary crosses itself in `map` and did not before.
   void undo_where_crossed(const BoundaryMap& map);

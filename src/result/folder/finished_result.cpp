@@ -10,8 +10,9 @@
 namespace tessera {
 namespace {
 
-std::string another_job(const std::string& dir, const std::string& differences) {
-  return dir + ": holds the finished result of another job" + differences + "; give what it was then, ";
+std::string another_job(const EarlierResult& earlier, const std::string& differences) {
+  const std::string what = earlier.finished() ? "the finished result" : "an unfinished result";
+  return earlier.folder + ": holds " + what + " of another job" + differences + "; give what it was then, ";
 }
 
 bool has_picture(const std::string& dir, const ResultManifest& manifest, const char* name) {
@@ -53,10 +54,10 @@ EarlierResult find_earlier_result(const std::string& dir) {
 }
 
 bool is_finished_result_of(const EarlierResult& earlier, const Job& job) {
-  if (!earlier.finished()) return false;
+  if (!earlier.whole) return false;
   const std::string differences = result_differences(earlier.whole->job, job);
-  if (differences.empty()) return true;
-  throw InputError(another_job(earlier.folder, differences) + "another --out, or remove that folder");
+  if (differences.empty()) return earlier.finished();
+  throw InputError(another_job(earlier, differences) + "another --out, or remove that folder");
 }
 
 void check_finished_result(const EarlierResult& earlier, const CheckpointOrigin& now, std::uint64_t start_digest) {
@@ -66,7 +67,7 @@ void check_finished_result(const EarlierResult& earlier, const CheckpointOrigin&
   const bool same_start = manifest.start.empty() || manifest.start_digest == start_digest;
   if (!same_start) differences += "; start.pieces: another content";
   if (differences.empty()) return;
-  throw InputError(another_job(earlier.folder, differences) + "or leave --resume out to replace it");
+  throw InputError(another_job(earlier, differences) + "or leave --resume out to replace it");
 }
 
 std::string result_differences(const Job& then, const Job& now) {

@@ -39,7 +39,7 @@ struct EarlierResult {
 EarlierResult find_earlier_result(const std::string& dir);
 
 /// Whether this is the finished result of `job`. Throws InputError with the keys that differ where it is that of
-/// another job, which would be lost.
+/// another job, finished or not, which would be lost.
 bool is_finished_result_of(const EarlierResult& earlier, const Job& job);
 
 /// Throws InputError where the finished result is one of another job, library or canvas than `now`, or began from a

@@ -20,12 +20,34 @@ constexpr float kLeastTried_px = 1;
 constexpr float kRoomBeside = 0.03f;  // of the canvas' longer side: twice what has_any_place does not see
 constexpr LibraryParts kOutlines{.outline = true, .field = false, .levels = 0, .artwork = false};
 
-/// The tables that say something else than [pieces] of some shapes.
-std::string in_tables(const WrittenKeys& keys, const std::string& column) {
-  std::string text;
-  for (const char* table : {"shapes", "regions"}) {
-    if (keys.has_column(table, column)) text += column + " of [[" + table + "]] or ";
+using PosesWished = std::vector<Interval> PoseWish::*;
+
+/// Whether [pieces] decides for one of the shapes in one of the regions.
+bool pieces_decide(const Wishes& wishes, const UnplacedShapes& unplaced, PosesWished wished) {
+  const auto says_nothing = [&](ShapeId shape) {
+    return wishes.classes.empty() || (wishes.classes[wishes.class_of_shape[index_of(shape)]].poses.*wished).empty();
+  };
+  return std::any_of(unplaced.shapes.begin(), unplaced.shapes.end(), says_nothing) &&
+         std::any_of(unplaced.regions.begin(), unplaced.regions.end(), [&](std::uint32_t region) {
+           return wishes.regions.empty() || (wishes.regions[region].poses.*wished).empty();
+         });
+}
+
+/// The rows of tables, and the key of [pieces], by which the shapes stand as they do.
+std::string where_it_stands(const WrittenKeys& keys, const Wishes& wishes, const UnplacedShapes& unplaced,
+                            const char* column, PosesWished wished) {
+  std::vector<std::uint32_t> regions = keys.rows_with("regions", column);
+  std::erase_if(regions, [&](std::uint32_t region) {
+    return std::find(unplaced.regions.begin(), unplaced.regions.end(), region) == unplaced.regions.end();
+  });
+  std::vector<std::string> places = {keys.rows_with_values("shapes", column, keys.rows_with("shapes", column)),
+                                     keys.rows_with_values("regions", column, regions)};
+  const bool drawn = wished == &PoseWish::scale_px && has_drawn_sizes(keys);
+  if (drawn || pieces_decide(wishes, unplaced, wished)) {
+    places.push_back(keys.with_value("pieces", drawn ? "sizes" : column));
   }
+  std::string text;
+  for (const std::string& place : places) text += (text.empty() || place.empty() ? "" : " or ") + place;
   return text;
 }
 
@@ -40,12 +62,14 @@ struct Trial {
 class KeysTried {
  public:
   KeysTried(const WrittenKeys& keys, const CanvasSpec& spec, const CollageSettings& sized, const ShapeLibrary& library,
-            const Canvas& canvas, const std::vector<ShapeId>& shapes)
+            const Canvas& canvas, const UnplacedShapes& unplaced)
       : keys_(keys),
         spec_(spec),
-        pieces_(sized.pieces),
-        canvas_(canvas) {
+        sized_(sized),
+        canvas_(canvas),
+        unplaced_(unplaced) {
     const StanceTable whole(sized, std::uint32_t(library.size()));
+    const std::vector<ShapeId>& shapes = unplaced.shapes;
     const std::size_t count = std::min(shapes.size(), kShapesTried);
     outlines_.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -61,9 +85,9 @@ class KeysTried {
     if (const std::optional<Smaller> smaller = largest_that_fits()) keys.push_back(sizes_text(*smaller));
     std::erase(keys, "");
     if (any_fits(canvas_, kept_px(), true))
-      keys.push_back("other rotations, " + in_tables(keys_, "rotation_deg") +
-                     keys_.with_value("pieces", "rotation_deg"));
-    if (pieces_.padding_px > 0 && any_fits(canvas_, -pieces_.overlap_px, false)) {
+      keys.push_back("other rotations, " +
+                     where_it_stands(keys_, sized_.wishes, unplaced_, "rotation_deg", &PoseWish::rotation_rad));
+    if (sized_.pieces.padding_px > 0 && any_fits(canvas_, -sized_.pieces.overlap_px, false)) {
       keys.push_back("less " + keys_.with_value("pieces", "padding_px"));
     }
     if (canvas_.has_zones() && any_fits(without_zones(), kept_px(), false)) {
@@ -74,7 +98,7 @@ class KeysTried {
 
  private:
   void add_trials(const StanceTable& whole, ShapeId shape) {
-    for (std::uint32_t region = 0; region < std::max<std::size_t>(1, canvas_.regions.size()); ++region) {
+    for (const std::uint32_t region : unplaced_.regions) {
       const StanceTable table = whole.limited({.region = region});
       const StanceList& list = table.list(shape);
       for (const Stance& stance : table.of(list)) {
@@ -84,7 +108,7 @@ class KeysTried {
     }
   }
 
-  float kept_px() const { return pieces_.padding_px > 0 ? pieces_.padding_px : -pieces_.overlap_px; }
+  float kept_px() const { return sized_.pieces.padding_px > 0 ? sized_.pieces.padding_px : -sized_.pieces.overlap_px; }
 
   bool fits(const Trial& trial, const Canvas& canvas, float kept_px, float factor, bool any_rotation) const {
     const CanvasField& room = canvas.regions.empty() ? canvas.distance : canvas.regions[trial.region].distance;
@@ -117,17 +141,18 @@ class KeysTried {
 
   /// Empty where the job allows none smaller.
   std::string sizes_text(const Smaller& smaller) const {
-    if (pieces_.fit_all) {
+    if (sized_.pieces.fit_all) {
       return keys_.is_default("pieces", "least_scale_px")
                  ? ""
                  : "smaller pieces, " + keys_.with_value("pieces", "least_scale_px");
     }
     if (has_drawn_sizes(keys_)) {
-      const std::string text =
-          "drawings " + std::to_string(int(100 * smaller.factor)) + " % as large, " + where_sizes_stand(keys_);
+      const std::string text = "drawings " + std::to_string(int(100 * smaller.factor)) + " % as large, " +
+                               where_sizes_stand(keys_, sized_.wishes, unplaced_);
       return may_fit_all(keys_) ? text + "; pieces.fit = \"all\", which finds such sizes" : text;
     }
-    return "pieces of " + keys_.length_text(double(smaller.scale_px)) + " or less, " + where_sizes_stand(keys_);
+    return "pieces of " + keys_.length_text(double(smaller.scale_px)) + " or less, " +
+           where_sizes_stand(keys_, sized_.wishes, unplaced_);
   }
 
   /// As it is where its file cannot be read any more: the collage is finished, and this is for a message alone.
@@ -145,8 +170,9 @@ class KeysTried {
 
   const WrittenKeys& keys_;
   const CanvasSpec& spec_;
-  const PieceSettings& pieces_;
+  const CollageSettings& sized_;
   const Canvas& canvas_;
+  const UnplacedShapes& unplaced_;
   std::vector<Outline> outlines_;
   std::vector<Trial> trials_;
 };
@@ -155,16 +181,16 @@ class KeysTried {
 
 std::vector<std::string> keys_that_keep_out(const WrittenKeys& keys, const CanvasSpec& spec,
                                             const CollageSettings& sized, const ShapeLibrary& library,
-                                            const Canvas& canvas, const std::vector<ShapeId>& shapes) {
-  return KeysTried(keys, spec, sized, library, canvas, shapes).keys_that_help();
+                                            const Canvas& canvas, const UnplacedShapes& unplaced) {
+  return KeysTried(keys, spec, sized, library, canvas, unplaced).keys_that_help();
 }
 
 bool may_fit_all(const WrittenKeys& keys) { return !keys.has_rows("regions"); }
 
 bool has_drawn_sizes(const WrittenKeys& keys) { return !keys.is_default("pieces", "sizes"); }
 
-std::string where_sizes_stand(const WrittenKeys& keys) {
-  return in_tables(keys, "scale_px") + keys.with_value("pieces", has_drawn_sizes(keys) ? "sizes" : "scale_px");
+std::string where_sizes_stand(const WrittenKeys& keys, const Wishes& wishes, const UnplacedShapes& unplaced) {
+  return where_it_stands(keys, wishes, unplaced, "scale_px", &PoseWish::scale_px);
 }
 
 }  // namespace tessera

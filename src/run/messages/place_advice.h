@@ -1,23 +1,32 @@
 // What keeps shapes out of a canvas, found by trying on the empty canvas what each key alone changes; and what helps.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "core/field/canvas.h"
 #include "core/settings/settings.h"
+#include "core/settings/wishes.h"
+#include "core/shape/shape_id.h"
 #include "job/job_file.h"
 #include "library/storage/shape_library.h"
 #include "run/messages/written_keys.h"
 
 namespace tessera {
 
-/// None of these shapes found a place. The keys, with their values, of which each alone lets one of the shapes lie on the
-/// empty canvas: sizes, rotations, padding, zones that are kept out of. None where one of the shapes fits as it is, or no
-/// key alone helps. `sized`: the settings with the sizes that were tried. `spec`: of the canvas.
+/// Shapes of which none, or too few, found a place in these regions of the canvas.
+struct UnplacedShapes {
+  std::vector<ShapeId> shapes;
+  std::vector<std::uint32_t> regions;  // {0} of a canvas without regions
+};
+
+/// The keys, with their values, of which each alone lets one of the shapes lie on the empty canvas: sizes, rotations,
+/// padding, zones that are kept out of. None where one of the shapes fits as it is, or no key alone helps.
+/// `sized`: the settings with the sizes that were tried. `spec`: of the canvas.
 std::vector<std::string> keys_that_keep_out(const WrittenKeys& keys, const CanvasSpec& spec,
                                             const CollageSettings& sized, const ShapeLibrary& library,
-                                            const Canvas& canvas, const std::vector<ShapeId>& shapes);
+                                            const Canvas& canvas, const UnplacedShapes& unplaced);
 
 /// Whether the job may have pieces.fit = "all".
 bool may_fit_all(const WrittenKeys& keys);
@@ -25,7 +34,8 @@ bool may_fit_all(const WrittenKeys& keys);
 /// Whether pieces are as large as they were drawn (pieces.sizes).
 bool has_drawn_sizes(const WrittenKeys& keys);
 
-/// "scale_px of [[shapes]] or pieces.scale_px (now [20, 160])": where a job says what sizes pieces have.
-std::string where_sizes_stand(const WrittenKeys& keys);
+/// `scale_px of [[shapes]] "cat*" (now [5, 9]) or pieces.scale_px (now [20, 160])`: where a job says what sizes these
+/// shapes have, and nothing that does not count for them.
+std::string where_sizes_stand(const WrittenKeys& keys, const Wishes& wishes, const UnplacedShapes& unplaced);
 
 }  // namespace tessera

@@ -1,7 +1,9 @@
 // The keys of a job as its file has them, for messages that say which of them to change.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "job/job_file.h"
 
@@ -16,8 +18,10 @@ class WrittenKeys {
   /// "pieces.scale_px (now [20, 160])": in mm where the canvas has a size on paper.
   std::string with_value(const char* section, const char* name) const;
   bool is_default(const char* section, const char* name) const;
-  /// Whether a row of that table ([[shapes]]) has a value in that column.
-  bool has_column(const char* table, const std::string& column) const;
+  /// The rows of that table ([[shapes]]) that have a value in that column.
+  std::vector<std::uint32_t> rows_with(const char* table, const char* column) const;
+  /// `scale_px of [[regions]] "sky" (now [20, 160])`: what the first of these rows, which have a value there, say.
+  std::string rows_with_values(const char* table, const char* column, const std::vector<std::uint32_t>& rows) const;
   bool has_rows(const char* table) const;
   /// "41.2 px"; in mm where the canvas has a size on paper.
   std::string length_text(double length_px) const;

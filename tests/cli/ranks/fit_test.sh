@@ -103,7 +103,7 @@ run 3 campaign cannot.toml --seeds 1-2 --set pieces.apart_px=0,900 --out campaig
 [[ $(wc -l <campaign/ranking.csv) == 5 ]] || fail "the campaign is not ranked"
 run 3 campaign cannot.toml --seeds 1-2 --set pieces.apart_px=0,900 --out campaign
 [[ $(grep -c 'finished before' output) == 4 ]] || fail "made again for what is missing"
-run 0 campaign cannot.toml --seeds 1-2 --set pieces.apart_px=0 --out campaign
+run 0 campaign cannot.toml --seeds 1-2 --set pieces.apart_px=0 --out near
 echo "ok what cannot be met"
 
 # The least size of the job, a limit of [stop], and least uses without fit = "all".
@@ -153,7 +153,7 @@ expect_word 'empty: the collage is empty; run.log says why'
 empty 'mm or less, pieces.scale_mm (now [75, 100]); a larger canvas.size_mm (now [200, 150])' --set 'canvas.size_mm=[200, 150]'
 cp empty.toml plain.toml
 printf '[[shapes]]\nnames = "bar*"\nscale_px = 180\n' >>empty.toml
-empty ' px or less, scale_px of [[shapes]] or pieces.scale_px (now [20, 160])' --set 'pieces.scale_px=[20, 160]'
+empty ' px or less, scale_px of [[shapes]] "bar*" (now [180, 180]); a larger ' --set 'pieces.scale_px=[20, 160]'
 cp plain.toml empty.toml
 printf '[[shapes]]\nnames = "*"\nweight = 0\n' >>empty.toml
 empty 'no shape may stand: weights, regions and names of [[shapes]]'

@@ -39,8 +39,8 @@ run 2 puzzle make none.png
 expect_word 'none.png: '
 [[ ! -e one && ! -e dust && ! -e none_puzzle ]] || fail "left something behind"
 # What cannot be written is found before the picture is read.
-run 1 puzzle make none.png --out sun.png/jigsaw
-expect_word 'cannot write into the folder sun.png/jigsaw: Not a directory'
+run 2 puzzle make none.png --out sun.png/jigsaw
+expect_word 'cannot write into the folder sun.png/jigsaw: sun.png is a file; give another output'
 echo "ok make"
 
 # end_of SIGNAL SECONDS COMMAND...: how tessera ends after that signal: within 2 s, by the signal, nothing behind.
@@ -112,8 +112,8 @@ run 0 puzzle solve jigsaw.h5 --truth jigsaw/truth --job loose.toml --job-only --
 run 2 puzzle solve jigsaw.h5 --truth nowhere --job huge.toml --job-only
 expect_word 'nowhere'
 [[ ! -e huge.toml && ! -e huge_pieces.geojson ]] || fail "left something behind"
-run 1 puzzle solve jigsaw.h5 --out sun.png/result --job huge.toml
-expect_word 'cannot write into the folder sun.png/result: Not a directory'
+run 2 puzzle solve jigsaw.h5 --out sun.png/result --job huge.toml
+expect_word 'cannot write into the folder sun.png/result: sun.png is a file; give another output'
 [[ ! -e huge.toml ]] || fail "it was solved before the result's folder was tried"
 run 1 puzzle solve jigsaw.h5 --job nowhere/huge.toml --job-only
 expect_word 'cannot write nowhere/huge.toml: the folder nowhere: No such file or directory'

@@ -88,6 +88,8 @@ echo "ok time limits"
 
 unfinished start
 expect_error 'start/checkpoint.h5: unfinished work; --resume goes on with it, --restart removes it' start
+expect_error 'start/checkpoint.h5: unfinished work of another job; pieces.uses: then 0, now 3; give what it was then, or another --out; --restart' \
+  start --set pieces.uses=3
 rm start/checkpoint.h5
 expect_error 'start/checkpoint.previous.h5: unfinished work; --resume=previous goes on with it' start
 expect_error 'start/checkpoint.h5: no such file; start/checkpoint.previous.h5 is there: --resume=previous' start \
@@ -130,7 +132,7 @@ expect_result auto
 echo "ok --resume=auto"
 
 unfinished other
-expect_error 'written for another job; seed: then 1, now 4; pieces.uses: then 0, now 2; give what it was then' other \
+expect_error 'unfinished work of another job; seed: then 1, now 4; pieces.uses: then 0, now 2; give what it was then' other \
   --resume --set seed=4 --set pieces.uses=2
 cp -r drawings fewer
 rm fewer/star.svg
