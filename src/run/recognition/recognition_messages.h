@@ -17,6 +17,9 @@ struct RecognitionQuestion {
   std::uint64_t library_digest = 0;         // ShapeLibrary::content_digest()
   float query_per_drawn_px = 0;             // RecognitionSettings; 0: unknown
   std::uint64_t most = 10;
+  /// The library is searched in lots of so many shapes, whoever searches them, so that the answer is the same on any number
+  /// of ranks. Another number may give another answer.
+  std::uint32_t lot_shapes = kSegmentShapes;
 };
 
 /// The best shapes for each query, the best first.
@@ -46,8 +49,8 @@ void serialize(Archive& archive, tessera::Curve& curve, unsigned) {
 
 template <class Archive>
 void serialize(Archive& archive, tessera::RecognitionQuestion& question, unsigned) {
-  auto& [queries, library, library_digest, query_per_drawn_px, most] = question;
-  tessera::comm::send_members(archive, queries, library, library_digest, query_per_drawn_px, most);
+  auto& [queries, library, library_digest, query_per_drawn_px, most, lot_shapes] = question;
+  tessera::comm::send_members(archive, queries, library, library_digest, query_per_drawn_px, most, lot_shapes);
 }
 
 }  // namespace boost::serialization

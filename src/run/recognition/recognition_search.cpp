@@ -19,11 +19,9 @@ const std::vector<int> kSearchedLevels = {1, 2, 3, 4};
 /// A worker that rank 0 does not hear of for so long is lost.
 constexpr double kSilence_s = 300;
 
-std::size_t lots_of(const ShapeLibrary& library) { return (library.size() + kLotShapes - 1) / kLotShapes; }
-
-ShapeRange lot_of(const ShapeLibrary& library, std::size_t lot) {
-  const std::size_t begin = lot * kLotShapes;
-  return {std::uint32_t(begin), std::uint32_t(std::min(library.size(), begin + kLotShapes))};
+ShapeRange lot_of(const ShapeLibrary& library, std::size_t lot, std::uint32_t lot_shapes) {
+  const std::size_t begin = lot * lot_shapes;
+  return {std::uint32_t(begin), std::uint32_t(std::min(library.size(), begin + lot_shapes))};
 }
 
 KnownShapes read_lot(const ShapeLibrary& library, const ShapeRange& range) {
@@ -68,10 +66,10 @@ Recognitions recognised_here(const comm::Communicator& ranks, const RecognitionQ
         .outline;
   };
   Recognitions best(queries.size());
-  const std::size_t lots = lots_of(library);
+  const std::size_t lots = (library.size() + question.lot_shapes - 1) / question.lot_shapes;
   for (std::size_t lot = std::size_t(ranks.rank()); lot < lots; lot += std::size_t(ranks.size())) {
     progress(lot, lots);
-    const KnownShapes shapes = read_lot(library, lot_of(library, lot));
+    const KnownShapes shapes = read_lot(library, lot_of(library, lot, question.lot_shapes));
     parallel_for(queries.size(), [&](std::size_t q) {
       keep_best(best[q], recognised(queries[q], shapes, settings, outline_of), settings.most);
     });

@@ -1,5 +1,4 @@
-// Queries looked up in a library, whose shapes are shared among the ranks. The library is searched in lots of equal size,
-// whoever searches them, so that the answer is the same on any number of ranks.
+// Queries looked up in a library, whose lots of shapes (RecognitionQuestion) are shared among the ranks.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +9,6 @@
 #include "run/recognition/recognition_messages.h"
 
 namespace tessera {
-
-/// Shapes of a lot.
-inline constexpr std::uint32_t kLotShapes = kSegmentShapes;
 
 /// Told by rank 0 how many of its lots are searched. It may throw to end the search.
 using LotProgress = std::function<void(std::size_t done, std::size_t all)>;

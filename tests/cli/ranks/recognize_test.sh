@@ -1,0 +1,57 @@
+#!/usr/bin/env bash
+# recognize_test.sh TESSERA MPIRUN NEW_FOLDER: a clipped and turned drawing is found, by one rank and by three alike; what is
+# not in the library is told by the exit code; files that are no queries are named.
+set -uo pipefail
+tessera=$1
+mpirun=$2
+folder=$3
+# shellcheck source=tests/cli/command_fixture.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../command_fixture.sh"
+enter_folder
+
+# Half of the bean, turned and enlarged; a hand that is in no library.
+cat >torn.svg <<'END'
+<svg xmlns='http://www.w3.org/2000/svg' width='300' height='300'><clipPath id='c'><rect x='0' y='0' width='60' height='100'/></clipPath>
+<g transform='rotate(40 150 150) scale(2) translate(20 20)'><path clip-path='url(#c)' d='M10 50 C10 10 90 10 90 50 C90 90 70 60 50 60 C30 60 10 90 10 50Z'/></g></svg>
+END
+draw_svg comb "M5 40 H15 V10 H20 V40 H30 V10 H35 V40 H45 V10 H50 V40 H60 V10 H65 V40 H75 V10 H80 V40 H95 V50 H5Z"
+
+run 0 recognize torn.svg drawings/star.svg --library own.h5 --json one.json --sheet one.png
+grep -qE '^bean +0\.[5-9]' output || fail "the bean is not found"
+grep -qE '^star +(0\.9|1\.0).* 1\.000 ' output || fail "the star is not found at its own scale"
+[[ $(head -c 8 one.png | od -An -tx1 | tr -d ' ') == 89504e470d0a1a0a ]] || fail "no sheet"
+run_on_ranks 3 0 recognize torn.svg drawings/star.svg --library own.h5 --json three.json --quiet
+cmp one.json three.json || fail "another answer on three ranks"
+python3 - <<'END' || fail "another JSON"
+import json
+told = json.load(open("one.json"))
+assert [q["file"] for q in told["queries"]] == ["torn.svg", "drawings/star.svg"]
+best = told["queries"][0]["shapes"][0]
+assert best["shape"] == "bean" and abs(best["scale"] - 2) < 0.1 and abs(best["rotation_deg"] - 40) < 3, best
+END
+echo "ok found"
+
+run 0 recognize torn.svg --library own.h5 --scale 2 --top 1
+[[ $(grep -cE '^(bean|star|corner|leaf|drop) ' output) == 1 ]] || fail "more than one shape of --top 1"
+run 3 recognize torn.svg --library own.h5 --scale 0.2
+grep -qF 'nothing of the library' output || fail "a scale that no shape has"
+run 3 recognize comb.svg --library own.h5 --json comb.json
+grep -qF 'nothing of the library' output || fail "what is not in the library is not told"
+[[ -s comb.json ]] || fail "no JSON of an unknown query"
+echo "ok unknown"
+
+echo "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'/>" >empty.svg
+echo nonsense >bad.png
+run 2 recognize empty.svg --library own.h5
+expect_word empty.svg
+run 2 recognize bad.png --library own.h5
+expect_word bad.png
+run 2 recognize none.png --library own.h5
+expect_word none.png
+run 2 recognize torn.svg --library none.h5
+expect_word none.h5
+run 2 recognize torn.svg --library own.h5 --scale -1
+expect_word --scale
+run 1 recognize torn.svg --library own.h5 --json none/a.json
+expect_word none/a.json
+echo "ok mistakes"

@@ -1,0 +1,115 @@
+// Queries looked up by several ranks: the same answer on any number of them, and no answer from another library.
+#include "run/recognition/recognition_search.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <thread>
+
+#include "comm/in_process_communicator.h"
+#include "comm/rank_program.h"
+#include "core/base/error.h"
+#include "library/storage/library_file.h"
+#include "support/matching_scene.h"
+#include "support/scratch_folder.h"
+
+namespace tessera {
+namespace test_recognition_search {
+
+constexpr std::uint32_t kShapes = 11;
+constexpr std::uint32_t kLot = 3;
+
+void write_library(const std::string& path, std::uint32_t count) {
+  LibraryWriter writer(path, PadParameters());
+  std::uint32_t number = 0;
+  for (Shape& shape : test::formula_shapes(int(count), PadParameters())) {
+    shape.name = "shape " + std::to_string(number++);
+    shape.artwork.width_px = shape.artwork.height_px = 600;
+    shape.drawn_scale_px = 100;
+    writer.append(shape);
+  }
+  writer.finish();
+}
+
+/// Each of some shapes, turned, twice as large as it was drawn.
+RecognitionQuestion question_of(const std::string& path) {
+  const LibraryFile library(path);
+  RecognitionQuestion question;
+  question.library = path;
+  question.library_digest = library.content_digest();
+  question.lot_shapes = kLot;
+  question.most = 4;
+  for (const std::uint32_t shape : {0u, 4u, 8u, 10u}) {
+    Curve curve{library.read(shape, shape + 1, {}).front().outline.curves.front(), true};
+    const Similarity pose{200 * std::cos(float(shape)), 200 * std::sin(float(shape)), 5, 7};
+    for (Vec2& p : curve.points) p = pose.apply(p);
+    question.queries.push_back({curve});
+  }
+  return question;
+}
+
+Recognitions answer_of(int size, const RecognitionQuestion& question) {
+  comm::InProcessNetwork network(size);
+  std::vector<std::jthread> workers;
+  for (int rank = 1; rank < size; ++rank) {
+    workers.emplace_back([&network, rank] {
+      const auto ranks = network.connect(rank);
+      comm::run_rank(*ranks, {.run = [](comm::Communicator& own) -> int { work_on_recognition(own); },
+                              .report_error = [](const std::string&) {}});
+    });
+  }
+  Recognitions answer;
+  const auto ranks = network.connect(0);
+  const LibraryFile library(question.library);
+  std::string error;
+  comm::run_rank(*ranks, {.run =
+                              [&](comm::Communicator& own) {
+                                answer = recognised_by_all_ranks(own, question, library, [](auto, auto) {});
+                                return 0;
+                              },
+                          .report_error = [&](const std::string& line) { error = line; }});
+  if (!error.empty()) throw std::runtime_error(error);
+  return answer;
+}
+
+TEST(RecognitionSearch, IsTheSameOnAnyNumberOfRanks) {
+  const test::ScratchFolder folder;
+  const std::string path = folder.path("shapes.h5");
+  write_library(path, kShapes);
+  const RecognitionQuestion question = question_of(path);
+  const Recognitions alone = answer_of(1, question);
+  ASSERT_EQ(alone.size(), 4u);
+  EXPECT_EQ(index_of(alone[0][0].shape), 0u);
+  EXPECT_EQ(index_of(alone[1][0].shape), 4u);
+  EXPECT_EQ(index_of(alone[2][0].shape), 8u);
+  EXPECT_EQ(index_of(alone[3][0].shape), 10u) << "of the last lot, which is not full";
+  EXPECT_EQ(alone[0].size(), 4u) << "from more than one lot";
+  for (const int size : {2, 3, 5}) {
+    const Recognitions shared = answer_of(size, question);
+    ASSERT_EQ(shared.size(), alone.size());
+    for (std::size_t q = 0; q < alone.size(); ++q) {
+      ASSERT_EQ(shared[q].size(), alone[q].size());
+      for (std::size_t k = 0; k < alone[q].size(); ++k) {
+        EXPECT_EQ(shared[q][k].shape, alone[q][k].shape);
+        EXPECT_EQ(shared[q][k].similarity, alone[q][k].similarity);
+        EXPECT_EQ(shared[q][k].query_from_shape, alone[q][k].query_from_shape);
+      }
+    }
+  }
+}
+
+TEST(RecognitionSearch, RefusesAnotherLibraryThanRankZeros) {
+  const test::ScratchFolder folder;
+  write_library(folder.path("shapes.h5"), kShapes);
+  RecognitionQuestion question = question_of(folder.path("shapes.h5"));
+  question.library_digest ^= 1;
+  try {
+    answer_of(2, question);
+    FAIL() << "no error";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("is another library than on rank 0"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace test_recognition_search
+}  // namespace tessera
