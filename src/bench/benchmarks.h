@@ -95,10 +95,11 @@ struct BlockingOptions {
   bool mirrors = false;     // the silhouettes' mirror images are shapes of the library, too
   std::vector<int> blocks;  // percent of the box's width that is hidden; none: 0, 10, .. 90
   bool edge_removed = true;
-  bool scale_known = true;     // else queries have 0.7 to 1.4 times the silhouettes' size, at random
-  std::optional<double> size;  // px of all queries for one px of a silhouette
-  double noise_px = 0;         // standard deviation, query px
-  std::size_t queries = 0;     // at each block, evenly from all silhouettes; 0: all of them
+  bool scale_known = true;               // else queries have 0.7 to 1.4 times the silhouettes' size, at random
+  std::optional<double> size;            // px of all queries for one px of a silhouette
+  double noise_px = 0;                   // standard deviation, query px
+  std::vector<std::string> descriptors;  // "pad", or a name of all_descriptors(); none: "pad"
+  std::size_t queries = 0;               // at each block, evenly from all silhouettes; 0: all of them
   std::uint64_t seed = 1;
 };
 /// How often silhouettes are recognised by what is left of them when their left part is hidden (paper, Figs. 26 and 27).

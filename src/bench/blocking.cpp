@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <numbers>
 
 #include "bench/benchmarks.h"
@@ -37,11 +38,34 @@ void check(const BlockingOptions& options) {
   }
 }
 
+/// Those that were asked for, PAD's first of all allowed names. Their tables of the library are not made yet.
+using RecogniserMaker = std::function<std::unique_ptr<Recogniser>(const SilhouetteLibrary&)>;
+std::vector<RecogniserMaker> chosen_recognisers(const std::vector<std::string>& names) {
+  std::vector<RecogniserMaker> chosen;
+  for (const std::string& name : names) {
+    std::string allowed = "pad";
+    const std::size_t before = chosen.size();
+    if (name == "pad") chosen.push_back(make_pad_recogniser);
+    for (std::size_t i = 0; const auto& descriptor : all_descriptors()) {
+      if (descriptor->name() == name) {
+        chosen.push_back([i](const SilhouetteLibrary& library) {
+          return make_descriptor_recogniser(std::move(all_descriptors()[i]), library);
+        });
+      }
+      allowed += ", " + descriptor->name();
+      ++i;
+    }
+    if (chosen.size() == before) throw InputError("--descriptors: found \"" + name + "\"; allowed: " + allowed);
+  }
+  return chosen;
+}
+
 /// With all that is not asked for.
 BlockingOptions whole_blocking(BlockingOptions options, bool quick) {
   if (options.blocks.empty()) {
     options.blocks = quick ? std::vector<int>{0, 50} : std::vector<int>{0, 10, 20, 30, 40, 50, 60, 70, 80, 90};
   }
+  if (options.descriptors.empty()) options.descriptors = {"pad"};
   if (options.queries == 0 && quick) options.queries = kQuickQueries;
   return options;
 }
@@ -174,6 +198,7 @@ std::string explanation(const BlockingCase& run) {
 Report bench_blocking(const Setting& setting, const BlockingOptions& asked) {
   check(asked);
   const BlockingOptions options = whole_blocking(asked, setting.quick);
+  const std::vector<RecogniserMaker> makers = chosen_recognisers(options.descriptors);
   const std::string plot = std::filesystem::path(setting.out).replace_extension().string();
   if (!plot.empty()) check_plot_can_be_written(plot);
   const std::vector<Silhouette> silhouettes = read_silhouettes(options.shapes);
@@ -184,10 +209,12 @@ Report bench_blocking(const Setting& setting, const BlockingOptions& asked) {
   const BlockingCase run{options, silhouettes, library, twins};
   Report report = empty_blocking_report(setting, run);
   BlockingShown shown;
-  const std::unique_ptr<Recogniser> recogniser = make_pad_recogniser(library);
-  for (const int percent : options.blocks) {
-    setting.progress(recogniser->name() + ", " + std::to_string(percent) + " % hidden");
-    shown.add(recognise_all(run, *recogniser, percent), report.json["rows"]);
+  for (const RecogniserMaker& make : makers) {
+    const std::unique_ptr<Recogniser> recogniser = make(library);
+    for (const int percent : options.blocks) {
+      setting.progress(recogniser->name() + ", " + std::to_string(percent) + " % hidden");
+      shown.add(recognise_all(run, *recogniser, percent), report.json["rows"]);
+    }
   }
   if (!plot.empty()) write_plot({shown.panel}, plot);
   report.text = shown.table.text() + explanation(run);

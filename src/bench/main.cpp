@@ -37,6 +37,7 @@ constexpr const char* kBenchExamples =
     "  tessera bench variety --library out/animals.h5 --sizes 100,1000 --pairs 0,100\n"
     "  tessera bench mosaic --library out/openclipart.h5 --image cup.jpg --image rocket.jpg --pieces 2000\n"
     "  tessera bench blocking --shapes silhouettes --twins bench/mpeg7_twins.txt --library-mirrors\n"
+    "  tessera bench blocking --shapes silhouettes --descriptors pad,shape-context --queries 100\n"
     "  tessera bench scaling --library out/animals.h5 --shapes 10000 --ranks 2,3\n"
     "Each prints a table and writes the same figures as JSON, by default to out/bench_NAME.json.";
 
@@ -271,6 +272,11 @@ void add_blocking(CLI::App& bench, Command& selected) {
       ->capture_default_str();
   sub->add_option("--size", options->size, "Size of queries; default: 1, or 0.7 to 1.4 where the scale is unknown")
       ->type_name("FACTOR");
+  add_list_option(*sub, "--descriptors", options->descriptors,
+                  "Compared on the same queries: pad, shape-context, triangle-areas, curvature-scale-space, "
+                  "integral-invariants, hu-moments",
+                  {.type_name = "NAME,.."})
+      ->default_str("pad");
   sub->add_option("--queries", options->queries, "At each percentage; default: one of each silhouette")->type_name("N");
   sub->add_option("--seed", options->seed, "Start of the random numbers")->type_name("N")->capture_default_str();
 }

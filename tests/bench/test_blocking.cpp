@@ -181,6 +181,27 @@ TEST(Blocking, FindsBlobsByHalfOfThem) {
   for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(again["rows"][i]["twin_percent"], rows[i]["twin_percent"]);
 }
 
+/// All of them are asked the same queries, and know whole shapes; the order is that of the command line.
+TEST(Blocking, ComparesDescriptors) {
+  const test::ScratchFolder folder;
+  test::write_blobs(folder, 6);
+  BlockingOptions options;
+  options.shapes = folder.path("");
+  options.blocks = {0};
+  options.descriptors = {"hu-moments",         "pad", "shape-context", "triangle-areas", "curvature-scale-space",
+                         "integral-invariants"};
+  for (const bool scale_known : {true, false}) {
+    options.scale_known = scale_known;
+    const Report report = bench_blocking(quick_setting(folder), options);
+    const Json& rows = report.json.at("rows");
+    ASSERT_EQ(rows.size(), 6u);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      EXPECT_EQ(rows[i].at("descriptor"), options.descriptors[i]);
+      EXPECT_GT(rows[i].at("itself_percent").get<double>(), 80) << report.text;
+    }
+  }
+}
+
 std::string complaint(BlockingOptions options, const test::ScratchFolder& folder) {
   if (options.shapes.empty()) options.shapes = folder.path("");
   try {
@@ -207,6 +228,11 @@ TEST(Blocking, RefusesWhatItCannotDo) {
   EXPECT_EQ(complaint(options, folder), "--blocks: found 100; allowed: 0 to 95 %");
   options.blocks = {-1};
   EXPECT_EQ(complaint(options, folder), "--blocks: found -1; allowed: 0 to 95 %");
+  options = {};
+  options.descriptors = {"pad", "sift"};
+  EXPECT_EQ(complaint(options, folder),
+            "--descriptors: found \"sift\"; allowed: pad, shape-context, triangle-areas, curvature-scale-space, "
+            "integral-invariants, hu-moments");
   options = {};
   options.noise_px = std::nan("");
   EXPECT_EQ(complaint(options, folder), "--noise: found nan; allowed: 0 to 20 px");

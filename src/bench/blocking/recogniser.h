@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bench/blocking/known_silhouettes.h"
+#include "bench/descriptors/shape_descriptor.h"
 #include "core/recognition/curve.h"
 
 namespace tessera::bench {
@@ -33,5 +34,9 @@ class Recogniser {
 
 /// By PADs (core/recognition). The library must outlive it.
 std::unique_ptr<Recogniser> make_pad_recogniser(const SilhouetteLibrary& library);
+
+/// By the least distance of a descriptor, whose name is its own: every shape is compared.
+std::unique_ptr<Recogniser> make_descriptor_recogniser(std::unique_ptr<ShapeDescriptor> descriptor,
+                                                       const SilhouetteLibrary& library);
 
 }  // namespace tessera::bench
