@@ -152,8 +152,8 @@ void plot(const std::vector<Prediction>& predictions, const Options& options) {
   for (std::size_t i = 0; i < predictions.size();) {
     const Prediction& one = predictions[i];
     const std::string name = std::to_string(one.job.shapes) + " shapes";
-    Curve faster{name, {}, false};
-    Curve efficient{name, {}, false};
+    PlotCurve faster{name, {}, false};
+    PlotCurve efficient{name, {}, false};
     for (; i < predictions.size() && predictions[i].job.shapes == one.job.shapes; ++i) {
       const int hosts = predictions[i].job.workers;
       const double e = efficiency(one.tree, predictions[i].tree, hosts);

@@ -19,6 +19,7 @@ constexpr double kHeight = 380;
 constexpr double kLeft = 60, kRight = 20, kTop = 40, kBottom = 50;  // margins around the axes
 constexpr int kPngWidth_px = 1840;
 constexpr double kLegendLine = 16;
+constexpr double kLinearStep = 10;  // of an x axis that is not logarithmic
 constexpr const char* kGrey = "#999999";
 constexpr const char* kInk = "#222222";
 constexpr std::array<const char*, 6> kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"};
@@ -28,7 +29,7 @@ std::string number(double value) { return fixed(value, 2); }
 class PanelDrawing {
  public:
   PanelDrawing(XmlWriter& svg, const Panel& panel, double left) : svg_(svg), panel_(panel), left_(left + kLeft) {
-    for (const Curve& curve : panel.curves) {
+    for (const PlotCurve& curve : panel.curves) {
       for (const auto& [x, y] : curve.points) greatest_x_ = std::max(greatest_x_, x);
     }
   }
@@ -40,7 +41,7 @@ class PanelDrawing {
     int colour = 0;
     double legend_y =
         begins_low() ? kTop + kLegendLine : kTop + height() - kLegendLine * (double(panel_.curves.size()) - 0.5);
-    for (const Curve& curve : panel_.curves) {
+    for (const PlotCurve& curve : panel_.curves) {
       const char* stroke = curve.ideal ? kGrey : kColours[std::size_t(colour++) % kColours.size()];
       draw_curve(curve, stroke);
       line(left_ + 10, legend_y - 4, left_ + 34, legend_y - 4, stroke, curve.ideal);
@@ -56,7 +57,9 @@ class PanelDrawing {
   static double width() { return kPanelWidth - kLeft - kRight; }
   static double height() { return kHeight - kTop - kBottom; }
 
-  double x_at(double x) const { return left_ + width() * std::log2(x) / std::log2(greatest_x_); }
+  double x_at(double x) const {
+    return left_ + width() * (panel_.log_x ? std::log2(x) / std::log2(greatest_x_) : x / greatest_x_);
+  }
   double y_at(double y) const {
     const double part =
         panel_.log_y ? std::log2(std::max(y, 1.)) / std::log2(panel_.greatest_y) : y / panel_.greatest_y;
@@ -78,7 +81,7 @@ class PanelDrawing {
   void x_axis() {
     const double bottom = kTop + height();
     line(left_, bottom, left_ + width(), bottom, kInk, false);
-    for (double x = 1; x <= greatest_x_; x *= 2) {
+    for (double x = panel_.log_x ? 1 : 0; x <= greatest_x_; x = panel_.log_x ? 2 * x : x + kLinearStep) {
       line(x_at(x), bottom, x_at(x), bottom + 5, kInk, false);
       text(x_at(x), bottom + 20, fixed(x, 0), "middle", 12);
     }
@@ -101,7 +104,7 @@ class PanelDrawing {
     text(left_ - kLeft + 10, kTop - 16, panel_.y_label, "start", 13);
   }
 
-  void draw_curve(const Curve& curve, const char* stroke) {
+  void draw_curve(const PlotCurve& curve, const char* stroke) {
     std::string path;
     for (const auto& [x, y] : curve.points) path += (path.empty() ? "" : " ") + number(x_at(x)) + "," + number(y_at(y));
     svg_.start("polyline").attribute("points", path).attribute("fill", "none").attribute("stroke", stroke);

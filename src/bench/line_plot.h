@@ -1,4 +1,4 @@
-// Curves over the number of workers, as SVG and as PNG.
+// Curves over the number of workers and the like, as SVG and as PNG.
 #pragma once
 
 #include <string>
@@ -7,20 +7,21 @@
 
 namespace tessera::bench {
 
-struct Curve {
+struct PlotCurve {
   std::string name;
-  std::vector<std::pair<double, double>> points;  // x ascending, from 1
+  std::vector<std::pair<double, double>> points;  // x ascending
   bool ideal = false;                             // dashed and grey
 };
 
-/// One pair of axes; x, and y where it says so, in steps of powers of two.
+/// One pair of axes. Logarithmic ones have steps of powers of two.
 struct Panel {
   std::string title;
   std::string x_label;
   std::string y_label;
   bool log_y = false;
   double greatest_y = 1;  // of the axis; it begins at 0, with log_y at 1
-  std::vector<Curve> curves;
+  std::vector<PlotCurve> curves;
+  bool log_x = true;  // begins at 1; else at 0, with steps of 10
 };
 
 /// The panels side by side.

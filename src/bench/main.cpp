@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 
 #include "bench/benchmarks.h"
@@ -35,6 +36,8 @@ constexpr const char* kBenchExamples =
     "  tessera bench library --library out/animals.h5 --sizes 100,1000,10000\n"
     "  tessera bench variety --library out/animals.h5 --sizes 100,1000 --pairs 0,100\n"
     "  tessera bench mosaic --library out/openclipart.h5 --image cup.jpg --image rocket.jpg --pieces 2000\n"
+    "  tessera bench blocking --shapes silhouettes --twins bench/mpeg7_twins.txt --library-mirrors\n"
+    "  tessera bench blocking --shapes silhouettes --descriptors pad,shape-context --queries 100\n"
     "  tessera bench scaling --library out/animals.h5 --shapes 10000 --ranks 2,3\n"
     "Each prints a table and writes the same figures as JSON, by default to out/bench_NAME.json.";
 
@@ -240,6 +243,44 @@ void add_scaling(CLI::App& bench, Command& selected) {
       ->capture_default_str();
 }
 
+void add_blocking(CLI::App& bench, Command& selected) {
+  const auto options = std::make_shared<BlockingOptions>();
+  CLI::App* sub = add_benchmark(bench, selected, "blocking",
+                                "Silhouettes recognised by a part of their boundary, while ever more is hidden",
+                                [options](const Setting& s) { return bench_blocking(s, *options); });
+  sub->add_option("--shapes", options->shapes, "Folder of silhouettes: PNGs, white on black")
+      ->required()
+      ->type_name("FOLDER");
+  sub->add_option("--twins", options->twins, "Pairs of silhouettes that count as one: two names a line")
+      ->type_name("FILE");
+  sub->add_flag("--library-mirrors", options->mirrors, "Mirror images of all silhouettes are in the library, too");
+  add_list_option(*sub, "--blocks", options->blocks, "Percent of the width that is hidden, from the left",
+                  {.type_name = "PERCENT,.."})
+      ->default_str("0,10,20,30,40,50,60,70,80,90");
+  const std::map<std::string, bool> edges = {{"removed", true}, {"counted", false}};
+  sub->add_option("--edge", options->edge_removed, "The clip edge is removed from the boundary, or counts as boundary")
+      ->transform(CLI::CheckedTransformer(edges))
+      ->type_name("removed|counted")
+      ->default_str("removed");
+  const std::map<std::string, bool> scales = {{"known", true}, {"unknown", false}};
+  sub->add_option("--scale", options->scale_known, "Whether the size of queries is known")
+      ->transform(CLI::CheckedTransformer(scales))
+      ->type_name("known|unknown")
+      ->default_str("known");
+  sub->add_option("--noise", options->noise_px, "Noise of the boundary, standard deviation")
+      ->type_name("PX")
+      ->capture_default_str();
+  sub->add_option("--size", options->size, "Size of queries; default: 1, or 0.7 to 1.4 where the scale is unknown")
+      ->type_name("FACTOR");
+  add_list_option(*sub, "--descriptors", options->descriptors,
+                  "Compared on the same queries: pad, shape-context, triangle-areas, curvature-scale-space, "
+                  "integral-invariants, hu-moments",
+                  {.type_name = "NAME,.."})
+      ->default_str("pad");
+  sub->add_option("--queries", options->queries, "At each percentage; default: one of each silhouette")->type_name("N");
+  sub->add_option("--seed", options->seed, "Start of the random numbers")->type_name("N")->capture_default_str();
+}
+
 void add_benchmarks(CLI::App& bench, Command& selected) {
   bench.footer(kBenchExamples);
   bench.require_subcommand(1);
@@ -252,6 +293,7 @@ void add_benchmarks(CLI::App& bench, Command& selected) {
   add_library(bench, selected);
   add_variety(bench, selected);
   add_mosaic(bench, selected);
+  add_blocking(bench, selected);
   add_scaling(bench, selected);
 }
 

@@ -284,8 +284,8 @@ std::string csv(const std::vector<Repeated>& cases) {
   return text;
 }
 
-Curve speed_up_curve(const std::string& name, const std::vector<Compared>& series, bool weak, bool efficiency) {
-  Curve curve{name, {}, false};
+PlotCurve speed_up_curve(const std::string& name, const std::vector<Compared>& series, bool weak, bool efficiency) {
+  PlotCurve curve{name, {}, false};
   for (const Compared& c : series) {
     const double growth = weak ? c.more_workers() : 1;
     const double speed_up = growth * loop_s(*c.base) / loop_s(*c.run);

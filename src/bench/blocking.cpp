@@ -1,0 +1,224 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <numbers>
+
+#include "bench/benchmarks.h"
+#include "bench/blocking/clipped_curves.h"
+#include "bench/blocking/recogniser.h"
+#include "bench/blocking/success.h"
+#include "bench/devices.h"
+#include "bench/line_plot.h"
+#include "core/base/error.h"
+#include "core/base/processor_time.h"
+#include "core/base/rank_pool.h"
+#include "text/number_text.h"
+#include "text/text_table.h"
+
+namespace tessera::bench {
+namespace {
+
+constexpr int kMostBlocked_percent = 95;
+constexpr double kMostNoise_px = 20;
+constexpr double kMostSize = 16;
+constexpr std::size_t kQuickQueries = 10;
+
+void check(const BlockingOptions& options) {
+  for (const int percent : options.blocks) {
+    if (percent < 0 || percent > kMostBlocked_percent) {
+      throw InputError("--blocks: found " + std::to_string(percent) + "; allowed: 0 to 95 %");
+    }
+  }
+  if (!(options.noise_px >= 0 && options.noise_px <= kMostNoise_px)) {
+    throw InputError("--noise: found " + short_number(options.noise_px) + "; allowed: 0 to 20 px");
+  }
+  if (options.size && !(*options.size >= 1 / kMostSize && *options.size <= kMostSize)) {
+    throw InputError("--size: found " + short_number(*options.size) + "; allowed: 0.0625 to 16");
+  }
+}
+
+/// Those that were asked for, PAD's first of all allowed names. Their tables of the library are not made yet.
+using RecogniserMaker = std::function<std::unique_ptr<Recogniser>(const SilhouetteLibrary&)>;
+std::vector<RecogniserMaker> chosen_recognisers(const std::vector<std::string>& names) {
+  std::vector<RecogniserMaker> chosen;
+  for (const std::string& name : names) {
+    std::string allowed = "pad";
+    const std::size_t before = chosen.size();
+    if (name == "pad") chosen.push_back(make_pad_recogniser);
+    for (std::size_t i = 0; const auto& descriptor : all_descriptors()) {
+      if (descriptor->name() == name) {
+        chosen.push_back([i](const SilhouetteLibrary& library) {
+          return make_descriptor_recogniser(std::move(all_descriptors()[i]), library);
+        });
+      }
+      allowed += ", " + descriptor->name();
+      ++i;
+    }
+    if (chosen.size() == before) throw InputError("--descriptors: found \"" + name + "\"; allowed: " + allowed);
+  }
+  return chosen;
+}
+
+/// With all that is not asked for.
+BlockingOptions whole_blocking(BlockingOptions options, bool quick) {
+  if (options.blocks.empty()) {
+    options.blocks = quick ? std::vector<int>{0, 50} : std::vector<int>{0, 10, 20, 30, 40, 50, 60, 70, 80, 90};
+  }
+  if (options.descriptors.empty()) options.descriptors = {"pad"};
+  if (options.queries == 0 && quick) options.queries = kQuickQueries;
+  return options;
+}
+
+/// What all queries of a run share.
+struct BlockingCase {
+  const BlockingOptions& options;
+  const std::vector<Silhouette>& silhouettes;
+  const SilhouetteLibrary& library;
+  const Twins& twins;
+
+  std::size_t queries() const {
+    return options.queries == 0 ? silhouettes.size() : std::min(options.queries, silhouettes.size());
+  }
+  std::size_t silhouette_of(std::size_t query) const { return query * silhouettes.size() / queries(); }
+};
+
+/// The same silhouette and percentage, the same query.
+ClippedQuery make_query(const BlockingCase& run, std::size_t silhouette, int blocked_percent) {
+  Draws draws(mix_bits(run.options.seed) ^ (std::uint64_t(silhouette) << 8) ^ std::uint64_t(blocked_percent));
+  Clipping clipping;
+  clipping.blocked = blocked_percent / 100.;
+  clipping.turned_rad = 2 * std::numbers::pi * double(draws.unit());
+  const double any_size = std::exp2(double(draws.unit()) - 0.5);
+  clipping.size = run.options.size.value_or(run.options.scale_known ? 1 : any_size);
+  clipping.noise_px = run.options.noise_px;
+  clipping.edge_removed = run.options.edge_removed;
+  ClippedQuery query;
+  query.curves = clipped_curves(run.silhouettes[silhouette].mask, clipping, draws);
+  query.noise_px = clipping.noise_px;
+  if (run.options.scale_known) query.size = clipping.size;
+  return query;
+}
+
+/// Of all queries of one recogniser at one percentage.
+struct BlockingRow {
+  std::string descriptor;
+  int blocked_percent = 0;
+  std::size_t queries = 0;
+  std::vector<Success> successes;  // one a query
+  double query_s = 0;              // processor time, mean
+
+  double percent(bool Success::*kind) const {
+    const auto count = std::count_if(successes.begin(), successes.end(), [&](const Success& s) { return s.*kind; });
+    return 100. * double(count) / double(successes.size());
+  }
+};
+
+BlockingRow recognise_all(const BlockingCase& run, const Recogniser& recogniser, int blocked_percent) {
+  BlockingRow row{recogniser.name(), blocked_percent, run.queries(), std::vector<Success>(run.queries()), 0};
+  std::vector<double> times_s(row.queries);
+  parallel_for(row.queries, [&](std::size_t i) {
+    const std::size_t silhouette = run.silhouette_of(i);
+    const ClippedQuery query = make_query(run, silhouette, blocked_percent);
+    if (query.curves.empty()) return;
+    const double start_s = thread_processor_time_s();
+    const std::vector<std::uint32_t> found = recogniser.recognise(query);
+    times_s[i] = thread_processor_time_s() - start_s;
+    row.successes[i] = success_of(found, silhouette, run.library, run.twins);
+  });
+  for (const double s : times_s) row.query_s += s / double(row.queries);
+  return row;
+}
+
+/// The table and the plot of the report, to which each row is added.
+struct BlockingShown {
+  TextTable table{{"descriptor", "hidden %", "queries", "itself %", "or a twin %", "or mirrored %", "in first 10 %",
+                   "nothing %", "ms a query"}};
+  Panel panel{"Recognised: itself or a twin", "hidden, % of the width", "% of queries", false, 100, {}, false};
+
+  void add(const BlockingRow& row, Json& rows) {
+    const double nothing = 100 - row.percent(&Success::told);
+    table.add({row.descriptor, std::to_string(row.blocked_percent), std::to_string(row.queries),
+               fixed(row.percent(&Success::itself), 1), fixed(row.percent(&Success::twin), 1),
+               fixed(row.percent(&Success::mirrored), 1), fixed(row.percent(&Success::among), 1), fixed(nothing, 1),
+               fixed(1000 * row.query_s, 1)});
+    rows.push_back({{"descriptor", row.descriptor},
+                    {"blocked_percent", row.blocked_percent},
+                    {"queries", row.queries},
+                    {"itself_percent", rounded(row.percent(&Success::itself))},
+                    {"twin_percent", rounded(row.percent(&Success::twin))},
+                    {"mirrored_percent", rounded(row.percent(&Success::mirrored))},
+                    {"among_ten_percent", rounded(row.percent(&Success::among))},
+                    {"nothing_percent", rounded(nothing)},
+                    {"query_s", tessera::rounded(row.query_s, 6)}});
+    if (panel.curves.empty() || panel.curves.back().name != row.descriptor) {
+      panel.curves.push_back({row.descriptor, {}, false});
+    }
+    panel.curves.back().points.emplace_back(row.blocked_percent, row.percent(&Success::twin));
+  }
+};
+
+Report empty_blocking_report(const Setting& setting, const BlockingCase& run) {
+  const BlockingOptions& options = run.options;
+  Report report;
+  report.json = report_head("blocking", setting);
+  report.json.update({{"shapes", options.shapes},
+                      {"silhouettes", run.silhouettes.size()},
+                      {"library_shapes", run.library.shapes.size()},
+                      {"left_out", run.library.left_out},
+                      {"twin_pairs", run.twins.size()},
+                      {"edge", options.edge_removed ? "removed" : "counted"},
+                      {"scale", options.scale_known ? "known" : "unknown"},
+                      {"size", options.size ? Json(*options.size) : Json()},
+                      {"noise_px", options.noise_px},
+                      {"seed", options.seed},
+                      {"rows", Json::array()}});
+  return report;
+}
+
+std::string explanation(const BlockingCase& run) {
+  const BlockingOptions& options = run.options;
+  std::string text = "\n" + std::to_string(run.silhouettes.size()) + " silhouettes, " +
+                     std::to_string(run.library.shapes.size()) + " shapes in the library, " +
+                     std::to_string(run.twins.size()) + " pairs of twins. Queries: clipped from the left, turned, " +
+                     (options.size ? short_number(*options.size) + " times the size, " : "") + "the clip edge " +
+                     (options.edge_removed ? "removed" : "counted as boundary") + ", the scale " +
+                     (options.scale_known ? "known" : "unknown") + ", noise of " + short_number(options.noise_px) +
+                     " px.\nTimes are processor time of one core.\n";
+  if (!run.library.left_out.empty()) {
+    text += std::to_string(run.library.left_out.size()) + " silhouettes are no shapes, and are never found:";
+    for (const std::string& name : run.library.left_out) text += " " + name;
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+Report bench_blocking(const Setting& setting, const BlockingOptions& asked) {
+  check(asked);
+  const BlockingOptions options = whole_blocking(asked, setting.quick);
+  const std::vector<RecogniserMaker> makers = chosen_recognisers(options.descriptors);
+  const std::string plot = std::filesystem::path(setting.out).replace_extension().string();
+  if (!plot.empty()) check_plot_can_be_written(plot);
+  const std::vector<Silhouette> silhouettes = read_silhouettes(options.shapes);
+  const Twins twins = options.twins.empty() ? Twins() : read_twins(options.twins, silhouettes);
+  const SilhouetteLibrary library = make_silhouette_library(silhouettes, options.mirrors);
+  if (library.shapes.empty()) throw InputError("--shapes: no silhouette of " + options.shapes + " makes a shape");
+
+  const BlockingCase run{options, silhouettes, library, twins};
+  Report report = empty_blocking_report(setting, run);
+  BlockingShown shown;
+  for (const RecogniserMaker& make : makers) {
+    const std::unique_ptr<Recogniser> recogniser = make(library);
+    for (const int percent : options.blocks) {
+      setting.progress(recogniser->name() + ", " + std::to_string(percent) + " % hidden");
+      shown.add(recognise_all(run, *recogniser, percent), report.json["rows"]);
+    }
+  }
+  if (!plot.empty()) write_plot({shown.panel}, plot);
+  report.text = shown.table.text() + explanation(run);
+  return report;
+}
+
+}  // namespace tessera::bench

@@ -1,0 +1,23 @@
+// Silhouettes of a folder, as test sets of shape recognition have them: white on black, one a file.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+namespace tessera::bench {
+
+struct Silhouette {
+  std::string name;  // the file's, without its ending
+  cv::Mat mask;      // CV_8U: 255 inside, else 0
+};
+
+/// A mask of what is lighter than half: its largest part alone, with clear pixels round it. `grey`: CV_8U. Empty where
+/// nothing is that light.
+cv::Mat largest_part(const cv::Mat& grey);
+
+/// The silhouettes of all PNGs of a folder, by their names. Throws InputError where the folder has none, or where one of
+/// them is no picture or empty.
+std::vector<Silhouette> read_silhouettes(const std::string& folder);
+
+}  // namespace tessera::bench
