@@ -15,6 +15,12 @@ constexpr float kLeastCosine = 0.5f;
 constexpr float kCloseWidths = 0.67f;
 constexpr float kFarWidths = 2;
 constexpr float kFarOfRadius = 0.05f;
+/// Of the quick measure: the distance up to which points count, in parts of the query's radius, and how many points of the
+/// shape are tried on the query's length.
+constexpr float kRoughReach = 0.12f;
+constexpr float kRoughPoints = 24;
+constexpr int kMostStride = 6;
+constexpr float kSamePose = 0.1f;  // of the query's radius: poses that differ by less end up as one
 /// Added to the diagonal, in parts of its mean: one straight side leaves a direction open.
 constexpr double kDamping = 1e-3;
 constexpr float kLargestTurn_rad = 0.2f;
@@ -49,7 +55,7 @@ struct NormalEquations {
 };
 
 /// 1 on the curve, 0 from `far` on: the mean of parabolas that end at `close`, twice, four times as far, and so on.
-float closeness(float distance, float close, float far) {
+float closeness_within(float distance, float close, float far) {
   float sum = 0;
   int parabolas = 0;
   for (float end = close; end < 1.01f * far; end *= 2, ++parabolas) {
@@ -57,6 +63,9 @@ float closeness(float distance, float close, float far) {
   }
   return sum / float(parabolas);
 }
+
+/// The distance from which on points count nothing.
+float farthest(const Query& query) { return std::max(kFarWidths * query.least_sigma(), kFarOfRadius * query.radius()); }
 
 NormalEquations equations_at(const Query& query, const BoundaryPoints& shape, const Similarity& pose, float reach) {
   NormalEquations equations;
@@ -94,17 +103,46 @@ Similarity refined_pose(const Query& query, const BoundaryPoints& shape, Similar
 
 float followed_part(const Query& query, const BoundaryPoints& shape, const Similarity& pose) {
   const float scale = pose.scale();
-  const float close = kCloseWidths * query.least_sigma();
-  const float far = std::max(kFarWidths * query.least_sigma(), kFarOfRadius * query.radius());
+  const float far = farthest(query);
   float followed = 0;
   for (std::size_t i = 0; i < shape.position.size(); ++i) {
     const CurveMap::Nearest near = query.map().nearest(pose.apply(shape.position[i]));
     if (near.distance >= far || near.at_end) continue;
     const float cosine = dot(pose.apply_direction(shape.tangent[i]), near.tangent) / scale;
     if (cosine < kLeastCosine) continue;
-    followed += std::min(cosine, 1.f) * closeness(near.distance, close, far);
+    followed += std::min(cosine, 1.f) * closeness(query, near.distance);
   }
   return followed * shape.spacing * scale / query.length();
+}
+
+float roughly_followed(const Query& query, const BoundaryPoints& shape, const Similarity& pose) {
+  const float reach = kRoughReach * query.radius();
+  const float scale = pose.scale();
+  const float spacing = shape.spacing * scale;
+  const auto stride = std::size_t(std::clamp(query.length() / (kRoughPoints * spacing), 1.f, float(kMostStride)));
+  float followed = 0;
+  for (std::size_t i = 0; i < shape.position.size(); i += stride) {
+    const CurveMap::Rough near = query.map().rough(pose.apply(shape.position[i]));
+    if (near.squared_distance >= reach * reach) continue;
+    const Vec2 tangent = pose.apply_direction(shape.tangent[i]);
+    if (dot(tangent, query.map().tangent(near.point)) < kLeastCosine * scale) continue;
+    followed += 1 - std::sqrt(near.squared_distance) / reach;
+  }
+  return followed * float(stride) * spacing / query.length();
+}
+
+float closeness(const Query& query, float distance) {
+  return closeness_within(distance, kCloseWidths * query.least_sigma(), farthest(query));
+}
+
+bool is_nearly_one_of(std::span<const Similarity> others, const Similarity& pose, const Query& query) {
+  const Vec2 at_centre = pose.inverse().apply(query.centre());
+  const float least = kSamePose * query.radius();
+  return std::any_of(others.begin(), others.end(), [&](const Similarity& other) {
+    const Vec2 moved = other.apply(at_centre) - query.centre();
+    const float turned = norm({other.a - pose.a, other.b - pose.b}) / pose.scale() * query.radius();
+    return norm(moved) < least && turned < least;
+  });
 }
 
 }  // namespace tessera

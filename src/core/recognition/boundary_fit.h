@@ -28,8 +28,17 @@ Similarity refined_pose(const Query& query, const BoundaryPoints& shape, Similar
                         float reach, float least_reach, const ScaleLimits& scales);
 
 /// How much of the query's length the shape's boundary follows, 0 to about 1. A point of the boundary counts where the
-/// query's curve near it runs in the same direction, the more the closer it is, by the logarithm of the distance: the
-/// shape itself differs by what pixels cost, another one of its kind by a few times that.
+/// query's curve near it runs in the same direction, the more the closer it is (closeness()): the shape itself differs by
+/// what pixels cost, another one of its kind by a few times that.
 float followed_part(const Query& query, const BoundaryPoints& shape, const Similarity& query_from_shape);
+
+/// A quick measure of the same kind, by some of the points, to sort poses before they are refined.
+float roughly_followed(const Query& query, const BoundaryPoints& shape, const Similarity& query_from_shape);
+
+/// How much a point counts that lies so far from the query's curves: 1 on them, falling to 0.
+float closeness(const Query& query, float distance);
+
+/// Whether the pose lays a shape nearly where one of the others lays it: refinement makes one of both.
+bool is_nearly_one_of(std::span<const Similarity> others, const Similarity& pose, const Query& query);
 
 }  // namespace tessera

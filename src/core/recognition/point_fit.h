@@ -12,7 +12,7 @@ struct PointFit {
   float residual = 0;  // root mean square, in parts of the query points' own spread
 };
 
-/// Least squares over corresponding points, at least 3 (Umeyama 1991, without reflections). The residual is 1 where the
+/// Least squares over corresponding points, at least 2 (Umeyama 1991, without reflections). The residual is 1 where the
 /// points of one side are one.
 PointFit fit_points(std::span<const Vec2> shape, std::span<const Vec2> query);
 

@@ -85,15 +85,20 @@ Query::Measures Query::measure(const std::vector<Curve>& curves) {
 }
 
 CurveMap Query::make_map(const std::vector<Curve>& curves, float sigma, const Measures& measures) {
+  const std::vector<Curve> even = even_curves(curves, sigma, kMapPoints * measures.radius);
+  const float cell = std::max(kMapCell * measures.radius, kLeastMapCell * measures.extent);
+  return CurveMap(even, cell, kMapReach * measures.radius);
+}
+
+std::vector<Curve> even_curves(const std::vector<Curve>& curves, float sigma, float spacing) {
   std::vector<Curve> even;
   const auto bounded = [](float points) { return int(std::clamp<float>(points, kLeastPoints, kMostMapPoints)); };
   for (const Curve& curve : curves) {
     const float length = length_of(curve);
     const Curve smooth = smoothed(resampled(curve, bounded(2 * length / sigma)), sigma);
-    even.push_back(resampled(smooth, bounded(length / (kMapPoints * measures.radius))));
+    even.push_back(resampled(smooth, bounded(length / spacing)));
   }
-  const float cell = std::max(kMapCell * measures.radius, kLeastMapCell * measures.extent);
-  return CurveMap(even, cell, kMapReach * measures.radius);
+  return even;
 }
 
 Query::Query(const std::vector<Curve>& curves, const QuerySettings& settings)

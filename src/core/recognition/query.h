@@ -54,6 +54,9 @@ class Query {
   std::vector<QueryWidth> widths_;
 };
 
+/// The curves, smoothed by `sigma`, as evenly spaced points: about `spacing` apart, at least 48 and at most 20,000 a curve.
+std::vector<Curve> even_curves(const std::vector<Curve>& curves, float sigma, float spacing);
+
 /// Widths of the smoothing are so far apart: half an octave.
 inline constexpr float kWidthStep = 1.41421356f;
 

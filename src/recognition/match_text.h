@@ -1,0 +1,18 @@
+// Matches as a table for people and as JSON.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/recognition/curve_match.h"
+
+namespace tessera {
+
+/// A line for each match: score, similarity, matched parts, number of runs, and the pose in B's place: scale, rotation
+/// (degrees, clockwise on the picture) and where B's origin lies, in units of A.
+std::string match_table(const std::vector<CurveMatch>& matches);
+
+/// The same and the runs, as arclengths from each curve's first point in units of its own drawing, lines with line ends.
+std::string match_json(const std::string& path_a, const std::string& path_b, const std::vector<CurveMatch>& matches);
+
+}  // namespace tessera

@@ -1,0 +1,87 @@
+#include "recognition/thinning.h"
+
+#include <array>
+#include <vector>
+
+#include "recognition/pixel.h"
+
+namespace tessera {
+namespace {
+
+/// The eight neighbours as the paper counts them, P2 to P9: from the one above on, clockwise.
+constexpr std::array<Pixel, 8> kAround{{{0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}}};
+
+std::array<bool, 8> neighbours(const Grid<std::uint8_t>& image, Pixel p) {
+  std::array<bool, 8> set{};
+  for (std::size_t k = 0; k < 8; ++k) {
+    const int x = p.x + kAround[k].x, y = p.y + kAround[k].y;
+    set[k] = image.bounds().contains(x, y) && image(x, y);
+  }
+  return set;
+}
+
+int count_of(const std::array<bool, 8>& set) {
+  int count = 0;
+  for (const bool is_set : set) count += is_set;
+  return count;
+}
+
+/// A(P1) of the paper: how often a clear neighbour is followed by a set one.
+int rises(const std::array<bool, 8>& set) {
+  int count = 0;
+  for (std::size_t k = 0; k < 8; ++k) count += !set[k] && set[(k + 1) % 8];
+  return count;
+}
+
+/// Parts into which the neighbours fall, where corners connect (Yokoi's number of connectivity).
+int connected_parts(const std::array<bool, 8>& set) {
+  int parts = 0;
+  for (std::size_t k = 0; k < 8; k += 2) parts += !set[k] && (set[(k + 1) % 8] || set[(k + 2) % 8]);
+  return parts;
+}
+
+/// Whether the first or the second half of an iteration takes the pixel away.
+bool is_taken(const std::array<bool, 8>& set, bool first_half) {
+  const int count = count_of(set);
+  if (count < 2 || count > 6 || rises(set) != 1) return false;
+  const bool up = set[0], right = set[2], down = set[4], left = set[6];
+  return first_half ? !(up && right && down) && !(right && down && left)
+                    : !(up && right && left) && !(up && down && left);
+}
+
+/// Returns whether any pixel was taken.
+bool take_half(Grid<std::uint8_t>& image, std::vector<Pixel>& pixels, bool first_half) {
+  std::vector<Pixel> taken, left;
+  for (const Pixel p : pixels) (is_taken(neighbours(image, p), first_half) ? taken : left).push_back(p);
+  for (const Pixel p : taken) image(p.x, p.y) = 0;
+  pixels = std::move(left);
+  return !taken.empty();
+}
+
+/// The method leaves stairs two pixels wide. Taking away one pixel after the other keeps the lines connected.
+void take_stairs(Grid<std::uint8_t>& image, const std::vector<Pixel>& pixels) {
+  for (const Pixel p : pixels) {
+    const std::array<bool, 8> set = neighbours(image, p);
+    if (count_of(set) >= 2 && connected_parts(set) == 1) image(p.x, p.y) = 0;
+  }
+}
+
+}  // namespace
+
+Grid<std::uint8_t> thinned(const Grid<std::uint8_t>& filled) {
+  Grid<std::uint8_t> image = filled;
+  std::vector<Pixel> pixels;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      if (image(x, y)) pixels.push_back({x, y});
+    }
+  }
+  for (bool taken = true; taken;) {
+    taken = take_half(image, pixels, true);
+    taken = take_half(image, pixels, false) || taken;
+  }
+  take_stairs(image, pixels);
+  return image;
+}
+
+}  // namespace tessera
