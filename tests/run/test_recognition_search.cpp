@@ -43,7 +43,7 @@ RecognitionQuestion question_of(const std::string& path) {
     Curve curve{library.read(shape, shape + 1, {}).front().outline.curves.front(), true};
     const Similarity pose{200 * std::cos(float(shape)), 200 * std::sin(float(shape)), 5, 7};
     for (Vec2& p : curve.points) p = pose.apply(p);
-    question.queries.push_back({curve});
+    question.queries.push_back({{curve}, 1});
   }
   return question;
 }

@@ -19,20 +19,20 @@ constexpr std::size_t kMostColumns = 10;
 constexpr std::size_t kMostRows = 100;
 constexpr double kMargin = 0.06;  // of a cell
 
-RecognisedShape told(const Recognition& recognition, const Shape& head, float traced_per_px) {
+RecognisedShape told(const Recognition& recognition, const Shape& head) {
   const Similarity& pose = recognition.query_from_shape;
   RecognisedShape shape;
   shape.name = head.name;
   shape.similarity = recognition.similarity;
-  if (head.drawn_scale_px > 0) shape.scale = double(pose.scale()) / double(traced_per_px) / double(head.drawn_scale_px);
+  if (head.drawn_scale_px > 0) shape.scale = double(pose.scale()) / double(head.drawn_scale_px);
   shape.rotation_deg = kDegreesPerRad * double(pose.rotation_rad());
   return shape;
 }
 
-void draw_query(cairo_t* cairo, const QueryFile& file, double x_px, double y_px) {
-  Vec2 low = file.outlines.front().points.front();
+void draw_query(cairo_t* cairo, const DrawnCurves& query, double x_px, double y_px) {
+  Vec2 low = query.curves.front().points.front();
   Vec2 high = low;
-  for (const Curve& curve : file.outlines) {
+  for (const Curve& curve : query.curves) {
     for (const Vec2 p : curve.points) {
       low = {std::min(low.x, p.x), std::min(low.y, p.y)};
       high = {std::max(high.x, p.x), std::max(high.y, p.y)};
@@ -45,7 +45,7 @@ void draw_query(cairo_t* cairo, const QueryFile& file, double x_px, double y_px)
   cairo_scale(cairo, scale, scale);
   cairo_translate(cairo, -double(low.x + high.x) / 2, -double(low.y + high.y) / 2);
   cairo_new_path(cairo);
-  for (const Curve& curve : file.outlines) {
+  for (const Curve& curve : query.curves) {
     cairo_new_sub_path(cairo);
     for (const Vec2 p : curve.points) cairo_line_to(cairo, double(p.x), double(p.y));
     cairo_close_path(cairo);
@@ -57,16 +57,16 @@ void draw_query(cairo_t* cairo, const QueryFile& file, double x_px, double y_px)
 
 }  // namespace
 
-std::vector<RecognisedQuery> recognised_queries(const std::vector<QueryFile>& files, const Recognitions& found,
-                                                const LibraryFile& library, bool in_own_px) {
+std::vector<RecognisedQuery> recognised_queries(const std::vector<std::string>& files, const Recognitions& found,
+                                                const LibraryFile& library) {
   std::vector<RecognisedQuery> queries;
   for (std::size_t q = 0; q < files.size(); ++q) {
-    RecognisedQuery query{files[q].path, {}};
+    RecognisedQuery query{files[q], {}};
     for (const Recognition& recognition : found[q]) {
       const std::size_t id = index_of(recognition.shape);
       const LibraryParts no_parts{.outline = false, .field = false, .levels = 0, .artwork = false};
       const Shape head = library.read(id, id + 1, no_parts).front();
-      query.shapes.push_back(told(recognition, head, in_own_px ? 1 : files[q].traced_per_px));
+      query.shapes.push_back(told(recognition, head));
     }
     queries.push_back(std::move(query));
   }
@@ -93,7 +93,8 @@ void write_recognitions(const std::string& path, const std::string& library,
   write_file_atomically(path, json.dump(1) + "\n");
 }
 
-void write_recognition_sheet(const std::string& path, const std::vector<QueryFile>& files, const Recognitions& found,
+void write_recognition_sheet(const std::string& path, const std::vector<std::string>& files,
+                             const std::vector<DrawnCurves>& drawn, const Recognitions& found,
                              const LibraryFile& library) {
   std::size_t most = 0;
   for (const std::vector<Recognition>& shapes : found) most = std::max(most, shapes.size());
@@ -104,8 +105,8 @@ void write_recognition_sheet(const std::string& path, const std::vector<QueryFil
   Drawers drawers({});
   for (std::size_t row = 0; row < rows; ++row) {
     const std::size_t first = row * columns;
-    draw_query(sheet.cairo(), files[row], layout.x_px(first), layout.y_px(first));
-    sheet.caption(first, 0, printable_utf8(std::filesystem::path(files[row].path).filename().string()));
+    draw_query(sheet.cairo(), drawn[row], layout.x_px(first), layout.y_px(first));
+    sheet.caption(first, 0, printable_utf8(std::filesystem::path(files[row]).filename().string()));
     for (std::size_t k = 0; k + 1 < columns && k < found[row].size(); ++k) {
       const std::size_t cell = first + 1 + k;
       const Shape shape = shape_for_sheet(library, index_of(found[row][k].shape));

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "library/storage/library_file.h"
-#include "run/recognition/query_file.h"
+#include "recognition/drawn_curves.h"
 #include "run/recognition/recognition_messages.h"
 
 namespace tessera {
@@ -24,16 +24,17 @@ struct RecognisedQuery {
   bool found(double least_similarity) const { return !shapes.empty() && shapes.front().similarity >= least_similarity; }
 };
 
-/// `in_own_px`: the poses are in px of the pictures, not in those that were traced.
-std::vector<RecognisedQuery> recognised_queries(const std::vector<QueryFile>& files, const Recognitions& found,
-                                                const LibraryFile& library, bool in_own_px);
+/// `files`: the names of the queries.
+std::vector<RecognisedQuery> recognised_queries(const std::vector<std::string>& files, const Recognitions& found,
+                                                const LibraryFile& library);
 
 /// Writes JSON. Throws EnvironmentError where the file cannot be written, as does write_recognition_sheet.
 void write_recognitions(const std::string& path, const std::string& library,
                         const std::vector<RecognisedQuery>& queries);
 
 /// Writes a PNG: a row for each query, its outlines first, then the best shapes.
-void write_recognition_sheet(const std::string& path, const std::vector<QueryFile>& files, const Recognitions& found,
+void write_recognition_sheet(const std::string& path, const std::vector<std::string>& files,
+                             const std::vector<DrawnCurves>& drawn, const Recognitions& found,
                              const LibraryFile& library);
 
 }  // namespace tessera

@@ -10,12 +10,18 @@
 
 namespace tessera {
 
+/// The curves of one picture, and the side of its pixels in their units.
+struct AskedCurves {
+  std::vector<Curve> curves;
+  float pixel = 1;
+};
+
 /// Rank 0 to all others: what is looked for, and where.
 struct RecognitionQuestion {
-  std::vector<std::vector<Curve>> queries;  // the curves of each
-  std::string library;                      // the file, which every rank opens itself
-  std::uint64_t library_digest = 0;         // ShapeLibrary::content_digest()
-  float query_per_drawn_px = 0;             // RecognitionSettings; 0: unknown
+  std::vector<AskedCurves> queries;
+  std::string library;               // the file, which every rank opens itself
+  std::uint64_t library_digest = 0;  // ShapeLibrary::content_digest()
+  float query_per_drawn_px = 0;      // RecognitionSettings; 0: unknown
   std::uint64_t most = 10;
   /// The library is searched in lots of so many shapes, whoever searches them, so that the answer is the same on any number
   /// of ranks. Another number may give another answer.
@@ -34,7 +40,7 @@ requires kIsOneOf<T, Recognition>
 inline constexpr bool kSentAsItLies<T> = true;
 
 template <class T>
-requires kIsOneOf<T, Curve, RecognitionQuestion>
+requires kIsOneOf<T, Curve, AskedCurves, RecognitionQuestion>
 inline constexpr bool kSentByMembers<T> = true;
 
 }  // namespace tessera::comm
@@ -45,6 +51,12 @@ template <class Archive>
 void serialize(Archive& archive, tessera::Curve& curve, unsigned) {
   auto& [points, closed] = curve;
   tessera::comm::send_members(archive, points, closed);
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::AskedCurves& query, unsigned) {
+  auto& [curves, pixel] = query;
+  tessera::comm::send_members(archive, curves, pixel);
 }
 
 template <class Archive>

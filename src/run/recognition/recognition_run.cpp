@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
 #include "library/storage/library_file.h"
-#include "run/recognition/query_file.h"
+#include "recognition/drawn_curves.h"
 #include "run/recognition/recognition_files.h"
 #include "run/recognition/recognition_search.h"
 #include "terminal/exit_codes.h"
@@ -23,30 +23,23 @@ void check(const RecognizeArguments& arguments) {
   }
 }
 
-std::vector<QueryFile> read_queries(const RecognizeArguments& arguments) {
+std::vector<DrawnCurves> read_queries(const RecognizeArguments& arguments) {
   Drawers drawers({});
-  std::vector<QueryFile> files;
-  for (const std::string& path : arguments.queries) files.push_back(read_query_file(drawers, path));
-  return files;
+  std::vector<DrawnCurves> queries;
+  for (const std::string& path : arguments.queries) {
+    queries.push_back(read_drawn_curves(path, TracedAs::outlines, drawers));
+  }
+  return queries;
 }
 
-/// A known scale is one of pictures, which are drawn at different sizes for tracing: so is each query of the question.
-RecognitionQuestion question_of(const RecognizeArguments& arguments, const std::vector<QueryFile>& files,
+RecognitionQuestion question_of(const RecognizeArguments& arguments, const std::vector<DrawnCurves>& queries,
                                 const ShapeLibrary& library) {
   RecognitionQuestion question;
   question.library = arguments.library;
   question.library_digest = library.content_digest();
   question.most = arguments.most;
   if (arguments.scale) question.query_per_drawn_px = float(*arguments.scale);
-  for (const QueryFile& file : files) {
-    std::vector<Curve> outlines = file.outlines;
-    if (arguments.scale) {
-      for (Curve& curve : outlines) {
-        for (Vec2& p : curve.points) p = p * (1 / file.traced_per_px);
-      }
-    }
-    question.queries.push_back(std::move(outlines));
-  }
+  for (const DrawnCurves& query : queries) question.queries.push_back({query.curves, query.pixel});
   return question;
 }
 
@@ -80,15 +73,15 @@ void print_table(const RecognizeArguments& arguments, const std::vector<Recognis
 
 int lead(const RecognizeArguments& arguments, comm::Communicator& ranks) {
   check(arguments);
-  const std::vector<QueryFile> files = read_queries(arguments);
+  const std::vector<DrawnCurves> drawn = read_queries(arguments);
   const LibraryFile library(arguments.library);
   const Stopwatch watch;
-  const RecognitionQuestion question = question_of(arguments, files, library);
+  const RecognitionQuestion question = question_of(arguments, drawn, library);
   const Recognitions found = searched(arguments, question, library, ranks);
-  const std::vector<RecognisedQuery> queries = recognised_queries(files, found, library, arguments.scale.has_value());
+  const std::vector<RecognisedQuery> queries = recognised_queries(arguments.queries, found, library);
   if (!arguments.quiet) print_table(arguments, queries);
   if (!arguments.json.empty()) write_recognitions(arguments.json, arguments.library, queries);
-  if (!arguments.sheet.empty()) write_recognition_sheet(arguments.sheet, files, found, library);
+  if (!arguments.sheet.empty()) write_recognition_sheet(arguments.sheet, arguments.queries, drawn, found, library);
   if (!arguments.quiet) print_line("%zu shapes, %.1f s", library.size(), watch.seconds());
   bool all_found = true;
   for (const RecognisedQuery& query : queries) all_found &= query.found(arguments.least_similarity);

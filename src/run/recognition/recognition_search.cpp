@@ -16,6 +16,8 @@ namespace {
 
 /// Smoothing levels that are searched. The coarsest says too little of parts.
 const std::vector<int> kSearchedLevels = {1, 2, 3, 4};
+/// What the stairs of pixels need of smoothing.
+constexpr float kLeastSigma_pixels = 1.5f;
 /// A worker that rank 0 does not hear of for so long is lost.
 constexpr double kSilence_s = 300;
 
@@ -41,7 +43,9 @@ KnownShapes read_lot(const ShapeLibrary& library, const ShapeRange& range) {
 std::vector<Query> prepared_queries(const RecognitionQuestion& question, const PadParameters& pad) {
   std::vector<Query> queries;
   queries.reserve(question.queries.size());
-  for (const std::vector<Curve>& curves : question.queries) queries.emplace_back(curves, QuerySettings{.pad = pad});
+  for (const AskedCurves& query : question.queries) {
+    queries.emplace_back(query.curves, QuerySettings{.pad = pad, .least_sigma = kLeastSigma_pixels * query.pixel});
+  }
   return queries;
 }
 
