@@ -38,8 +38,9 @@ void check(const BlockingOptions& options) {
   }
 }
 
-/// Those that were asked for, PAD's first of all allowed names. Their tables of the library are not made yet.
 using RecogniserMaker = std::function<std::unique_ptr<Recogniser>(const SilhouetteLibrary&)>;
+
+/// What makes the recognisers of these names, in this order. Throws InputError where a name is none that is allowed.
 std::vector<RecogniserMaker> chosen_recognisers(const std::vector<std::string>& names) {
   std::vector<RecogniserMaker> chosen;
   for (const std::string& name : names) {
