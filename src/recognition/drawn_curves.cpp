@@ -23,7 +23,7 @@ constexpr int kDrawnSide_px = 1024;
 /// Outlines round less than this are specks.
 constexpr double kLeastArea_px2 = 16;
 /// The longest ones of a drawing that has more.
-constexpr std::size_t kMostCurves = 1000;
+constexpr std::size_t kMostCurves = 200;
 
 /// CV_8U: what is drawn. On an opaque page that is what differs from the colour along its edge, whatever it encloses.
 cv::Mat drawn_places(const cv::Mat& page) {
@@ -79,9 +79,10 @@ void keep_longest(std::vector<Curve>& curves) {
   std::erase_if(curves, [&](const Curve& curve) { return length_of(curve) < least; });
 }
 
-std::string needed(TracedAs kind) {
-  return kind == TracedAs::outlines ? "an opaque silhouette on a transparent page or a plain background"
-                                    : "lines on a transparent page or a plain background";
+std::string lack_of_curves(TracedAs kind) {
+  return kind == TracedAs::outlines
+             ? "found nothing that is drawn; needed: an opaque silhouette on a transparent page or a plain background"
+             : "found no lines; needed: lines that are longer than wide, on a transparent page or a plain background";
 }
 
 }  // namespace
@@ -95,7 +96,7 @@ DrawnCurves read_drawn_curves(const std::string& path, TracedAs kind, Drawers& d
   DrawnCurves result{outlined ? outlines(page, pixel) : centre_lines(page, pixel), pixel};
   if (!looks_like_svg(bytes)) result.pixel = std::max(pixel, 1.f);  // an enlarged image shows no more
   keep_longest(result.curves);
-  if (result.curves.empty()) throw InputError(path + ": found nothing that is drawn; needed: " + needed(kind));
+  if (result.curves.empty()) throw InputError(path + ": " + lack_of_curves(kind));
   for (const Curve& curve : result.curves) {
     if (const std::string fault = curve_fault(curve); !fault.empty())
       throw InputError(path + ": a curve of no use: " + fault);

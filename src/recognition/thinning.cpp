@@ -1,6 +1,8 @@
 #include "recognition/thinning.h"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "recognition/pixel.h"
@@ -49,14 +51,50 @@ bool is_taken(const std::array<bool, 8>& set, bool first_half) {
                     : !(up && right && left) && !(up && down && left);
 }
 
-/// Returns whether any pixel was taken.
-bool take_half(Grid<std::uint8_t>& image, std::vector<Pixel>& pixels, bool first_half) {
-  std::vector<Pixel> taken, left;
-  for (const Pixel p : pixels) (is_taken(neighbours(image, p), first_half) ? taken : left).push_back(p);
-  for (const Pixel p : taken) image(p.x, p.y) = 0;
-  pixels = std::move(left);
-  return !taken.empty();
-}
+/// The pixels that may be taken: those beside a clear one. All others have eight set neighbours.
+class Border {
+ public:
+  explicit Border(const Grid<std::uint8_t>& image) : listed_(image.width(), image.height(), 0) {
+    for (int y = 0; y < image.height(); ++y) {
+      for (int x = 0; x < image.width(); ++x) {
+        if (image(x, y) && count_of(neighbours(image, {x, y})) < 8) add({x, y});
+      }
+    }
+  }
+
+  /// One half of an iteration. Returns whether any pixel was taken.
+  bool take_half(Grid<std::uint8_t>& image, bool first_half) {
+    std::vector<Pixel> taken, left;
+    for (const Pixel p : pixels_) (is_taken(neighbours(image, p), first_half) ? taken : left).push_back(p);
+    pixels_ = std::move(left);
+    for (const Pixel p : taken) image(p.x, p.y) = 0;
+    for (const Pixel p : taken) add_around(image, p);
+    return !taken.empty();
+  }
+
+  /// In the order of rows.
+  std::vector<Pixel> sorted_pixels() const {
+    std::vector<Pixel> sorted = pixels_;
+    std::sort(sorted.begin(), sorted.end(),
+              [](const Pixel& a, const Pixel& b) { return a.y != b.y ? a.y < b.y : a.x < b.x; });
+    return sorted;
+  }
+
+ private:
+  void add(Pixel p) {
+    listed_(p.x, p.y) = 1;
+    pixels_.push_back(p);
+  }
+  void add_around(const Grid<std::uint8_t>& image, Pixel p) {
+    for (const Pixel& step : kAround) {
+      const Pixel q{p.x + step.x, p.y + step.y};
+      if (image.bounds().contains(q.x, q.y) && image(q.x, q.y) && !listed_(q.x, q.y)) add(q);
+    }
+  }
+
+  Grid<std::uint8_t> listed_;
+  std::vector<Pixel> pixels_;
+};
 
 /// The method leaves stairs two pixels wide. Taking away one pixel after the other keeps the lines connected.
 void take_stairs(Grid<std::uint8_t>& image, const std::vector<Pixel>& pixels) {
@@ -70,17 +108,12 @@ void take_stairs(Grid<std::uint8_t>& image, const std::vector<Pixel>& pixels) {
 
 Grid<std::uint8_t> thinned(const Grid<std::uint8_t>& filled) {
   Grid<std::uint8_t> image = filled;
-  std::vector<Pixel> pixels;
-  for (int y = 0; y < image.height(); ++y) {
-    for (int x = 0; x < image.width(); ++x) {
-      if (image(x, y)) pixels.push_back({x, y});
-    }
-  }
+  Border border(image);
   for (bool taken = true; taken;) {
-    taken = take_half(image, pixels, true);
-    taken = take_half(image, pixels, false) || taken;
+    taken = border.take_half(image, true);
+    taken = border.take_half(image, false) || taken;
   }
-  take_stairs(image, pixels);
+  take_stairs(image, border.sorted_pixels());
   return image;
 }
 

@@ -73,7 +73,7 @@ svg "<path d='M5 5'/>" >point.svg
 svg "<circle cx='150' cy='150' r='140' $stroke/>" >ring.svg
 run 2 match empty.svg leaf.svg && expect_word "empty.svg: neither SVG nor"
 run 2 match leaf.svg point.svg && expect_word "point.svg: found nothing that is drawn; needed:"
-run 2 match --open leaf.svg point.svg && expect_word "needed: lines on a transparent page"
+run 2 match --open leaf.svg point.svg && expect_word "point.svg: found no lines; needed: lines"
 run 2 match none.svg leaf.svg && expect_word "none.svg"
 run 2 match leaf.svg leaf.svg -o picture.png && expect_word "-o: found picture.png, allowed: a name that ends in .svg"
 run 1 match leaf.svg leaf.svg -o /proc/none/picture.svg && expect_word "/proc/none/picture.svg"

@@ -81,10 +81,16 @@ TEST_F(DrawnCurvesOf, ALineDrawingThatEnclosesGroundIsNotFilled) {
   EXPECT_NEAR(length_of(drawn.curves[1]), 2 * 3.1416 * 30, 4);
 }
 
+TEST_F(DrawnCurvesOf, ASolidSquareHasAnOutlineAndNoLines) {
+  const std::string square = svg("<rect x='60' y='10' width='80' height='80'/>");
+  EXPECT_EQ(read(square, TracedAs::outlines).curves.size(), 1u);
+  EXPECT_NE(mistake(square, TracedAs::centre_lines).find("found no lines"), std::string::npos);
+}
+
 TEST_F(DrawnCurvesOf, FilesWithoutCurvesAreNamed) {
   EXPECT_NE(mistake(svg(""), TracedAs::outlines).find("a.svg: found nothing that is drawn; needed: an opaque"),
             std::string::npos);
-  EXPECT_NE(mistake(svg("<path d='M5 5'/>"), TracedAs::centre_lines).find("a.svg: found nothing that is drawn"),
+  EXPECT_NE(mistake(svg("<path d='M5 5'/>"), TracedAs::centre_lines).find("a.svg: found no lines; needed: lines"),
             std::string::npos);
   EXPECT_NE(mistake(folder_.path("none.svg"), TracedAs::outlines).find("none.svg"), std::string::npos);
   EXPECT_NE(mistake(folder_.write("empty.svg", ""), TracedAs::outlines).find("empty.svg: neither SVG nor"),

@@ -23,6 +23,8 @@ constexpr float kFineReach = 1;
 constexpr float kPoseScaleSlack = 1.4f;  // what the scale may change by
 /// Spacing of points, and the largest distance of a run, in parts of the radius; widths of the narrowest smoothing.
 constexpr float kPointSpacing = 1.f / 96;
+/// Points are farther apart on curves that would have more: scribbles and noise.
+constexpr float kMostMatchPoints = 4000;
 constexpr float kRunReach = 0.03f;
 constexpr float kRunWidths = 2;
 constexpr float kLeastRun = 5;  // reaches
@@ -45,7 +47,8 @@ std::vector<Curve> reversed(std::vector<Curve> curves) {
 }
 
 std::vector<Curve> evenly(const MatchedCurves& of, const Query& query) {
-  return even_curves(of.curves, kCurveSmoothing * of.least_sigma, kPointSpacing * query.radius());
+  return even_curves(of.curves, kCurveSmoothing * of.least_sigma,
+                     std::max(kPointSpacing * query.radius(), query.length() / kMostMatchPoints));
 }
 
 float total_length(const std::vector<Curve>& curves) {

@@ -29,8 +29,12 @@ struct Followed {
 
 CurveMap map_of(const std::vector<Curve>& curves, float reach) {
   Box box = bounding_box(curves.front().points);
-  for (const Curve& curve : curves) box = united(box, bounding_box(curve.points));
-  const float cell = std::max(kCellOfReach * reach, kCellOfBox * std::max(box.width(), box.height()));
+  float cell = kCellOfReach * reach;
+  for (const Curve& curve : curves) {
+    box = united(box, bounding_box(curve.points));
+    cell = std::max(cell, length_of(curve) / float(curve.points.size() - 1));
+  }
+  cell = std::max(cell, kCellOfBox * std::max(box.width(), box.height()));
   return CurveMap(curves, cell, std::max(reach, 2 * cell));
 }
 
