@@ -27,11 +27,8 @@ void add_commands(CLI::App& app, Command& selected) {
       "  tessera draw out/my_job --width 12000            its pictures again, larger\n"
       "  tessera campaign my_job.toml --seeds 1-8         eight of them, ranked by quality\n"
       "  tessera card theirs.geojson --size 1000,800      anybody's collage, by the same measures\n"
-<<<<<<< HEAD
       "  tessera recognize torn.png --library my.h5       which of its drawings a picture is a part of\n"
-=======
       "  tessera match duck.svg goose.svg                 which parts of two drawings are alike\n"
->>>>>>> w-pictures
       "Exit codes: 0 done, 1 the machine failed (disk, memory, device), 2 bad input, 3 done, but something that was\n"
       "counted is missing (warnings name it), 75 interrupted; the last line on stderr says how to go on.");
   add_library_command(app, selected);
@@ -45,11 +42,8 @@ void add_commands(CLI::App& app, Command& selected) {
   add_plan_command(app, selected);
   add_rank_command(app, selected);
   add_card_command(app, selected);
-<<<<<<< HEAD
   add_recognize_command(app, selected);
-=======
   add_match_command(app, selected);
->>>>>>> w-pictures
   add_devices_command(app, selected);
   add_bench_command(app);
 }
