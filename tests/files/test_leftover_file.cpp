@@ -91,7 +91,7 @@ TEST_F(LeftoverFiles, AnOutputFolderGoesWhereNothingCameIntoIt) {
 
 TEST_F(LeftoverFiles, AnOutputFolderThatCannotBeIsTold) {
   folder_.write("file", "x");
-  EXPECT_THROW(OutputFolder(folder_.path("file/folder")), EnvironmentError);
+  EXPECT_THROW(OutputFolder(folder_.path("file/folder")), InputError);
   EXPECT_THROW(OutputFolder("/proc/tessera"), EnvironmentError);
   EXPECT_THROW(OutputFolder("/proc"), EnvironmentError) << "it is there, but takes no files";
   EXPECT_NO_THROW(OutputFolder(""));

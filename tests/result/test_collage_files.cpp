@@ -166,8 +166,8 @@ TEST(CollageFiles, PreparesFoldersInFolders) {
 TEST(CollageFiles, AFileInTheWayIsAnError) {
   const test::ScratchFolder folder;
   const std::string file = folder.write("file", "x");
-  EXPECT_THROW(prepare_output_directory(file), EnvironmentError);
-  EXPECT_THROW(prepare_output_directory(file + "/below"), EnvironmentError);
+  EXPECT_THROW(prepare_output_directory(file), InputError);
+  EXPECT_THROW(prepare_output_directory(file + "/below"), InputError);
 }
 
 TEST(CollageFiles, AFolderThatCannotBeWrittenIsAnErrorBeforeTheWork) {

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
+#include <mutex>
 #include <thread>
 
 #include "comm/in_process_communicator.h"
@@ -48,19 +50,68 @@ RecognitionQuestion question_of(const std::string& path) {
   return question;
 }
 
+/// HDF5 is for one thread at a time, and these ranks are threads: so they read one after the other.
+class OneAtATime : public ShapeLibrary {
+  template <class Read>
+  static auto locked(Read read) -> decltype(read()) {
+    const std::lock_guard lock(mutex_);
+    return read();
+  }
+
+ public:
+  explicit OneAtATime(const std::string& path) {
+    const std::lock_guard lock(mutex_);
+    file_ = std::make_unique<LibraryFile>(path);
+  }
+  ~OneAtATime() override {
+    const std::lock_guard lock(mutex_);
+    file_.reset();
+  }
+  const std::string& path() const override { return file_->path(); }
+  std::size_t size() const override {
+    return locked([&] { return file_->size(); });
+  }
+  PadParameters pad_parameters() const override {
+    return locked([&] { return file_->pad_parameters(); });
+  }
+  std::uint64_t content_digest() const override {
+    return locked([&] { return file_->content_digest(); });
+  }
+  std::vector<std::uint32_t> variant_of() const override {
+    return locked([&] { return file_->variant_of(); });
+  }
+  std::vector<StyleFeatures> styles() const override {
+    return locked([&] { return file_->styles(); });
+  }
+  std::vector<std::uint32_t> drawings() const override {
+    return locked([&] { return file_->drawings(); });
+  }
+  std::vector<Shape> read(std::size_t begin, std::size_t end, const LibraryParts& parts) const override {
+    return locked([&] { return file_->read(begin, end, parts); });
+  }
+
+ private:
+  static inline std::mutex mutex_;
+  std::unique_ptr<LibraryFile> file_;
+};
+
 Recognitions answer_of(int size, const RecognitionQuestion& question) {
   comm::InProcessNetwork network(size);
   std::vector<std::jthread> workers;
   for (int rank = 1; rank < size; ++rank) {
     workers.emplace_back([&network, rank] {
       const auto ranks = network.connect(rank);
-      comm::run_rank(*ranks, {.run = [](comm::Communicator& own) -> int { work_on_recognition(own); },
+      comm::run_rank(*ranks, {.run = [](comm::Communicator& own) -> int {
+                                work_on_recognition(own, [](const std::string& path) {
+                                  return std::make_unique<const OneAtATime>(path);
+                                });
+                              },
                               .report_error = [](const std::string&) {}});
     });
   }
   Recognitions answer;
   const auto ranks = network.connect(0);
-  const LibraryFile library(question.library);
+  const OneAtATime library(question.library);
   std::string error;
   comm::run_rank(*ranks, {.run =
                               [&](comm::Communicator& own) {

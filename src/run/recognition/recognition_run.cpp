@@ -1,6 +1,7 @@
 #include "run/recognition/recognition_run.h"
 
 #include <cstdio>
+#include <memory>
 
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
@@ -91,7 +92,9 @@ int lead(const RecognizeArguments& arguments, comm::Communicator& ranks) {
 }  // namespace
 
 int recognize_on_all_ranks(const RecognizeArguments& arguments, comm::Communicator& ranks) {
-  if (ranks.rank() != 0) work_on_recognition(ranks);  // never returns
+  if (ranks.rank() != 0) {  // never returns
+    work_on_recognition(ranks, [](const std::string& path) { return std::make_unique<const LibraryFile>(path); });
+  }
   return lead(arguments, ranks);
 }
 

@@ -7,7 +7,6 @@
 #include "comm/heartbeat.h"
 #include "core/base/error.h"
 #include "core/base/rank_pool.h"
-#include "library/storage/library_file.h"
 #include "library/storage/shape_models.h"
 #include "run/program_identity.h"
 
@@ -100,15 +99,16 @@ Recognitions recognised_by_all_ranks(comm::Communicator& ranks, const Recognitio
   return best;
 }
 
-void work_on_recognition(comm::Communicator& ranks) {
+void work_on_recognition(comm::Communicator& ranks, const OpenLibrary& open) {
   check_program(ranks, program_identity());
   const comm::Heart heart(ranks, kSilence_s);
   const auto question = comm::decode<RecognitionQuestion>(ranks.broadcast({}));
-  const LibraryFile library(question.library);
-  if (library.content_digest() != question.library_digest) {
+  const std::unique_ptr<const ShapeLibrary> library = open(question.library);
+  if (library->content_digest() != question.library_digest) {
     throw InputError(question.library + ": is another library than on rank 0; copy the same file to every node");
   }
-  const Recognitions found = recognised_here(ranks, question, library, [&](std::size_t, std::size_t) { ranks.look(); });
+  const Recognitions found =
+      recognised_here(ranks, question, *library, [&](std::size_t, std::size_t) { ranks.look(); });
   ranks.send(0, comm::Tag::recognitions, comm::encode(found));
   for (;;) ranks.receive(0, comm::Tag::recognitions);  // nothing comes: JobEnded
 }

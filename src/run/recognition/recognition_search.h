@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
+#include <string>
 
 #include "comm/communicator.h"
 #include "library/storage/shape_library.h"
@@ -18,8 +20,10 @@ using LotProgress = std::function<void(std::size_t done, std::size_t all)>;
 Recognitions recognised_by_all_ranks(comm::Communicator& ranks, const RecognitionQuestion& question,
                                      const ShapeLibrary& library, const LotProgress& progress);
 
-/// Every other rank: searches its lots. Leaves by JobEnded. Throws InputError where this rank's library has another
+using OpenLibrary = std::function<std::unique_ptr<const ShapeLibrary>(const std::string& path)>;
+
+/// Every other rank: searches its lots of the library that `open` gives it. Leaves by JobEnded. Throws InputError where this rank's library has another
 /// content than rank 0's; EnvironmentError where rank 0 runs another program.
-[[noreturn]] void work_on_recognition(comm::Communicator& ranks);
+[[noreturn]] void work_on_recognition(comm::Communicator& ranks, const OpenLibrary& open);
 
 }  // namespace tessera
