@@ -40,7 +40,7 @@ void check(const BlockingOptions& options) {
 
 using RecogniserMaker = std::function<std::unique_ptr<Recogniser>(const SilhouetteLibrary&)>;
 
-/// What makes the recognisers of these names, in this order. Throws InputError where a name is none that is allowed.
+/// Functions that make the recognisers of these names, in the same order. Throws InputError where a name is none that is allowed.
 std::vector<RecogniserMaker> chosen_recognisers(const std::vector<std::string>& names) {
   std::vector<RecogniserMaker> chosen;
   for (const std::string& name : names) {
@@ -71,7 +71,7 @@ BlockingOptions whole_blocking(BlockingOptions options, bool quick) {
   return options;
 }
 
-/// What all queries of a run share.
+/// The silhouettes, the library and the options that all queries of a run share.
 struct BlockingCase {
   const BlockingOptions& options;
   const std::vector<Silhouette>& silhouettes;
@@ -84,7 +84,7 @@ struct BlockingCase {
   std::size_t silhouette_of(std::size_t query) const { return query * silhouettes.size() / queries(); }
 };
 
-/// The same silhouette and percentage, the same query.
+/// Makes the query of a silhouette. The same silhouette and percentage give the same query.
 ClippedQuery make_query(const BlockingCase& run, std::size_t silhouette, int blocked_percent) {
   Draws draws(mix_bits(run.options.seed) ^ (std::uint64_t(silhouette) << 8) ^ std::uint64_t(blocked_percent));
   Clipping clipping;
@@ -101,7 +101,7 @@ ClippedQuery make_query(const BlockingCase& run, std::size_t silhouette, int blo
   return query;
 }
 
-/// Of all queries of one recogniser at one percentage.
+/// The counts of one recogniser at one percentage, over all queries.
 struct BlockingRow {
   std::string descriptor;
   int blocked_percent = 0;

@@ -29,7 +29,7 @@ Box box_of(const std::vector<Curve>& curves, const Similarity& pose) {
   return bounding_box(points);
 }
 
-/// What fits the box into a panel.
+/// The transform that fits the box into a panel.
 Similarity panel_from(const Box& box, float left_px, float top_px) {
   const float side = std::max({box.width(), box.height(), 1e-6f});
   const float scale = (kPanel_px - 2 * kMargin_px) / side;

@@ -12,7 +12,7 @@ namespace tessera {
 /// (degrees, clockwise on the picture) and where B's origin lies, in units of A.
 std::string match_table(const std::vector<CurveMatch>& matches);
 
-/// The same and the runs, as arclengths from each curve's first point in units of its own drawing, lines with line ends.
+/// JSON with the same and the runs, as arclengths from each curve's first point in units of its own drawing, lines with line ends.
 std::string match_json(const std::string& path_a, const std::string& path_b, const std::vector<CurveMatch>& matches);
 
 }  // namespace tessera

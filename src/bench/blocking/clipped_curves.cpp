@@ -15,7 +15,7 @@ namespace {
 constexpr int kRim_px = 8;  // of clear pixels round a turned mask
 constexpr double kLeastArea_px2 = 9;
 constexpr float kLeastLength_px = 16;
-/// Of the arcs that remain without the clip edge.
+/// Limits for the arcs that remain when the clip edge is cut out.
 constexpr std::size_t kLeastArcPoints = 8;
 constexpr float kLeastArc_px = 12;
 /// Points so near to the clip edge lie on it: in px of the coarser one of mask and query, and in parts of the noise.

@@ -1,4 +1,4 @@
-// Who recognises the queries of the benchmark `blocking`.
+// The methods that the benchmark `blocking` compares: each names the shapes that are most like a query.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct ClippedQuery {
   std::optional<double> size;  // query px for one px of the known masks, where it is known
 };
 
-/// So many shapes are told for a query.
+/// The number of shapes that a recogniser names for a query, at most.
 inline constexpr std::size_t kMostTold = 10;
 
 class Recogniser {
@@ -32,10 +32,11 @@ class Recogniser {
   virtual std::vector<std::uint32_t> recognise(const ClippedQuery& query) const = 0;
 };
 
-/// By PADs (core/recognition). The library must outlive it.
+/// A recogniser that searches the library by PADs (core/recognition). The library must outlive it.
 std::unique_ptr<Recogniser> make_pad_recogniser(const SilhouetteLibrary& library);
 
-/// By the least distance of a descriptor, whose name is its own: every shape is compared.
+/// A recogniser that compares the query with every shape by a descriptor and names the nearest. It has the descriptor's
+/// name.
 std::unique_ptr<Recogniser> make_descriptor_recogniser(std::unique_ptr<ShapeDescriptor> descriptor,
                                                        const SilhouetteLibrary& library);
 

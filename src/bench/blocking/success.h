@@ -1,4 +1,4 @@
-// What counts as recognised.
+// Decides whether a query of the benchmark `blocking` was recognised.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace tessera::bench {
 
-/// Of one query.
+/// The outcome of one query.
 struct Success {
   bool told = false;      // any shape at all
   bool itself = false;    // the first shape is the silhouette

@@ -7,7 +7,7 @@
 namespace tessera::bench {
 namespace {
 
-/// Of the smoothing before tangents are taken.
+/// The width of the smoothing before tangents are taken.
 constexpr float kTangentSmoothing = 0.01f;
 constexpr int kSmoothedPoints = 400;
 

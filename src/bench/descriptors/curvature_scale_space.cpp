@@ -20,7 +20,7 @@ constexpr float kNearAlong = 0.2f;
 /// Curves are aligned by their highest maxima, and by those of at least this part of them.
 constexpr float kAligned = 0.8f;
 
-/// Of the curvature scale space image: where along the curve, 0 to 1, and at which width of the Gaussian, in parts of
+/// A maximum of the curvature scale space image: where along the curve, 0 to 1, and at which width of the Gaussian, in parts of
 /// the curve's length, two zero crossings of the curvature meet.
 struct ScaleMaximum {
   float along;

@@ -74,7 +74,7 @@ class IntegralInvariants : public ShapeDescriptor {
     return parts;
   }
 
-  /// By the best correspondence of points in their order, as in section 4 of the paper.
+  /// The distance at the best correspondence of points in their order, as in section 4 of the paper.
   float distance(const Description& query, const Description& known) const override {
     return warped_difference(query, known, kDiscRadii.size());
   }

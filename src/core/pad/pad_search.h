@@ -16,7 +16,7 @@
 
 namespace tessera {
 
-/// What is looked for: a PAD, its sides with as many levels as are known of them.
+/// The PAD that a search looks for. Each side has as many levels as are known of it.
 struct PadTarget {
   /// 2^-i times the length of level i, divided by that of the side's last known level, for all levels below that one.
   std::array<float, kMaxPadLevels> left{};

@@ -15,7 +15,7 @@ constexpr float kLeastCosine = 0.5f;
 constexpr float kCloseWidths = 0.67f;
 constexpr float kFarWidths = 2;
 constexpr float kFarOfRadius = 0.05f;
-/// Of the quick measure: the distance up to which points count, in parts of the query's radius, and how many points of the
+/// Limits of the quick measure: the distance up to which points count, in parts of the query's radius, and how many points of the
 /// shape are tried on the query's length.
 constexpr float kRoughReach = 0.12f;
 constexpr float kRoughPoints = 24;

@@ -27,7 +27,7 @@ class CurveMap {
   /// The nearest point of the curves; its distance is infinite where p is far. Between branches that are about as near
   /// (within a cell) it may be the other one's.
   Nearest nearest(Vec2 p) const;
-  /// The same by the curves' points alone: at most half their spacing more than the distance. Quick.
+  /// A quick estimate of nearest() by the points of the curves alone. It is too large by half their spacing at most.
   struct Rough {
     float squared_distance = std::numeric_limits<float>::infinity();
     std::uint32_t point = 0;
@@ -46,7 +46,7 @@ class CurveMap {
   }
 
   Vec2 tangent(std::uint32_t point) const { return points_[point].tangent; }
-  /// Of all curves.
+  /// The length of all curves together.
   float length() const { return length_; }
 
  private:

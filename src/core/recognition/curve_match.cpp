@@ -117,7 +117,7 @@ class CurveMatcher {
     return posed;
   }
 
-  /// Those that differ, on A's curves, the best first.
+  /// The poses that differ, refined on A's curves, the best first.
   std::vector<PosedCurves> refined(const std::vector<PosedCurves>& starts) const {
     std::vector<PosedCurves> result;
     std::vector<Similarity> tried;

@@ -12,7 +12,7 @@
 namespace tessera {
 namespace {
 
-/// Of each PAD of A so many of the nearest of B are tried, at each pair of widths. The distance is the root mean square of
+/// For each PAD of A so many of the nearest PADs of B are tried, at each pair of widths. The distance is the root mean square of
 /// the differences of the lengths' logarithms.
 constexpr std::size_t kMostPairsOfPad = 6;
 constexpr float kLogReach = 0.5f;
@@ -112,7 +112,7 @@ class PoseList {
     add_pose(a, b, std::min(left, kInnermostLevels), std::min(right, kInnermostLevels), scale);
   }
 
-  /// By the key points of these levels. Returns their residual.
+  /// Fits the pose to the key points of these levels, and returns the residual.
   float add_pose(const PartialPyramid& a, const PartialPyramid& b, int left, int right, float scale) {
     const auto first = std::size_t(pad_levels_ - left);
     const auto count = std::size_t(left + right + 1);

@@ -14,7 +14,7 @@ constexpr float kLeastCosine = 0.8f;
 /// Cells of the map, in parts of the reach, and of the curves' box: a speck far away may not cost gigabytes.
 constexpr float kCellOfReach = 0.5f;
 constexpr float kCellOfBox = 1.f / 1024;
-/// What two neighbours of B may be apart along A, in parts of the reach.
+/// The distance that two neighbours of B may be apart along A, in parts of the reach.
 constexpr float kLargestStep = 3;
 /// Beyond the end of an open curve nothing follows it; in parts of the reach.
 constexpr float kEndReach = 0.25f;

@@ -24,7 +24,7 @@ constexpr float kMostResidual = 0.3f;
 constexpr float kScaleSlack = 1.15f;
 /// The scale by key points, against the known one.
 constexpr float kKnownSlack = 1.1f;
-/// What the scale may change by while a pose is made better.
+/// The factor by which the scale may change while a pose is refined.
 constexpr float kRefinedSlack = 1.4f;
 constexpr float kRefinedKnownSlack = 1.02f;
 

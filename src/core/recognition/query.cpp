@@ -6,7 +6,7 @@
 namespace tessera {
 namespace {
 
-/// Of the map: parts of the query's radius, and of its extent.
+/// Sizes of the map, in parts of the query's radius; kLeastMapCell in parts of its extent.
 constexpr float kMapCell = 1.f / 48;
 constexpr float kLeastMapCell = 1.f / 512;
 constexpr float kMapReach = 0.16f;

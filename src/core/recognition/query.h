@@ -29,7 +29,7 @@ class Query {
   const CurveMap& map() const { return map_; }
   const std::vector<QueryWidth>& widths() const { return widths_; }
   float least_sigma() const { return least_sigma_; }
-  /// Of all curves.
+  /// The length of all curves together.
   float length() const { return measures_.length; }
   /// Root mean square distance of the curves' points from their mean, `centre`.
   float radius() const { return measures_.radius; }

@@ -23,7 +23,7 @@ constexpr int kCompareSteps = 4;
 constexpr float kCompareReach = 2;
 constexpr float kComparedReach = 1;
 
-/// Of the poses, for a task of one thread.
+/// The number of poses in one task of a thread: for the quick measure, and for refinement.
 constexpr std::size_t kPortion = 1024;
 constexpr std::size_t kRefinedPortion = 16;
 
@@ -60,7 +60,7 @@ PosedShape refined(const Query& query, const KnownShapes& shapes, const PosedSha
   return {start.shape, pose, followed_part(query, points, pose)};
 }
 
-/// Of poses in order, the first one of each shape.
+/// Removes all poses of a shape but its first one.
 void keep_first_of_each(std::vector<PosedShape>& posed) {
   std::unordered_set<std::uint32_t> seen;
   std::erase_if(posed, [&](const PosedShape& p) { return !seen.insert(p.shape).second; });

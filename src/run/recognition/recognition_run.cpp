@@ -24,6 +24,13 @@ void check(const RecognizeArguments& arguments) {
   }
 }
 
+/// A known scale is of no use where the library does not say how large its shapes were drawn.
+void check_drawn_sizes(const LibraryFile& library) {
+  const LibraryParts no_parts{.outline = false, .field = false, .levels = 0, .artwork = false};
+  if (library.read(0, 1, no_parts).front().drawn_scale_px > 0) return;
+  throw InputError("--scale: " + library.path() + " does not know how large its shapes were drawn; build it anew");
+}
+
 std::vector<DrawnCurves> read_queries(const RecognizeArguments& arguments) {
   Drawers drawers({});
   std::vector<DrawnCurves> queries;
@@ -76,6 +83,7 @@ int lead(const RecognizeArguments& arguments, comm::Communicator& ranks) {
   check(arguments);
   const std::vector<DrawnCurves> drawn = read_queries(arguments);
   const LibraryFile library(arguments.library);
+  if (arguments.scale) check_drawn_sizes(library);
   const Stopwatch watch;
   const RecognitionQuestion question = question_of(arguments, drawn, library);
   const Recognitions found = searched(arguments, question, library, ranks);

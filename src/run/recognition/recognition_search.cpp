@@ -15,7 +15,7 @@ namespace {
 
 /// Smoothing levels that are searched. The coarsest says too little of parts.
 const std::vector<int> kSearchedLevels = {1, 2, 3, 4};
-/// What the stairs of pixels need of smoothing.
+/// The smoothing that takes out the stairs of pixels, in pixels.
 constexpr float kLeastSigma_pixels = 1.5f;
 /// A worker that rank 0 does not hear of for so long is lost.
 constexpr double kSilence_s = 300;
