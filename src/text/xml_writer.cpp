@@ -2,6 +2,8 @@
 
 #include <new>
 
+#include "text/libxml_state.h"
+
 namespace tessera {
 namespace {
 
@@ -14,7 +16,9 @@ void check(int result) {
 
 }  // namespace
 
-XmlWriter::XmlWriter() : buffer_(xmlBufferCreate()) {
+XmlWriter::XmlWriter() {
+  make_libxml_state();
+  buffer_.reset(xmlBufferCreate());
   if (!buffer_) throw std::bad_alloc();
   xmlBufferSetAllocationScheme(buffer_.get(), XML_BUFFER_ALLOC_DOUBLEIT);
   writer_.reset(xmlNewTextWriterMemory(buffer_.get(), 0));

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "text/libxml_state.h"
+
 namespace tessera {
 
 namespace {
@@ -26,6 +28,7 @@ std::string with_comments(std::span<const std::uint8_t> bytes) {
 }  // namespace
 
 XmlContextPtr new_xml_context() {
+  make_libxml_state();
   XmlContextPtr context(xmlNewParserCtxt());
   if (!context) throw std::bad_alloc();
   return context;

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/base/error.h"
+#include "text/libxml_state.h"
 
 namespace tessera {
 namespace {
@@ -17,6 +18,7 @@ std::string taken(xmlChar* text) {
 
 XmlDocPtr parsed_svg(std::span<const std::uint8_t> svg, const std::string& path) {
   constexpr int kOptions = XML_PARSE_NONET | XML_PARSE_HUGE | XML_PARSE_NOERROR | XML_PARSE_NOWARNING;
+  make_libxml_state();
   XmlDocPtr doc(xmlReadMemory(reinterpret_cast<const char*>(svg.data()), int(svg.size()), nullptr, nullptr, kOptions));
   if (!doc || !xmlDocGetRootElement(doc.get())) throw InputError(path + ": not a readable SVG file");
   return doc;

@@ -1,0 +1,52 @@
+#include "text/libxml_state.h"
+
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+#include <pthread.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <thread>
+#include <vector>
+
+#include "text/xml_writer.h"
+
+namespace {
+
+std::atomic<int> making{0};       // threads in pthread_mutex_init()
+std::atomic<int> most_making{0};  // at one time
+
+}  // namespace
+
+/// Stands before the C library's own function, by which libxml2 makes its locks, and takes so long that another thread
+/// which may enter it does.
+extern "C" int pthread_mutex_init(pthread_mutex_t* mutex, const pthread_mutexattr_t* attributes) {
+  const int now = ++making;
+  most_making = std::max(most_making.load(), now);
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  --making;
+  using Function = int(pthread_mutex_t*, const pthread_mutexattr_t*);
+  return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, "pthread_mutex_init"))(mutex, attributes);
+}
+
+namespace tessera {
+namespace {
+
+/// This file's tests run in a process of their own, which has not used libxml2 before.
+TEST(LibxmlState, IsMadeByOneThread) {
+  std::atomic<int> waiting{4};
+  std::vector<std::thread> threads;
+  for (int i = waiting; i > 0; --i) {
+    threads.emplace_back([&] {
+      --waiting;
+      while (waiting > 0) std::this_thread::yield();
+      XmlWriter().start("svg").attribute("width", "1").end().finish();
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(most_making, 1);
+}
+
+}  // namespace
+}  // namespace tessera
