@@ -21,7 +21,7 @@ struct Panel {
   bool log_y = false;
   double greatest_y = 1;  // of the axis; it begins at 0, with log_y at 1
   std::vector<PlotCurve> curves;
-  bool log_x = true;  // begins at 1; else at 0, with steps of 10
+  bool log_x = true;  // begins at 1; else at 0
 };
 
 /// The panels side by side.
