@@ -126,7 +126,7 @@ std::string why_ended(const TimedCollage& made) {
 struct DescriptorsShown {
   TextTable table{{"descriptor", "pieces", "processor s", "wall s", "a minute", "a wall minute", "comparisons",
                    "coverage %", "shared boundary %", "ended by"}};
-  Panel panel{"Pieces placed", "processor time, minutes", "pieces", false, 1, {}, false};
+  Panel panel{"Pieces placed", "processor time, ms", "pieces", false, 1, {}};
   Json rows = Json::array();
 
   void add(const DescriptorMethod& method, const TimedCollage& made, const Quality& quality) {
@@ -148,11 +148,12 @@ struct DescriptorsShown {
                     {"shared_boundary_percent", rounded(100 * quality.shared_boundary)},
                     {"stopped_by", why_ended(made)},
                     {"pieces_at_s", Json::array()}});
-    PlotCurve curve{method.name, {{0, 0}}, false};
+    PlotCurve curve{method.name, {}, false};
     for (const auto& [seconds, pieces] : made.pieces_at_s) {
       rows.back()["pieces_at_s"].push_back({rounded(seconds), pieces});
-      curve.points.emplace_back(seconds / 60, double(pieces));
+      curve.points.emplace_back(std::max(1., 1000 * seconds), double(pieces));
     }
+    if (curve.points.empty()) curve.points.emplace_back(std::max(1., 1000 * made.processor_s), 0.);
     panel.curves.push_back(std::move(curve));
   }
 };

@@ -19,31 +19,20 @@ constexpr double kHeight = 380;
 constexpr double kLeft = 60, kRight = 20, kTop = 40, kBottom = 50;  // margins around the axes
 constexpr int kPngWidth_px = 1840;
 constexpr double kLegendLine = 16;
-constexpr double kMostSteps = 10;  // of an x axis that is not logarithmic
+constexpr double kLinearStep = 10;    // of an x axis that is not logarithmic
+constexpr double kMostDoublings = 10;  // of one that is, before its steps become powers of four
 constexpr const char* kGrey = "#999999";
 constexpr const char* kInk = "#222222";
 constexpr std::array<const char*, 6> kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"};
 
 std::string number(double value) { return fixed(value, 2); }
 
-/// The step of a linear axis: 1, 2 or 5 times a power of ten.
-double linear_step(double greatest) {
-  const double least = greatest / kMostSteps;
-  const double power = std::pow(10, std::floor(std::log10(least)));
-  for (const double factor : {1., 2., 5.}) {
-    if (factor * power >= 0.999 * least) return factor * power;
-  }
-  return 10 * power;
-}
-
 class PanelDrawing {
  public:
   PanelDrawing(XmlWriter& svg, const Panel& panel, double left) : svg_(svg), panel_(panel), left_(left + kLeft) {
-    if (!panel.log_x) greatest_x_ = 0;
     for (const PlotCurve& curve : panel.curves) {
       for (const auto& [x, y] : curve.points) greatest_x_ = std::max(greatest_x_, x);
     }
-    if (greatest_x_ <= 0) greatest_x_ = 1;
   }
 
   void draw() {
@@ -90,20 +79,13 @@ class PanelDrawing {
     svg_.attribute("text-anchor", anchor).attribute("font-size", std::to_string(size_px)).text(words).end();
   }
 
-  void x_tick(double x) {
-    const double bottom = kTop + height();
-    line(x_at(x), bottom, x_at(x), bottom + 5, kInk, false);
-    text(x_at(x), bottom + 20, short_number(x), "middle", 12);
-  }
-
   void x_axis() {
     const double bottom = kTop + height();
     line(left_, bottom, left_ + width(), bottom, kInk, false);
-    if (panel_.log_x) {
-      for (double x = 1; x <= greatest_x_; x *= 2) x_tick(x);
-    } else {
-      const double step = linear_step(greatest_x_);
-      for (int i = 0; i * step <= 1.001 * greatest_x_; ++i) x_tick(i * step);
+    const double log_step = std::log2(greatest_x_) > kMostDoublings ? 4 : 2;
+    for (double x = panel_.log_x ? 1 : 0; x <= greatest_x_; x = panel_.log_x ? log_step * x : x + kLinearStep) {
+      line(x_at(x), bottom, x_at(x), bottom + 5, kInk, false);
+      text(x_at(x), bottom + 20, fixed(x, 0), "middle", 12);
     }
     text(left_ + width() / 2, bottom + 40, panel_.x_label, "middle", 13);
   }

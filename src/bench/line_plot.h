@@ -13,7 +13,7 @@ struct PlotCurve {
   bool ideal = false;                             // dashed and grey
 };
 
-/// One pair of axes. Logarithmic ones have steps of powers of two.
+/// One pair of axes. Logarithmic ones have steps of powers of two, or, a long x axis, of four.
 struct Panel {
   std::string title;
   std::string x_label;
@@ -21,7 +21,7 @@ struct Panel {
   bool log_y = false;
   double greatest_y = 1;  // of the axis; it begins at 0, with log_y at 1
   std::vector<PlotCurve> curves;
-  bool log_x = true;  // begins at 1; else at 0
+  bool log_x = true;  // begins at 1; else at 0, with steps of 10
 };
 
 /// The panels side by side.

@@ -12,6 +12,8 @@ namespace {
 /// An octave of sizes: large enough for the 1.5 px by which fields blur, small enough for a quick field.
 constexpr float kLeastScale_px = 50;
 constexpr float kMostScale_px = 100;
+/// Of the square, in areas of all shapes at their largest: with less, some find no place at its rim.
+constexpr double kRoom = 1.5;
 
 /// Counts the pieces over the processor time, and ends the loop when that is over.
 class Timer : public master::Observer {
@@ -40,7 +42,7 @@ class Timer : public master::Observer {
 }  // namespace
 
 SeededCollage make_seeded_collage(std::size_t shapes) {
-  const int side_px = int(std::ceil(double(kMostScale_px) * std::sqrt(double(shapes))));
+  const int side_px = int(std::ceil(double(kMostScale_px) * std::sqrt(kRoom * double(shapes))));
   SeededCollage collage{make_rectangle_canvas(side_px, side_px), {}};
   CollageSettings& settings = collage.settings;
   settings.pieces.min_scale_px = kLeastScale_px;

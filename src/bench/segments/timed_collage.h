@@ -35,8 +35,7 @@ struct SeededCollage {
   CollageSettings settings;
 };
 
-/// A square that so many shapes fill at their largest, with shape 0 in its middle as the seed. The others, each once, grow
-/// round it: they dock to what stands, never to the square's edge. No random dockings, and no improving: who finds no
+/// A square with room for so many shapes, with shape 0 in its middle as the seed. The others, each once, grow round it: they dock to what stands, never to the square's edge. No random dockings, and no improving: who finds no
 /// docking by descriptors finds none.
 SeededCollage make_seeded_collage(std::size_t shapes);
 
