@@ -107,9 +107,9 @@ struct BlockingOptions {
 Report bench_blocking(const Setting& setting, const BlockingOptions& options);
 
 struct DescriptorsOptions {
-  std::string shapes;             // folder of silhouettes, of which one of each class; empty: blobs made from formulas
-  std::optional<double> minutes;  // of processor time, for each method; 1, or 0.05 where it is quick
-  int pieces = 0;                 // a method stops after so many; 0: no limit
+  std::string shapes = {};  // folder of silhouettes, of which one of each class; empty: blobs made from formulas
+  std::optional<double> minutes = {};  // of processor time, for each method; 1, or 0.05 where it is quick
+  int pieces = 0;                      // a method stops after so many; 0: no limit
 };
 /// The same collage with PADs, and with other descriptors that are extended naively to parts of shapes: how many pieces
 /// each places in the same time (paper, Fig. 28). Also writes a plot, and a picture of each collage.
