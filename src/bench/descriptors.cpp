@@ -124,7 +124,7 @@ std::string why_ended(const TimedCollage& made) {
 
 /// The table, the plot and the rows of the report, to which each method is added.
 struct DescriptorsShown {
-  TextTable table{{"descriptor", "pieces", "processor s", "wall s", "a minute", "a wall minute", "comparisons",
+  TextTable table{{"descriptor", "pieces", "processor s", "wall s", "pieces a minute", "a wall minute", "comparisons",
                    "coverage %", "shared boundary %", "ended by"}};
   Panel panel{"Pieces placed", "processor time, ms", "pieces", false, 1, {}};
   Json rows = Json::array();
@@ -163,16 +163,24 @@ std::string picture_path(const std::string& stem, std::string name) {
   return stem + "_" + name + ".png";
 }
 
+/// Throws EnvironmentError, before the work whose pictures they are.
+void check_pictures_can_be_written(const std::string& stem, const std::vector<DescriptorMethod>& methods) {
+  check_plot_can_be_written(stem);
+  for (const DescriptorMethod& method : methods) check_can_be_written(picture_path(stem, method.name));
+}
+
 std::string explanation(const Canvas& canvas, const CollageSettings& settings, std::size_t shapes, double minutes) {
   return "\n" + std::to_string(shapes) + " shapes, each once, the first of them the seed; " +
          std::to_string(canvas.width_px) + " x " + std::to_string(canvas.height_px) + " px, pieces of " +
          short_number(settings.pieces.min_scale_px) + " to " + short_number(settings.pieces.max_scale_px) +
-         " px. Each method has " + short_number(minutes) +
-         " minutes of\nprocessor time. Field, docking, refinement, objective and merging are the same for all. The "
-         "others than PAD\ncompare segments of the target curve with segments of the shapes, whose descriptors are "
-         "made "
-         "beforehand.\nComparisons: of PADs all pairs, of segments those whose lengths imply an allowed size and that "
-         "bend alike.\nIn plain C++ on one thread. Shared boundary: within 2 px of another piece's.\n";
+         " px. Each descriptor has " + short_number(minutes) +
+         " minutes of\nprocessor time. Field, docking, refinement, objective and merging are the same for all.\n"
+         "PAD compares points. The others compare segments of the target curve with segments of the shapes, which are\n"
+         "described beforehand; shape context has " +
+         std::to_string(kContextPointsOfSegment) +
+         " points a segment. Comparisons: of PADs all pairs, of segments those whose\n"
+         "lengths imply an allowed size and that bend alike. In plain C++, matching on one thread.\n"
+         "Shared boundary: within 2 px of another piece's.\n";
 }
 
 }  // namespace
@@ -182,12 +190,12 @@ Report bench_descriptors(const Setting& setting, const DescriptorsOptions& optio
   const double minutes = options.minutes.value_or(setting.quick ? kQuickMinutes : kUsualMinutes);
   const std::size_t most = setting.quick ? kQuickShapes : kMostShapes;
   const std::string stem = std::filesystem::path(setting.out).replace_extension().string();
-  if (!stem.empty()) check_plot_can_be_written(stem);
   GivenShapes shapes(options.shapes.empty() ? blob_shapes(most) : shapes_of_folder(options.shapes, most));
   const std::size_t count = shapes.all().size();
 
   const DescriptorRace race(shapes, {60 * minutes, options.pieces});
   const std::vector<DescriptorMethod> methods = race.methods();
+  if (!stem.empty()) check_pictures_can_be_written(stem, methods);
   DescriptorsShown shown;
   shown.panel.greatest_y = 5 * std::ceil(double(count) / 5);
   for (const DescriptorMethod& method : methods) {

@@ -287,6 +287,18 @@ TEST(Descriptors, EndsAtItsLimits) {
   }
 }
 
+TEST(Descriptors, TellsAtOnceWhatCannotBeWritten) {
+  const test::ScratchFolder folder;
+  std::filesystem::create_directory(folder.path("race_Hu-moments.png"));
+  try {
+    bench_descriptors(quick_race(folder), {.minutes = 0.01});
+    FAIL() << "wrote a picture where a folder stands";
+  } catch (const std::exception& error) {
+    EXPECT_NE(std::string(error.what()).find("race_Hu-moments.png"), std::string::npos) << error.what();
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder.path("race_PAD.png"))) << "told after the work";
+}
+
 TEST(Descriptors, TakesOneSilhouetteOfEachClass) {
   const test::ScratchFolder folder;
   for (const char* name : {"a-1", "a-2", "b-1", "c-1"}) {

@@ -6,14 +6,15 @@
 // segment of each shape that may still stand: kSegmentLengths lengths, from each place where the shape has a PAD. Nothing
 // is indexed. Of each shape the nearest kPairsPerShape local minima are docked, of all shapes the nearest `pairs`.
 //
-// What is given to it, as the paper does not say how its own baselines did it:
-//   - The segments of shapes are described beforehand, which counts in no time.
+// Advantages that it gets here; the paper does not say which its own baselines had:
+//   - The segments of shapes are described beforehand, and that time is not counted.
 //   - Both sides are smoothed as the engine smooths them.
 //   - Segments are not compared where their lengths imply a size that is not allowed, or where one bulges and the other
 //     does not.
-//   - No limit of the distance: the nearest pairs are docked however far they are.
+//   - The distance has no limit: the nearest pairs are docked, however far they are.
 //   - Docking aligns even points by least squares, as the engine aligns key points.
-// There are no random dockings, and no colours. One thread.
+// A disadvantage: the target curve is traced anew for each question, where the engine traces what has changed.
+// There are no random dockings and no colours. Matching runs on one thread.
 #pragma once
 
 #include <memory>

@@ -29,25 +29,26 @@ class GivenShapes : public CachedShapes {
   std::vector<Shape> shapes_;
 };
 
-/// What of a collage is the same for all matchers.
+/// The canvas and the settings that all matchers are given.
 struct SeededCollage {
   Canvas canvas;
   CollageSettings settings;
 };
 
-/// A square with room for so many shapes, with shape 0 in its middle as the seed. The others, each once, grow round it: they dock to what stands, never to the square's edge. No random dockings, and no improving: who finds no
-/// docking by descriptors finds none.
+/// A square with room for so many shapes. Shape 0 lies in its middle as the seed. The others, each once, grow round it:
+/// they dock to what stands, never to the square's edge. Descriptors alone find dockings: there are no random ones, and
+/// the collage is not improved.
 SeededCollage make_seeded_collage(std::size_t shapes);
 
-/// When a method must stop: processor time of this process, and pieces beside the seed.
+/// When a method must stop: the processor time of this process since its loop began, and the pieces beside the seed.
 struct CollageLimits {
   double processor_s = 0;
   int pieces = 0;  // 0: no limit
 };
 
-/// Asks whether the time is over.
+/// Tells why a method must stop now; nothing: its time is not over.
 using TimeIsOver = std::function<std::optional<StopReason>()>;
-/// Makes the matcher, which may ask the question while it works. Its time does not count.
+/// Makes the matcher, which may ask the question while it works. The time of making it is not counted.
 using MakeMatcher = std::function<std::unique_ptr<Matcher>(const TimeIsOver&)>;
 
 struct TimedCollage {
@@ -62,6 +63,7 @@ struct TimedCollage {
   std::size_t pieces() const { return placements.size() - 1; }
 };
 
+/// Fills the canvas of `collage` by the matcher, with `settings`, until no piece fits or a limit is reached.
 TimedCollage make_timed_collage(const SeededCollage& collage, const CollageSettings& settings, GivenShapes& shapes,
                                 const CollageLimits& limits, const MakeMatcher& make);
 
