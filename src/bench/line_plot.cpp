@@ -19,7 +19,7 @@ constexpr double kHeight = 380;
 constexpr double kLeft = 60, kRight = 20, kTop = 40, kBottom = 50;  // margins around the axes
 constexpr int kPngWidth_px = 1840;
 constexpr double kLegendLine = 16;
-constexpr double kLinearStep = 10;    // of an x axis that is not logarithmic
+constexpr double kLinearStep = 10;     // of an x axis that is not logarithmic
 constexpr double kMostDoublings = 10;  // of one that is, before its steps become powers of four
 constexpr const char* kGrey = "#999999";
 constexpr const char* kInk = "#222222";
