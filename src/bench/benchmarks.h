@@ -106,6 +106,15 @@ struct BlockingOptions {
 /// Also writes a plot.
 Report bench_blocking(const Setting& setting, const BlockingOptions& options);
 
+struct DescriptorsOptions {
+  std::string shapes = {};  // folder of silhouettes, of which one of each class; empty: blobs made from formulas
+  std::optional<double> minutes = {};  // of processor time, for each method; 1, or 0.05 where it is quick
+  int pieces = 0;                      // a method stops after so many; 0: no limit
+};
+/// The same collage with PADs, and with other descriptors that are extended naively to parts of shapes: how many pieces
+/// each places in the same time (paper, Fig. 28). Also writes a plot, and a picture of each collage.
+Report bench_descriptors(const Setting& setting, const DescriptorsOptions& options);
+
 struct ScalingOptions {
   std::string library;
   std::uint32_t shapes = 0;         // for the most workers; beyond the library's, varied ones; 0 = the library's

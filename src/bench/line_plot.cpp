@@ -19,7 +19,8 @@ constexpr double kHeight = 380;
 constexpr double kLeft = 60, kRight = 20, kTop = 40, kBottom = 50;  // margins around the axes
 constexpr int kPngWidth_px = 1840;
 constexpr double kLegendLine = 16;
-constexpr double kLinearStep = 10;  // of an x axis that is not logarithmic
+constexpr double kLinearStep = 10;     // of an x axis that is not logarithmic
+constexpr double kMostDoublings = 10;  // of one that is, before its steps become powers of four
 constexpr const char* kGrey = "#999999";
 constexpr const char* kInk = "#222222";
 constexpr std::array<const char*, 6> kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"};
@@ -81,7 +82,8 @@ class PanelDrawing {
   void x_axis() {
     const double bottom = kTop + height();
     line(left_, bottom, left_ + width(), bottom, kInk, false);
-    for (double x = panel_.log_x ? 1 : 0; x <= greatest_x_; x = panel_.log_x ? 2 * x : x + kLinearStep) {
+    const double log_step = std::log2(greatest_x_) > kMostDoublings ? 4 : 2;
+    for (double x = panel_.log_x ? 1 : 0; x <= greatest_x_; x = panel_.log_x ? log_step * x : x + kLinearStep) {
       line(x_at(x), bottom, x_at(x), bottom + 5, kInk, false);
       text(x_at(x), bottom + 20, fixed(x, 0), "middle", 12);
     }

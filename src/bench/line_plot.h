@@ -13,7 +13,7 @@ struct PlotCurve {
   bool ideal = false;                             // dashed and grey
 };
 
-/// One pair of axes. Logarithmic ones have steps of powers of two.
+/// One pair of axes. Logarithmic ones have steps of powers of two, or, a long x axis, of four.
 struct Panel {
   std::string title;
   std::string x_label;

@@ -38,6 +38,7 @@ constexpr const char* kBenchExamples =
     "  tessera bench mosaic --library out/openclipart.h5 --image cup.jpg --image rocket.jpg --pieces 2000\n"
     "  tessera bench blocking --shapes silhouettes --twins bench/mpeg7_twins.txt --library-mirrors\n"
     "  tessera bench blocking --shapes silhouettes --descriptors pad,shape-context --queries 100\n"
+    "  tessera bench descriptors --shapes silhouettes --minutes 5\n"
     "  tessera bench scaling --library out/animals.h5 --shapes 10000 --ranks 2,3\n"
     "Each prints a table and writes the same figures as JSON, by default to out/bench_NAME.json.";
 
@@ -281,6 +282,20 @@ void add_blocking(CLI::App& bench, Command& selected) {
   sub->add_option("--seed", options->seed, "Start of the random numbers")->type_name("N")->capture_default_str();
 }
 
+void add_descriptors(CLI::App& bench, Command& selected) {
+  const auto options = std::make_shared<DescriptorsOptions>();
+  CLI::App* sub = add_benchmark(bench, selected, "descriptors",
+                                "The same collage with PADs, shape context and Hu moments: pieces placed a minute",
+                                [options](const Setting& s) { return bench_descriptors(s, *options); });
+  sub->add_option("--shapes", options->shapes,
+                  "Folder of silhouettes: PNGs, white on black, of each name before a dash the first; default: blobs "
+                  "made from formulas")
+      ->type_name("FOLDER");
+  sub->add_option("--minutes", options->minutes, "Processor time of each method")->type_name("M")->default_str("1");
+  sub->add_option("--pieces", options->pieces, "A method ends after so many pieces; default: when all are placed")
+      ->type_name("N");
+}
+
 void add_benchmarks(CLI::App& bench, Command& selected) {
   bench.footer(kBenchExamples);
   bench.require_subcommand(1);
@@ -294,6 +309,7 @@ void add_benchmarks(CLI::App& bench, Command& selected) {
   add_variety(bench, selected);
   add_mosaic(bench, selected);
   add_blocking(bench, selected);
+  add_descriptors(bench, selected);
   add_scaling(bench, selected);
 }
 

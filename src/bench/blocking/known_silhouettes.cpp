@@ -1,7 +1,6 @@
 #include "bench/blocking/known_silhouettes.h"
 
 #include <opencv2/core.hpp>
-#include <optional>
 
 #include "bench/blocking/clipped_curves.h"
 #include "core/base/rank_pool.h"
@@ -14,16 +13,6 @@ namespace {
 /// Smoothing levels whose PADs are compared. The coarsest one has lost what tells shapes of a class apart.
 const std::vector<int> kComparedLevels = {1, 2, 3, 4};
 
-/// With its holes, or, where it is all thin lines, what its outer boundary encloses.
-std::optional<TracedOutline> traced_silhouette(const cv::Mat& mask) {
-  for (const bool fill_holes : {false, true}) {
-    const TracingRules rules{.keep_rectangles = true, .fill_holes = fill_holes};
-    auto traced = trace_outline(coverage_of(mask), {0, 0}, 1, rules);
-    if (TracedOutline* outline = std::get_if<TracedOutline>(&traced)) return std::move(*outline);
-  }
-  return std::nullopt;
-}
-
 std::optional<KnownSilhouette> known_silhouette(const cv::Mat& mask, std::size_t silhouette, bool mirrored) {
   cv::Mat seen;
   if (mirrored) {
@@ -31,14 +20,22 @@ std::optional<KnownSilhouette> known_silhouette(const cv::Mat& mask, std::size_t
   } else {
     seen = mask;
   }
-  const std::optional<TracedOutline> traced = traced_silhouette(seen);
-  if (!traced) return std::nullopt;
-  Shape shape = make_shape(*traced, {});
-  ShapeModel model = make_shape_model(shape, {}, {}, kComparedLevels);
-  return KnownSilhouette{silhouette, mirrored, std::move(shape.outline), shape.artwork.unit_px, std::move(model)};
+  std::optional<Shape> shape = shape_of_mask(seen);
+  if (!shape) return std::nullopt;
+  ShapeModel model = make_shape_model(*shape, {}, {}, kComparedLevels);
+  return KnownSilhouette{silhouette, mirrored, std::move(shape->outline), shape->artwork.unit_px, std::move(model)};
 }
 
 }  // namespace
+
+std::optional<Shape> shape_of_mask(const cv::Mat& mask) {
+  for (const bool fill_holes : {false, true}) {
+    const TracingRules rules{.keep_rectangles = true, .fill_holes = fill_holes};
+    auto traced = trace_outline(coverage_of(mask), {0, 0}, 1, rules);
+    if (const TracedOutline* outline = std::get_if<TracedOutline>(&traced)) return make_shape(*outline, {});
+  }
+  return std::nullopt;
+}
 
 SilhouetteLibrary make_silhouette_library(const std::vector<Silhouette>& silhouettes, bool mirrors) {
   const std::size_t ways = mirrors ? 2 : 1;

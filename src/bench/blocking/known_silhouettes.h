@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,10 @@ struct SilhouetteLibrary {
   std::vector<KnownSilhouette> shapes;
   std::vector<std::string> left_out;  // silhouettes of which no shape can be made
 };
+
+/// The shape of a mask, with its holes, or, where it is all thin lines, of what its outer boundary encloses. Nothing where
+/// no shape can be made of it.
+std::optional<Shape> shape_of_mask(const cv::Mat& mask);
 
 /// `mirrors`: the mirror image of each is a shape, too.
 SilhouetteLibrary make_silhouette_library(const std::vector<Silhouette>& silhouettes, bool mirrors);

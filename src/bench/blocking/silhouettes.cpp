@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <opencv2/imgproc.hpp>
+#include <set>
 
 #include "artwork/images/image_decoding.h"
 #include "core/base/error.h"
@@ -60,6 +61,14 @@ std::vector<Silhouette> read_silhouettes(const std::string& folder) {
   const std::vector<std::filesystem::path> paths = pngs_of(folder);
   std::vector<Silhouette> silhouettes(paths.size());
   parallel_for(paths.size(), [&](std::size_t i) { silhouettes[i] = read_silhouette(paths[i]); });
+  return silhouettes;
+}
+
+std::vector<Silhouette> first_of_each_class(std::vector<Silhouette> silhouettes) {
+  std::set<std::string> classes;
+  std::erase_if(silhouettes, [&](const Silhouette& silhouette) {
+    return !classes.insert(silhouette.name.substr(0, silhouette.name.find('-'))).second;
+  });
   return silhouettes;
 }
 

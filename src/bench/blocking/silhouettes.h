@@ -20,4 +20,7 @@ cv::Mat largest_part(const cv::Mat& grey);
 /// them is no picture or empty.
 std::vector<Silhouette> read_silhouettes(const std::string& folder);
 
+/// Of each class the first one, in their order. The class is the name before its first dash, or the whole name.
+std::vector<Silhouette> first_of_each_class(std::vector<Silhouette> silhouettes);
+
 }  // namespace tessera::bench

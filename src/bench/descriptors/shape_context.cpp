@@ -9,8 +9,7 @@
 namespace tessera::bench {
 namespace {
 
-// The paper's section 3.1: 5 rings from an eighth of the mean distance to twice of it, 12 directions, 100 points.
-constexpr int kContextPoints = 100;
+// The paper's section 3.1: 5 rings from an eighth of the mean distance to twice of it, 12 directions.
 constexpr int kRings = 5;
 constexpr int kDirections = 12;
 constexpr int kContextBins = kRings * kDirections;
@@ -50,20 +49,21 @@ float context_cost(const float* a, const float* b) {
 
 class ShapeContext : public ShapeDescriptor {
  public:
+  explicit ShapeContext(int points) : points_(points) {}
+
   std::string name() const override { return "shape-context"; }
 
   /// One histogram a point, each of sum 1 or, where points lie beyond the rings, less.
   Description describe(const std::vector<Curve>& curves, float unit) const override {
-    const EvenPoints points = even_points(curves, kContextPoints);
+    const EvenPoints points = even_points(curves, points_);
     const float one = unit > 0 ? unit : mean_distance(points.position);
-    Description histograms(std::size_t(kContextPoints) * kContextBins);
+    Description histograms(std::size_t(points_) * kContextBins);
     for (std::size_t i = 0; i < points.position.size(); ++i) {
       float* histogram = histograms.data() + i * kContextBins;
       for (std::size_t j = 0; j < points.position.size(); ++j) {
         const Vec2 to = points.position[j] - points.position[i];
         const int ring = i == j ? -1 : ring_of(norm(to) / one);
-        if (ring >= 0)
-          histogram[ring * kDirections + direction_of(to, points.tangent[i])] += 1.f / (kContextPoints - 1);
+        if (ring >= 0) histogram[ring * kDirections + direction_of(to, points.tangent[i])] += 1.f / float(points_ - 1);
       }
     }
     return histograms;
@@ -80,12 +80,15 @@ class ShapeContext : public ShapeDescriptor {
       }
       sum += least;
     }
-    return sum / kContextPoints;
+    return sum / float(points_);
   }
+
+ private:
+  int points_;
 };
 
 }  // namespace
 
-std::unique_ptr<ShapeDescriptor> make_shape_context() { return std::make_unique<ShapeContext>(); }
+std::unique_ptr<ShapeDescriptor> make_shape_context(int points) { return std::make_unique<ShapeContext>(points); }
 
 }  // namespace tessera::bench

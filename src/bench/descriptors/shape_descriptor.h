@@ -25,7 +25,8 @@ class ShapeDescriptor {
 };
 
 /// Shape context (Belongie, Malik and Puzicha 2002): where the other points of the boundary lie, seen from each point.
-std::unique_ptr<ShapeDescriptor> make_shape_context();
+/// `points` of the whole boundary, at least 2; 100 in the paper.
+std::unique_ptr<ShapeDescriptor> make_shape_context(int points = 100);
 /// Triangle-area representation (Alajlan, El Rube, Kamel and Freeman 2007): areas of triangles of a point and two others
 /// that lie equally far from it along the boundary.
 std::unique_ptr<ShapeDescriptor> make_triangle_areas();

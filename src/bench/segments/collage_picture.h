@@ -1,0 +1,21 @@
+// A collage in plain colours, to look at.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/collage/placement.h"
+#include "core/field/canvas.h"
+#include "core/shape/shape.h"
+
+namespace tessera::bench {
+
+/// Outlines filled in colours that take turns, the first placement, the seed, in grey. `shapes[i]` is library shape i.
+std::string collage_svg(const Canvas& canvas, const std::vector<Placement>& placements,
+                        const std::vector<Shape>& shapes);
+
+/// The same as `path`, a PNG. Throws EnvironmentError.
+void write_collage_picture(const Canvas& canvas, const std::vector<Placement>& placements,
+                           const std::vector<Shape>& shapes, const std::string& path);
+
+}  // namespace tessera::bench
