@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """silhouette_twins.py FOLDER OUT.txt: lists pairs of silhouettes that nobody can tell apart.
 
-Two silhouettes are twins when both are of one class (the name before the last hyphen) and one, turned, moved and scaled
-(never mirrored), overlaps the other with an intersection over union of 0.97 or more. A benchmark of recognition counts
-either of them as found. Needs python3-numpy and python3-pil.
+Two silhouettes are twins when both are of one class (the name before the last hyphen) and one, turned, moved and scaled,
+overlaps the other with an intersection over union of 0.97 or more. "~B" is the mirror image of B, which a library may
+hold as a shape of its own: "A ~B" says that A and B's mirror image are twins. A benchmark of recognition counts either
+twin as found. Needs python3-numpy and python3-pil.
 """
 
 import sys
@@ -19,15 +20,20 @@ RADIUS = 2.6       # half the square's side, in square roots of the silhouette's
 
 
 class Silhouette:
-    def __init__(self, path):
+    def __init__(self, path, mirrored=False):
         pixels = np.asarray(Image.open(path).convert("L")) > 127
-        self.name = path.stem
+        if mirrored:
+            pixels = pixels[:, ::-1]
+        self.name = "~" * mirrored + path.stem
         self.group = path.stem.rsplit("-", 1)[0]
         # A margin, so that points outside the picture are outside the silhouette.
         self.pixels = np.pad(pixels, 2).astype(np.float32)
         y, x = np.nonzero(self.pixels)
         self.centre = np.array([x.mean(), y.mean()])
         self.unit = np.sqrt(len(x))
+        rings = self.polar()
+        self.ring_area = rings.sum()
+        self.spectrum = np.fft.rfft(rings.astype(np.float32), axis=1)
 
     def at(self, points):
         """Coverage (bilinear) at points of the unit frame: centroid at the origin, area 1."""
@@ -53,58 +59,69 @@ def square_points():
     return np.stack(np.meshgrid(side, side), axis=-1)
 
 
-def iou_at(fixed, other, points, pose):
+def overlap_at(fixed, other, points, pose):
+    """Intersection over union of coverages: it changes smoothly with the pose, as counts of pixels do not."""
     angle, log_scale, x, y = pose
     cos, sin = np.cos(angle) * np.exp(log_scale), np.sin(angle) * np.exp(log_scale)
     turned = np.stack([cos * points[..., 0] - sin * points[..., 1] + x, sin * points[..., 0] + cos * points[..., 1] + y],
                       axis=-1)
-    moved = other.at(turned) > 0.5
-    return np.count_nonzero(fixed & moved) / max(1, np.count_nonzero(fixed | moved))
+    moved = other.at(turned)
+    return np.minimum(fixed, moved).sum() / np.maximum(fixed, moved).sum()
 
 
 def best_iou(a, b, angle, points):
-    """Pattern search over angle, scale and position."""
-    fixed = a.at(points) > 0.5
+    """Pattern search over angle, scale and position (Hooke and Jeeves 1961)."""
+    fixed = a.at(points)
     pose = np.array([angle, 0.0, 0.0, 0.0])
-    best = iou_at(fixed, b, points, pose)
-    step = np.array([0.02, 0.02, 0.02, 0.02])
-    while step[0] > 0.001 and best < 0.995:
-        improved = False
+    best = overlap_at(fixed, b, points, pose)
+    step = 0.02
+    while step > 0.0005:
+        start = pose
         for k in range(4):
             for sign in (-1, 1):
                 trial = pose.copy()
-                trial[k] += sign * step[k]
-                iou = iou_at(fixed, b, points, trial)
-                if iou > best:
-                    best, pose, improved = iou, trial, True
-        if not improved:
+                trial[k] += sign * step
+                overlap = overlap_at(fixed, b, points, trial)
+                if overlap > best:
+                    best, pose = overlap, trial
+                    break
+        if pose is start:
             step /= 2
+            continue
+        trial = 2 * pose - start  # once more the way of all four together
+        overlap = overlap_at(fixed, b, points, trial)
+        if overlap > best:
+            best, pose = overlap, trial
     return best
 
 
+def twin_line(a, b, points):
+    """A line of the list, or None where the two are no twins."""
+    both = np.fft.irfft((np.conj(a.spectrum) * b.spectrum).sum(axis=0), n=360)
+    shift = int(both.argmax())
+    coarse = both[shift] / (a.ring_area + b.ring_area - both[shift])
+    if coarse < COARSE_IOU:
+        return None
+    iou = best_iou(a, b, shift * np.pi / 180, points)
+    return f"{a.name} {b.name} {iou:.3f}" if iou >= LEAST_IOU else None
+
+
 def main(folder, out):
-    silhouettes = [Silhouette(p) for p in sorted(Path(folder).glob("*.png"))]
+    paths = sorted(Path(folder).glob("*.png"))
     points = square_points()
     groups = {}
-    for s in silhouettes:
-        groups.setdefault(s.group, []).append(s)
+    for path in paths:
+        pair = Silhouette(path), Silhouette(path, mirrored=True)
+        groups.setdefault(pair[0].group, []).append(pair)
     lines = []
     for members in groups.values():
-        rings = [m.polar() for m in members]
-        spectra = [np.fft.rfft(r.astype(np.float32), axis=1) for r in rings]
-        for i, a in enumerate(members):
-            for j in range(i + 1, len(members)):
-                both = np.fft.irfft((np.conj(spectra[i]) * spectra[j]).sum(axis=0), n=360)
-                shift = int(both.argmax())
-                coarse = both[shift] / (rings[i].sum() + rings[j].sum() - both[shift])
-                if coarse < COARSE_IOU:
-                    continue
-                iou = best_iou(a, members[j], shift * np.pi / 180, points)
-                if iou >= LEAST_IOU:
-                    lines.append(f"{a.name} {members[j].name} {iou:.3f}")
+        for i, (a, _) in enumerate(members):
+            others = [b for b, _ in members[i + 1:]] + [mirrored for _, mirrored in members[i:]]
+            lines += filter(None, (twin_line(a, b, points) for b in others))
     Path(out).write_text("\n".join(lines) + "\n")
-    names = {n for line in lines for n in line.split()[:2]}
-    print(f"{len(lines)} pairs, {len(names)} of {len(silhouettes)} silhouettes have a twin")
+    plain = [line.split()[:2] for line in lines if "~" not in line]
+    print(f"{len(plain)} pairs, {len({n for pair in plain for n in pair})} of {len(paths)} silhouettes have a twin; "
+          f"{len(lines) - len(plain)} pairs of a silhouette and a mirror image")
 
 
 if __name__ == "__main__":

@@ -133,22 +133,20 @@ BlockingRow recognise_all(const BlockingCase& run, const Recogniser& recogniser,
 
 /// The table and the plot of the report, to which each row is added.
 struct BlockingShown {
-  TextTable table{{"descriptor", "hidden %", "queries", "itself %", "or a twin %", "or mirrored %", "in first 10 %",
-                   "nothing %", "ms a query"}};
+  TextTable table{
+      {"descriptor", "hidden %", "queries", "itself %", "or a twin %", "in first 10 %", "nothing %", "ms a query"}};
   Panel panel{"Recognised: itself or a twin", "hidden, % of the width", "% of queries", false, 100, {}, false};
 
   void add(const BlockingRow& row, Json& rows) {
     const double nothing = 100 - row.percent(&Success::told);
     table.add({row.descriptor, std::to_string(row.blocked_percent), std::to_string(row.queries),
                fixed(row.percent(&Success::itself), 1), fixed(row.percent(&Success::twin), 1),
-               fixed(row.percent(&Success::mirrored), 1), fixed(row.percent(&Success::among), 1), fixed(nothing, 1),
-               fixed(1000 * row.query_s, 1)});
+               fixed(row.percent(&Success::among), 1), fixed(nothing, 1), fixed(1000 * row.query_s, 1)});
     rows.push_back({{"descriptor", row.descriptor},
                     {"blocked_percent", row.blocked_percent},
                     {"queries", row.queries},
                     {"itself_percent", rounded(row.percent(&Success::itself))},
                     {"twin_percent", rounded(row.percent(&Success::twin))},
-                    {"mirrored_percent", rounded(row.percent(&Success::mirrored))},
                     {"among_ten_percent", rounded(row.percent(&Success::among))},
                     {"nothing_percent", rounded(nothing)},
                     {"query_s", tessera::rounded(row.query_s, 6)}});

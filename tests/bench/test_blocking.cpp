@@ -113,6 +113,17 @@ TEST(Twins, AreReadFromPairsOfNames) {
   EXPECT_EQ(twins.size(), 2u);
   EXPECT_TRUE(twins.are_twins(0, 1) && twins.are_twins(1, 0) && twins.are_twins(2, 1) && twins.are_twins(3, 3));
   EXPECT_FALSE(twins.are_twins(0, 2)) << "a twin's twin is none";
+  EXPECT_FALSE(twins.are_twins(0, 1, true) || twins.are_twins(3, 3, true))
+      << "nor is a mirror image that is not listed";
+}
+
+TEST(Twins, MayBeMirrorImages) {
+  const Twins twins("d ~a\nc ~c\n~a ~b\n", "t.txt", named({"a", "b", "c", "d"}));
+  EXPECT_EQ(twins.size(), 3u);
+  EXPECT_TRUE(twins.are_twins(0, 3, true) && twins.are_twins(3, 0, true));
+  EXPECT_TRUE(twins.are_twins(2, 2, true)) << "a symmetric silhouette";
+  EXPECT_TRUE(twins.are_twins(0, 1)) << "both mirrored: a pair like any other";
+  EXPECT_FALSE(twins.are_twins(0, 3) || twins.are_twins(0, 1, true) || twins.are_twins(3, 3, true));
 }
 
 TEST(Twins, ALineOfOneNameIsRefused) {
@@ -124,18 +135,18 @@ TEST(Twins, ALineOfOneNameIsRefused) {
   }
 }
 
-TEST(Success, CountsItselfTwinsAndMirrorImages) {
+TEST(Success, CountsItselfAndTwins) {
   SilhouetteLibrary library;
   for (std::size_t i = 0; i < 6; ++i) library.shapes.push_back({.silhouette = i / 2, .mirrored = i % 2 == 1});
-  const Twins twins("a b", "t.txt", named({"a", "b", "c"}));
+  const Twins twins("a b\nc ~c", "t.txt", named({"a", "b", "c"}));
   const Success itself = success_of({0, 5}, 0, library, twins);
-  EXPECT_TRUE(itself.told && itself.itself && itself.twin && itself.mirrored && itself.among);
+  EXPECT_TRUE(itself.told && itself.itself && itself.twin && itself.among);
   const Success twin = success_of({2, 0}, 0, library, twins);
-  EXPECT_TRUE(!twin.itself && twin.twin && twin.mirrored && twin.among);
+  EXPECT_TRUE(!twin.itself && twin.twin && twin.among);
   const Success mirrored = success_of({1, 2}, 0, library, twins);
-  EXPECT_TRUE(!mirrored.itself && !mirrored.twin && mirrored.mirrored && !mirrored.among);
-  const Success other = success_of({4}, 0, library, twins);
-  EXPECT_TRUE(other.told && !other.mirrored && !other.among);
+  EXPECT_TRUE(mirrored.told && !mirrored.itself && !mirrored.twin && !mirrored.among);
+  const Success symmetric = success_of({5}, 2, library, twins);
+  EXPECT_TRUE(!symmetric.itself && symmetric.twin && !symmetric.among);
   EXPECT_FALSE(success_of({}, 0, library, twins).told);
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# scripts/silhouette_twins.py: a turned and enlarged copy is a twin, a mirror image, another shape and another class are
-# none. Exit code 77 (skipped) without Debian's python3-numpy and python3-pil.
+# scripts/silhouette_twins.py: a turned and enlarged copy is a twin, and so is a mirror image of what was mirrored; another shape and
+# another class are none. Exit code 77 (skipped) without Debian's python3-numpy and python3-pil.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
@@ -32,6 +32,10 @@ draw("hook-4", [(-50, -50), (50, -50), (50, 50), (-50, 50)])
 draw("crook-1", HOOK, 0.4)
 END
 /usr/bin/python3 scripts/silhouette_twins.py "$sandbox/masks" "$sandbox/twins.txt"
-[[ $(cut -d ' ' -f 1,2 "$sandbox/twins.txt") == "hook-1 hook-2" ]] || fail "twins: $(<"$sandbox/twins.txt")"
+wanted="hook-1 hook-2
+hook-1 ~hook-3
+hook-2 ~hook-3
+hook-4 ~hook-4"
+[[ $(cut -d ' ' -f 1,2 "$sandbox/twins.txt") == "$wanted" ]] || fail "twins: $(<"$sandbox/twins.txt")"
 if /usr/bin/python3 scripts/silhouette_twins.py "$sandbox/masks" 2>/dev/null; then fail "takes one argument"; fi
 echo "ok"

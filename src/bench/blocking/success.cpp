@@ -14,8 +14,7 @@ Success success_of(const std::vector<std::uint32_t>& found, std::size_t silhouet
   const KnownSilhouette& first = library.shapes[found.front()];
   success.told = true;
   success.itself = is_itself(found.front());
-  success.mirrored = twins.are_twins(first.silhouette, silhouette);
-  success.twin = success.mirrored && !first.mirrored;
+  success.twin = twins.are_twins(silhouette, first.silhouette, first.mirrored);
   success.among = std::any_of(found.begin(), found.end(), is_itself);
   return success;
 }

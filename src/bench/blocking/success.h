@@ -11,11 +11,10 @@ namespace tessera::bench {
 
 /// The outcome of one query.
 struct Success {
-  bool told = false;      // any shape at all
-  bool itself = false;    // the first shape is the silhouette
-  bool twin = false;      // or a twin of it
-  bool mirrored = false;  // or the mirror image of one of these
-  bool among = false;     // one of the shapes told is the silhouette
+  bool told = false;    // any shape at all
+  bool itself = false;  // the first shape is the silhouette
+  bool twin = false;    // or a twin of it
+  bool among = false;   // one of the shapes told is the silhouette
 };
 
 /// `found`: places in the library's list, the best first. `silhouette`: that the query was made from.

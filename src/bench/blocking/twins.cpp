@@ -11,6 +11,13 @@ namespace {
 
 constexpr std::size_t kMostTwinBytes = std::size_t(16) << 20;
 
+/// Removes the mark of a mirror image, and tells whether there was one.
+bool take_tilde(std::string& name) {
+  if (!name.starts_with('~')) return false;
+  name.erase(0, 1);
+  return true;
+}
+
 }  // namespace
 
 Twins::Twins(const std::string& text, const std::string& path, const std::vector<Silhouette>& silhouettes) {
@@ -26,10 +33,10 @@ Twins::Twins(const std::string& text, const std::string& path, const std::vector
       throw InputError(path + ", line " + std::to_string(number) + ": found one name, \"" + a +
                        "\"; needed: two names, which are twins");
     }
+    const bool mirrored = take_tilde(a) != take_tilde(b);
     const auto at_a = by_name.find(a), at_b = by_name.find(b);
-    if (at_a == by_name.end() || at_b == by_name.end() || at_a == at_b) continue;
-    pairs_.insert({at_a->second, at_b->second});
-    pairs_.insert({at_b->second, at_a->second});
+    if (at_a == by_name.end() || at_b == by_name.end() || (at_a == at_b && !mirrored)) continue;
+    pairs_.insert({std::min(at_a->second, at_b->second), std::max(at_a->second, at_b->second), mirrored});
   }
 }
 

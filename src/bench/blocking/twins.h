@@ -1,10 +1,11 @@
 // Silhouettes that nobody can tell apart: either of them counts as found.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <set>
 #include <string>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "bench/blocking/silhouettes.h"
@@ -15,16 +16,21 @@ class Twins {
  public:
   /// Every silhouette is its own twin alone.
   Twins() = default;
-  /// The pairs of a text, two names a line; '#' begins a comment, and what follows the names is not looked at. Names that
-  /// no silhouette has are passed over. Throws InputError, which names `path` and the line, where a line has one name.
+  /// The pairs of a text, two names a line; "~" before a name means the mirror image. '#' begins a comment, and what
+  /// follows the names is not looked at. Names that no silhouette has are passed over. Throws InputError, which names
+  /// `path` and the line, where a line has one name.
   Twins(const std::string& text, const std::string& path, const std::vector<Silhouette>& silhouettes);
 
-  bool are_twins(std::size_t a, std::size_t b) const { return a == b || pairs_.contains({a, b}); }
+  /// Whether silhouette `b`, or its mirror image where `b_mirrored`, is a twin of silhouette `a`, or `a` itself.
+  bool are_twins(std::size_t a, std::size_t b, bool b_mirrored = false) const {
+    return (a == b && !b_mirrored) || pairs_.contains({std::min(a, b), std::max(a, b), b_mirrored});
+  }
   /// How many pairs there are.
-  std::size_t size() const { return pairs_.size() / 2; }
+  std::size_t size() const { return pairs_.size(); }
 
  private:
-  std::set<std::pair<std::size_t, std::size_t>> pairs_;  // both ways
+  /// The smaller place, the larger one, and whether one of both is mirrored: it does not matter which.
+  std::set<std::tuple<std::size_t, std::size_t, bool>> pairs_;
 };
 
 /// Throws InputError where the file cannot be read, too.
