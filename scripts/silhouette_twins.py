@@ -59,21 +59,25 @@ def square_points():
     return np.stack(np.meshgrid(side, side), axis=-1)
 
 
-def overlap_at(fixed, other, points, pose):
-    """Intersection over union of coverages: it changes smoothly with the pose, as counts of pixels do not."""
+def moved(other, points, pose):
+    """Coverage of the other silhouette, turned, scaled and shifted."""
     angle, log_scale, x, y = pose
     cos, sin = np.cos(angle) * np.exp(log_scale), np.sin(angle) * np.exp(log_scale)
     turned = np.stack([cos * points[..., 0] - sin * points[..., 1] + x, sin * points[..., 0] + cos * points[..., 1] + y],
                       axis=-1)
-    moved = other.at(turned)
-    return np.minimum(fixed, moved).sum() / np.maximum(fixed, moved).sum()
+    return other.at(turned)
+
+
+def iou(a, b):
+    return np.minimum(a, b).sum() / np.maximum(a, b).sum()
 
 
 def best_iou(a, b, angle, points):
-    """Pattern search over angle, scale and position (Hooke and Jeeves 1961)."""
+    """The best is looked for by coverages, which change smoothly with the pose, as counts of pixels do not: a pattern
+    search over angle, scale and position (Hooke and Jeeves 1961)."""
     fixed = a.at(points)
     pose = np.array([angle, 0.0, 0.0, 0.0])
-    best = overlap_at(fixed, b, points, pose)
+    best = iou(fixed, moved(b, points, pose))
     step = 0.02
     while step > 0.0005:
         start = pose
@@ -81,7 +85,7 @@ def best_iou(a, b, angle, points):
             for sign in (-1, 1):
                 trial = pose.copy()
                 trial[k] += sign * step
-                overlap = overlap_at(fixed, b, points, trial)
+                overlap = iou(fixed, moved(b, points, trial))
                 if overlap > best:
                     best, pose = overlap, trial
                     break
@@ -89,10 +93,10 @@ def best_iou(a, b, angle, points):
             step /= 2
             continue
         trial = 2 * pose - start  # once more the way of all four together
-        overlap = overlap_at(fixed, b, points, trial)
+        overlap = iou(fixed, moved(b, points, trial))
         if overlap > best:
             best, pose = overlap, trial
-    return best
+    return iou(fixed > 0.5, moved(b, points, pose) > 0.5)
 
 
 def twin_line(a, b, points):
@@ -102,8 +106,8 @@ def twin_line(a, b, points):
     coarse = both[shift] / (a.ring_area + b.ring_area - both[shift])
     if coarse < COARSE_IOU:
         return None
-    iou = best_iou(a, b, shift * np.pi / 180, points)
-    return f"{a.name} {b.name} {iou:.3f}" if iou >= LEAST_IOU else None
+    best = best_iou(a, b, shift * np.pi / 180, points)
+    return f"{a.name} {b.name} {best:.3f}" if best >= LEAST_IOU else None
 
 
 def main(folder, out):

@@ -26,6 +26,7 @@ KnownShapes::KnownShapes(ShapeId first, std::vector<ShapeModel> models, std::vec
       drawn_scales_px_(std::move(drawn_scales_px)),
       pad_levels_(pad_levels) {
   if (models_.empty()) return;
+  arcs_.emplace(models_, drawn_scales_px_, pad_levels_);
   const std::vector<ModelLevel>& levels = models_.front().levels;
   std::vector<std::optional<PadSearch>> searches(levels.size());
   parallel_for(levels.size(), [&](std::size_t k) { searches[k].emplace(make_search(models_, k, pad_levels_)); });

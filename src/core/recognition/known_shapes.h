@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/pad/pad_search.h"
+#include "core/recognition/known_arcs.h"
 #include "core/shape/shape_id.h"
 #include "core/shape/shape_model.h"
 
@@ -31,6 +33,7 @@ class KnownShapes {
   const ShapeModel& model(std::uint32_t shape) const { return models_[shape]; }
   float drawn_scale_px(std::uint32_t shape) const { return drawn_scales_px_[shape]; }
   const std::vector<Level>& levels() const { return levels_; }
+  const KnownArcs& arcs() const { return *arcs_; }
   int pad_levels() const { return pad_levels_; }
   /// The key points of a sample of the level with this place in levels().
   Keypoints keypoints_of(std::size_t level, std::uint32_t place) const;
@@ -41,6 +44,7 @@ class KnownShapes {
   std::vector<float> drawn_scales_px_;
   int pad_levels_;
   std::vector<Level> levels_;
+  std::optional<KnownArcs> arcs_;
 };
 
 }  // namespace tessera

@@ -10,7 +10,7 @@
 namespace tessera {
 namespace {
 
-constexpr float kLeastCosine = 0.8f;
+constexpr float kLeastRunCosine = 0.8f;
 /// Cells of the map, in parts of the reach, and of the curves' box: a speck far away may not cost gigabytes.
 constexpr float kCellOfReach = 0.5f;
 constexpr float kCellOfBox = 1.f / 1024;
@@ -84,7 +84,7 @@ class RunFinder {
       const CurveMap::Nearest near = map_.nearest(a_from_b_.apply(curve.points[i]));
       if (near.distance > (near.at_end ? kEndReach : 1) * settings_.reach) continue;
       const float cosine = dot(a_from_b_.apply_direction(tangents[i]), near.tangent) / a_from_b_.scale();
-      if ((settings_.any_direction ? std::abs(cosine) : cosine) < kLeastCosine) continue;
+      if ((settings_.any_direction ? std::abs(cosine) : cosine) < kLeastRunCosine) continue;
       const auto after = std::upper_bound(starts_.begin(), starts_.end(), near.along);
       const auto a = std::size_t(std::max<std::ptrdiff_t>(after - starts_.begin() - 1, 0));
       followed[i] = {a, near.along - starts_[a], cosine < 0};

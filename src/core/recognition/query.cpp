@@ -107,7 +107,8 @@ Query::Query(const std::vector<Curve>& curves, const QuerySettings& settings)
 Query::Query(const std::vector<Curve>& curves, const QuerySettings& settings, const Measures& measures)
     : map_(make_map(curves, kMapSmoothing * settings.least_sigma, measures)),
       measures_(measures),
-      least_sigma_(settings.least_sigma) {
+      least_sigma_(settings.least_sigma),
+      narrow_curves_(even_curves(curves, settings.least_sigma, settings.least_sigma)) {
   for (float sigma = settings.least_sigma; sigma < kWidest * measures.length; sigma *= kWidthStep) {
     widths_.push_back(make_width(curves, sigma, measures.length, settings.pad));
   }

@@ -27,6 +27,8 @@ class Query {
   Query(const std::vector<Curve>& curves, const QuerySettings& settings);
 
   const CurveMap& map() const { return map_; }
+  /// The curves, smoothed by the narrowest width, as evenly spaced points.
+  const std::vector<Curve>& narrow_curves() const { return narrow_curves_; }
   const std::vector<QueryWidth>& widths() const { return widths_; }
   float least_sigma() const { return least_sigma_; }
   /// The length of all curves together.
@@ -51,6 +53,7 @@ class Query {
   CurveMap map_;
   Measures measures_;
   float least_sigma_;
+  std::vector<Curve> narrow_curves_;
   std::vector<QueryWidth> widths_;
 };
 

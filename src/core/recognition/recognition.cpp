@@ -5,8 +5,9 @@
 #include <unordered_set>
 
 #include "core/base/rank_pool.h"
+#include "core/recognition/arc_poses.h"
 #include "core/recognition/curve_points.h"
-#include "core/recognition/pose_search.h"
+#include "core/recognition/pad_poses.h"
 
 namespace tessera {
 namespace {
@@ -51,12 +52,12 @@ std::vector<PosedShape> first_of_each(const Query& query, const std::vector<Pose
 }
 
 PosedShape refined(const Query& query, const KnownShapes& shapes, const PosedShape& start,
-                   const RecognitionSettings& settings) {
+                   const PossibleScales& scales) {
   const BoundaryPoints points = model_points(shapes.model(start.shape));
   const float least_reach = std::max(kCompareReach * query.least_sigma(), kRefinedReach * query.radius());
   const Similarity pose =
       refined_pose(query, points, start.query_from_shape, kRefineSteps, kRefineReach * query.radius(), least_reach,
-                   scale_limits(shapes, start, settings.query_per_drawn_px));
+                   scales.near(start.shape, start.query_from_shape));
   return {start.shape, pose, followed_part(query, points, pose)};
 }
 
@@ -76,14 +77,17 @@ CurvePoints outline_points(const Outline& outline) {
 
 std::vector<Recognition> recognised(const Query& query, const KnownShapes& shapes, const RecognitionSettings& settings,
                                     const OutlineOf& outline_of) {
-  std::vector<PosedShape> posed = posed_shapes(query, shapes, settings.query_per_drawn_px);
+  if (shapes.size() == 0) return {};
+  const PossibleScales scales(query, shapes, settings.query_per_drawn_px);
+  std::vector<PosedShape> posed = pad_poses(query, shapes, scales);
+  for (const PosedShape& p : arc_poses(query, shapes, scales, settings.query_per_drawn_px)) posed.push_back(p);
   parallel_for_portions(posed.size(), kPortion, [&](std::size_t i) {
     posed[i].followed = roughly_followed(query, model_points(shapes.model(posed[i].shape)), posed[i].query_from_shape);
   });
   sort_by_followed(posed);
   posed = first_of_each(query, posed);
   parallel_for_portions(posed.size(), kRefinedPortion,
-                        [&](std::size_t i) { posed[i] = refined(query, shapes, posed[i], settings); });
+                        [&](std::size_t i) { posed[i] = refined(query, shapes, posed[i], scales); });
   sort_by_followed(posed);
   keep_first_of_each(posed);
   posed.resize(std::min(posed.size(), std::max(kMostCompared, 2 * settings.most)));
@@ -92,7 +96,7 @@ std::vector<Recognition> recognised(const Query& query, const KnownShapes& shape
     const CurvePoints points = outline_points(outline_of(shapes.id(p.shape)));
     const Similarity pose =
         refined_pose(query, points.boundary(), p.query_from_shape, kCompareSteps, kCompareReach * query.least_sigma(),
-                     kComparedReach * query.least_sigma(), scale_limits(shapes, p, settings.query_per_drawn_px));
+                     kComparedReach * query.least_sigma(), scales.near(p.shape, p.query_from_shape));
     result.push_back({shapes.id(p.shape), pose, followed_part(query, points.boundary(), pose)});
   }
   std::sort(result.begin(), result.end());

@@ -1,4 +1,4 @@
-#include "core/recognition/pose_search.h"
+#include "core/recognition/pad_poses.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,27 +13,19 @@ namespace {
 /// Distance of PADs, and how many of the nearest are tried for each PAD of the query.
 constexpr float kPadReach = 0.08f;
 constexpr std::size_t kMostPairs = 100;
-/// Sizes of shapes that are looked for: at least this part of the query's extent, at most so many lengths of its curves.
-constexpr float kLeastSize = 0.22f;
-constexpr float kLargestSize = 1.2f;
 /// The step between widths, and what they overlap.
 constexpr float kWidthSlack = 1.04f;
 /// Key points of one pair that are farther apart belong to different curves.
 constexpr float kMostResidual = 0.3f;
 /// The scale by key points, against the one that the widths of the smoothing stand for.
 constexpr float kScaleSlack = 1.15f;
-/// The scale by key points, against the known one.
-constexpr float kKnownSlack = 1.1f;
-/// The factor by which the scale may change while a pose is refined.
-constexpr float kRefinedSlack = 1.4f;
-constexpr float kRefinedKnownSlack = 1.02f;
 
-class PoseSearch {
+class PadPoses {
  public:
-  PoseSearch(const Query& query, const KnownShapes& shapes, std::optional<float> query_per_drawn_px)
+  PadPoses(const Query& query, const KnownShapes& shapes, const PossibleScales& possible)
       : query_(query),
         shapes_(shapes),
-        query_per_drawn_px_(query_per_drawn_px) {}
+        possible_(possible) {}
 
   /// Each width is looked up at each level on a thread of its own; the poses come in the order of both.
   std::vector<PosedShape> poses() const {
@@ -43,7 +35,7 @@ class PoseSearch {
       const QueryWidth& width = query_.widths()[part / levels];
       const std::size_t level = part % levels;
       const ScaleLimits scales = scales_of(width.sigma, shapes_.levels()[level].level);
-      if (scales.most < kLeastSize * query_.extent() || scales.least > kLargestSize * query_.length()) return;
+      if (scales.most < possible_.limits().least || scales.least > possible_.limits().most) return;
       for (const PartialPyramid& pyramid : width.pyramids) look_up(pyramid, level, scales, of_part[part]);
     });
     std::vector<PosedShape> poses;
@@ -58,14 +50,6 @@ class PoseSearch {
     return {scale / half_step, scale * half_step};
   }
 
-  float known_scale(std::uint32_t shape) const { return shapes_.drawn_scale_px(shape) * *query_per_drawn_px_; }
-  /// Whether a shape may have one of these scales.
-  bool may_have(std::uint32_t shape, const ScaleLimits& scales) const {
-    if (!query_per_drawn_px_) return true;
-    const float known = known_scale(shape);
-    return known > scales.least / kKnownSlack && known < scales.most * kKnownSlack;
-  }
-
   void look_up(const PartialPyramid& of_query, std::size_t level, const ScaleLimits& scales,
                std::vector<PosedShape>& poses) const {
     PadTarget target = make_pad_target(of_query.pyramid, of_query.left_levels, of_query.right_levels);
@@ -74,7 +58,7 @@ class PoseSearch {
       target.scales = scale_window(length / scales.most, length / scales.least);
     }
     const KnownShapes::Level& index = shapes_.levels()[level];
-    const auto wanted = [&](std::uint32_t place) { return may_have(index.shape_of(place), scales); };
+    const auto wanted = [&](std::uint32_t place) { return possible_.may_have(index.shape_of(place), scales); };
     for (const PadHit& hit : index.search.nearest(target, kPadReach, kMostPairs, wanted)) {
       add_pose(of_query, level, hit.place, scales, poses);
     }
@@ -91,29 +75,19 @@ class PoseSearch {
     const float scale = fit.query_from_shape.scale();
     if (scale < scales.least / kScaleSlack || scale > scales.most * kScaleSlack) return;
     const std::uint32_t shape = shapes_.levels()[level].shape_of(place);
-    if (!may_have(shape, {scale, scale})) return;
+    if (!possible_.may_have(shape, {scale, scale})) return;
     poses.push_back({shape, fit.query_from_shape, 0});
   }
 
   const Query& query_;
   const KnownShapes& shapes_;
-  std::optional<float> query_per_drawn_px_;
+  const PossibleScales& possible_;
 };
 
 }  // namespace
 
-ScaleLimits scale_limits(const KnownShapes& shapes, const PosedShape& posed, std::optional<float> query_per_drawn_px) {
-  if (query_per_drawn_px) {
-    const float known = shapes.drawn_scale_px(posed.shape) * *query_per_drawn_px;
-    return {known / kRefinedKnownSlack, known * kRefinedKnownSlack};
-  }
-  const float scale = posed.query_from_shape.scale();
-  return {scale / kRefinedSlack, scale * kRefinedSlack};
-}
-
-std::vector<PosedShape> posed_shapes(const Query& query, const KnownShapes& shapes,
-                                     std::optional<float> query_per_drawn_px) {
-  return PoseSearch(query, shapes, query_per_drawn_px).poses();
+std::vector<PosedShape> pad_poses(const Query& query, const KnownShapes& shapes, const PossibleScales& scales) {
+  return PadPoses(query, shapes, scales).poses();
 }
 
 }  // namespace tessera

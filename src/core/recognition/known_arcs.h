@@ -1,0 +1,39 @@
+// Arcs of the outer boundaries of a library's shapes, of several lengths, with an index of their signatures.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/recognition/arc_signature.h"
+#include "core/shape/shape_model.h"
+
+namespace tessera {
+
+/// Arcs of the library have lengths that are powers of this, in px of the drawing; those of a shape are so many,
+/// from the first that is this part of the boundary.
+inline constexpr float kArcStep = 1.41421356f;
+inline constexpr int kArcLengths = 8;
+inline constexpr float kShortestArc = 1.f / 16;
+
+class KnownArcs {
+ public:
+  /// `models`: all with the same levels. `drawn_scales_px`: of each (Shape::drawn_scale_px).
+  KnownArcs(const std::vector<ShapeModel>& models, const std::vector<float>& drawn_scales_px, int pad_levels);
+
+  const PadSearch& search() const { return *search_; }
+  /// The shape, and the arc's length in shape units, of a place that a search found.
+  std::uint32_t shape_of(std::uint32_t place) const { return place / (starts_ * kArcLengths); }
+  float length_of(std::uint32_t place) const;
+  /// Shape frame. `model`: of the place's shape.
+  ArcPoints points_of(std::uint32_t place, const ShapeModel& model) const;
+
+ private:
+  std::uint32_t starts_;  // points at which arcs begin, of a shape
+  int pad_levels_;
+  std::vector<float> around_;    // length of the outer boundary of each shape, shape units
+  std::vector<float> shortest_;  // arc of each shape, shape units
+  std::optional<PadSearch> search_;
+};
+
+}  // namespace tessera
