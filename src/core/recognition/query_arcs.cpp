@@ -8,7 +8,7 @@ namespace tessera {
 namespace {
 
 /// The shortest arc, in widths of the query's narrowest smoothing: a shorter one has lost its shape.
-constexpr float kShortestWidths = 10;
+constexpr float kShortestWidths = 6;
 /// The longest arc of a closed curve: a longer one comes back to where it began.
 constexpr float kLongestOfClosed = 0.8f;
 /// Arcs begin this part of their length apart, or farther, where more than so many would be looked up of a length.
