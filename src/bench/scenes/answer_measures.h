@@ -12,8 +12,7 @@ namespace tessera::bench {
 struct AnswerMeasures {
   double similarity = 0;  // Recognition::similarity: by closeness, the followed length in parts of the query's
   double margin = 0;      // the similarity less that of the first answer that is another shape, no twin of the best one
-  double score =
-      0;  // the same length in parts of the geometric mean of the query's and the shape's (CurveMatch::score)
+  double score = 0;       // answer_score(): the same length in parts of the geometric mean of both lengths
 };
 
 /// `found`: the answers, the best first.
