@@ -107,7 +107,7 @@ struct ScenesOptions : SilhouetteOptions {
   std::string left_out = "none";   // of the library: "classes" or "shapes", half of them
 };
 /// How often silhouettes are recognised that lie below others or behind branches, or of which a part was changed (paper,
-/// Fig. 4); and, where some are not in the library, precision and recall against the least similarity of an answer. Also
+/// Fig. 4); and, where some are not in the library, precision and recall against the least score and similarity of an answer. Also
 /// writes a plot.
 Report bench_scenes(const Setting& setting, const ScenesOptions& options);
 

@@ -186,40 +186,51 @@ Json json_of(const PrecisionRecall& counts) {
           {"f1_percent", rounded(100 * counts.f1())}};
 }
 
-std::vector<std::string> cells_of(const PrecisionRecall& counts) {
-  return {fixed(counts.least, 2), fixed(100 * counts.precision(), 1), fixed(100 * counts.recall(), 1),
-          fixed(100 * counts.f1(), 1)};
+void add_cells(const PrecisionRecall& counts, std::vector<std::string>& cells) {
+  for (const double part : {counts.precision(), counts.recall(), counts.f1()}) cells.push_back(fixed(100 * part, 1));
 }
 
-/// Adds precision and recall against the least similarity, and how the other measures do at their best, to the report.
+/// Adds to the report what least score, and what least similarity, gives which precision and recall.
 Panel add_thresholds(const std::vector<ScenesRow>& rows, Report& report) {
-  Panel panel{
-      "Precision and recall", "least similarity, %", "%", false, 100, {{"precision", {}}, {"recall", {}}}, false};
-  const std::vector<Verdict> verdicts = verdicts_of(rows, &AnswerMeasures::similarity);
-  TextTable table{{"least similarity", "precision %", "recall %", "F1 %"}};
+  Panel panel{"Precision and recall", "least score or similarity, %", "%", false, 100, {}, false};
+  TextTable table{
+      {"at least", "score: precision %", "recall %", "F1 %", "similarity: precision %", "recall %", "F1 %"}};
+  const std::vector<Verdict> by_score = verdicts_of(rows, &AnswerMeasures::score);
+  const std::vector<Verdict> by_similarity = verdicts_of(rows, &AnswerMeasures::similarity);
+  for (const char* name : {"score: precision", "score: recall", "similarity: precision", "similarity: recall"}) {
+    panel.curves.push_back({name, {}, false});
+  }
   for (int percent = 0; percent < 100; percent += kThresholdStep_percent) {
-    const PrecisionRecall counts = precision_recall(verdicts, percent / 100.);
-    table.add(cells_of(counts));
-    report.json["thresholds"].push_back(json_of(counts));
-    panel.curves[0].points.emplace_back(percent, 100 * counts.precision());
-    panel.curves[1].points.emplace_back(percent, 100 * counts.recall());
+    const PrecisionRecall of_score = precision_recall(by_score, percent / 100.);
+    const PrecisionRecall of_similarity = precision_recall(by_similarity, percent / 100.);
+    std::vector<std::string> cells = {fixed(percent / 100., 2)};
+    add_cells(of_score, cells);
+    add_cells(of_similarity, cells);
+    table.add(cells);
+    report.json["thresholds"].push_back({{"score", json_of(of_score)}, {"similarity", json_of(of_similarity)}});
+    const std::array<double, 4> parts = {of_score.precision(), of_score.recall(), of_similarity.precision(),
+                                         of_similarity.recall()};
+    for (std::size_t k = 0; k < parts.size(); ++k) panel.curves[k].points.emplace_back(percent, 100 * parts[k]);
   }
   report.text += "\n" + table.text();
+  return panel;
+}
 
-  TextTable best{{"best threshold of", "least", "precision %", "recall %", "F1 %"}};
+/// Adds how each measure does at its best threshold, to the report.
+void add_best_thresholds(const std::vector<ScenesRow>& rows, Report& report) {
+  TextTable table{{"best threshold of the", "at least", "precision %", "recall %", "F1 %"}};
   const std::array<std::pair<const char*, double AnswerMeasures::*>, 3> measures = {
-      {{"similarity", &AnswerMeasures::similarity},
-       {"margin", &AnswerMeasures::margin},
-       {"score", &AnswerMeasures::score}}};
+      {{"score", &AnswerMeasures::score},
+       {"similarity", &AnswerMeasures::similarity},
+       {"margin", &AnswerMeasures::margin}}};
   for (const auto& [name, measure] : measures) {
     const PrecisionRecall counts = best_threshold(verdicts_of(rows, measure));
-    std::vector<std::string> cells = cells_of(counts);
-    cells.insert(cells.begin(), name);
-    best.add(cells);
+    std::vector<std::string> cells = {name, fixed(counts.least, 2)};
+    add_cells(counts, cells);
+    table.add(cells);
     report.json["best"][name] = json_of(counts);
   }
-  report.text += "\n" + best.text();
-  return panel;
+  report.text += "\n" + table.text();
 }
 
 }  // namespace
@@ -248,7 +259,10 @@ Report bench_scenes(const Setting& setting, const ScenesOptions& asked) {
   }
   report.text = shown.table.text();
   std::vector<Panel> panels = {shown.panel};
-  if (left_out_kind(options.left_out) != LeftOut::none) panels.push_back(add_thresholds(rows, report));
+  if (left_out_kind(options.left_out) != LeftOut::none) {
+    panels.push_back(add_thresholds(rows, report));
+    add_best_thresholds(rows, report);
+  }
   if (!plot.empty()) write_plot(panels, plot);
   report.text += "\n" + case_text(run.silhouettes);
   return report;
