@@ -197,7 +197,7 @@ Panel add_thresholds(const std::vector<ScenesRow>& rows, Report& report) {
       {"at least", "score: precision %", "recall %", "F1 %", "similarity: precision %", "recall %", "F1 %"}};
   const std::vector<Verdict> by_score = verdicts_of(rows, &AnswerMeasures::score);
   const std::vector<Verdict> by_similarity = verdicts_of(rows, &AnswerMeasures::similarity);
-  for (const char* name : {"score: precision", "score: recall", "similarity: precision", "similarity: recall"}) {
+  for (const char* name : {"score: recall", "score: precision", "similarity: recall", "similarity: precision"}) {
     panel.curves.push_back({name, {}, false});
   }
   for (int percent = 0; percent < 100; percent += kThresholdStep_percent) {
@@ -208,8 +208,8 @@ Panel add_thresholds(const std::vector<ScenesRow>& rows, Report& report) {
     add_cells(of_similarity, cells);
     table.add(cells);
     report.json["thresholds"].push_back({{"score", json_of(of_score)}, {"similarity", json_of(of_similarity)}});
-    const std::array<double, 4> parts = {of_score.precision(), of_score.recall(), of_similarity.precision(),
-                                         of_similarity.recall()};
+    const std::array<double, 4> parts = {of_score.recall(), of_score.precision(), of_similarity.recall(),
+                                         of_similarity.precision()};
     for (std::size_t k = 0; k < parts.size(); ++k) panel.curves[k].points.emplace_back(percent, 100 * parts[k]);
   }
   report.text += "\n" + table.text();
