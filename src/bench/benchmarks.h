@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/blocking/silhouette_options.h"
 #include "bench/report.h"
 
 namespace tessera::bench {
@@ -89,18 +90,9 @@ struct MosaicOptions {
 /// The pictures lie in the folder of the report's name; also writes CSV. Without metapixel ours alone are measured.
 Report bench_mosaic(const Setting& setting, const MosaicOptions& options);
 
-struct BlockingOptions {
-  std::string shapes;       // folder of silhouettes, white on black PNGs
-  std::string twins;        // file of pairs of silhouettes that nobody can tell apart; empty: there are none
-  bool mirrors = false;     // the silhouettes' mirror images are shapes of the library, too
-  std::vector<int> blocks;  // percent of the box's width that is hidden; none: 0, 10, .. 90
-  bool edge_removed = true;
-  bool scale_known = true;               // else queries have 0.7 to 1.4 times the silhouettes' size, at random
-  std::optional<double> size;            // px of all queries for one px of a silhouette
-  double noise_px = 0;                   // standard deviation, query px
+struct BlockingOptions : SilhouetteOptions {
+  std::vector<int> blocks;               // percent of the box's width that is hidden; none: 0, 10, .. 90
   std::vector<std::string> descriptors;  // "pad", or a name of all_descriptors(); none: "pad"
-  std::size_t queries = 0;               // at each block, evenly from all silhouettes; 0: all of them
-  std::uint64_t seed = 1;
 };
 /// How often silhouettes are recognised by what is left of them when their left part is hidden (paper, Figs. 26 and 27).
 /// Also writes a plot.
@@ -114,6 +106,19 @@ struct DescriptorsOptions {
 /// The same collage with PADs, and with other descriptors that are extended naively to parts of shapes: how many pieces
 /// each places in the same time (paper, Fig. 28). Also writes a plot, and a picture of each collage.
 Report bench_descriptors(const Setting& setting, const DescriptorsOptions& options);
+
+struct ScenesOptions : SilhouetteOptions {
+  /// Nobody knows at which scale two silhouettes lie over each other.
+  ScenesOptions() { scale_known = false; }
+
+  std::vector<std::string> kinds;  // names of scene_kinds(); none: all
+  std::vector<int> hidden;         // percent of the silhouette's area, or of its boundary; none: 20, 30, .. 70
+  std::string left_out = "none";   // of the library: "classes" or "shapes", half of them
+};
+/// How often silhouettes are recognised that lie below others or behind branches, or of which a part was changed (paper,
+/// Fig. 4); and, where some are not in the library, precision and recall against the least score and similarity of an answer. Also
+/// writes a plot.
+Report bench_scenes(const Setting& setting, const ScenesOptions& options);
 
 struct ScalingOptions {
   std::string library;

@@ -1,12 +1,12 @@
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <functional>
-#include <numbers>
+#include <memory>
 
 #include "bench/benchmarks.h"
 #include "bench/blocking/clipped_curves.h"
-#include "bench/blocking/recogniser.h"
+#include "bench/blocking/pad_recogniser.h"
+#include "bench/blocking/silhouette_case.h"
 #include "bench/blocking/success.h"
 #include "bench/devices.h"
 #include "bench/line_plot.h"
@@ -20,21 +20,13 @@ namespace tessera::bench {
 namespace {
 
 constexpr int kMostBlocked_percent = 95;
-constexpr double kMostNoise_px = 20;
-constexpr double kMostSize = 16;
 constexpr std::size_t kQuickQueries = 10;
 
-void check(const BlockingOptions& options) {
-  for (const int percent : options.blocks) {
+void check_blocks(const std::vector<int>& blocks) {
+  for (const int percent : blocks) {
     if (percent < 0 || percent > kMostBlocked_percent) {
       throw InputError("--blocks: found " + std::to_string(percent) + "; allowed: 0 to 95 %");
     }
-  }
-  if (!(options.noise_px >= 0 && options.noise_px <= kMostNoise_px)) {
-    throw InputError("--noise: found " + short_number(options.noise_px) + "; allowed: 0 to 20 px");
-  }
-  if (options.size && !(*options.size >= 1 / kMostSize && *options.size <= kMostSize)) {
-    throw InputError("--size: found " + short_number(*options.size) + "; allowed: 0.0625 to 16");
   }
 }
 
@@ -46,7 +38,9 @@ std::vector<RecogniserMaker> chosen_recognisers(const std::vector<std::string>& 
   for (const std::string& name : names) {
     std::string allowed = "pad";
     const std::size_t before = chosen.size();
-    if (name == "pad") chosen.push_back(make_pad_recogniser);
+    if (name == "pad") {
+      chosen.push_back([](const SilhouetteLibrary& library) { return std::make_unique<PadRecogniser>(library); });
+    }
     for (std::size_t i = 0; const auto& descriptor : all_descriptors()) {
       if (descriptor->name() == name) {
         chosen.push_back([i](const SilhouetteLibrary& library) {
@@ -71,34 +65,12 @@ BlockingOptions whole_blocking(BlockingOptions options, bool quick) {
   return options;
 }
 
-/// The silhouettes, the library and the options that all queries of a run share.
-struct BlockingCase {
-  const BlockingOptions& options;
-  const std::vector<Silhouette>& silhouettes;
-  const SilhouetteLibrary& library;
-  const Twins& twins;
-
-  std::size_t queries() const {
-    return options.queries == 0 ? silhouettes.size() : std::min(options.queries, silhouettes.size());
-  }
-  std::size_t silhouette_of(std::size_t query) const { return query * silhouettes.size() / queries(); }
-};
-
 /// Makes the query of a silhouette. The same silhouette and percentage give the same query.
-ClippedQuery make_query(const BlockingCase& run, std::size_t silhouette, int blocked_percent) {
+ClippedQuery make_query(const SilhouetteCase& run, std::size_t silhouette, int blocked_percent) {
   Draws draws(mix_bits(run.options.seed) ^ (std::uint64_t(silhouette) << 8) ^ std::uint64_t(blocked_percent));
-  Clipping clipping;
-  clipping.blocked = blocked_percent / 100.;
-  clipping.turned_rad = 2 * std::numbers::pi * double(draws.unit());
-  const double any_size = std::exp2(double(draws.unit()) - 0.5);
-  clipping.size = run.options.size.value_or(run.options.scale_known ? 1 : any_size);
-  clipping.noise_px = run.options.noise_px;
-  clipping.edge_removed = run.options.edge_removed;
-  ClippedQuery query;
-  query.curves = clipped_curves(run.silhouettes[silhouette].mask, clipping, draws);
-  query.noise_px = clipping.noise_px;
-  if (run.options.scale_known) query.size = clipping.size;
-  return query;
+  const Clipping clipping{blocked_percent / 100., run.options.edge_removed};
+  const View view = random_view(run.options, draws);
+  return told_query(clipped_curves(run.silhouettes[silhouette].mask, clipping, view, draws), view, run.options);
 }
 
 /// The counts of one recogniser at one percentage, over all queries.
@@ -115,7 +87,7 @@ struct BlockingRow {
   }
 };
 
-BlockingRow recognise_all(const BlockingCase& run, const Recogniser& recogniser, int blocked_percent) {
+BlockingRow recognise_all(const SilhouetteCase& run, const Recogniser& recogniser, int blocked_percent) {
   BlockingRow row{recogniser.name(), blocked_percent, run.queries(), std::vector<Success>(run.queries()), 0};
   std::vector<double> times_s(row.queries);
   parallel_for(row.queries, [&](std::size_t i) {
@@ -157,66 +129,31 @@ struct BlockingShown {
   }
 };
 
-Report empty_blocking_report(const Setting& setting, const BlockingCase& run) {
-  const BlockingOptions& options = run.options;
-  Report report;
-  report.json = report_head("blocking", setting);
-  report.json.update({{"shapes", options.shapes},
-                      {"silhouettes", run.silhouettes.size()},
-                      {"library_shapes", run.library.shapes.size()},
-                      {"left_out", run.library.left_out},
-                      {"twin_pairs", run.twins.size()},
-                      {"edge", options.edge_removed ? "removed" : "counted"},
-                      {"scale", options.scale_known ? "known" : "unknown"},
-                      {"size", options.size ? Json(*options.size) : Json()},
-                      {"noise_px", options.noise_px},
-                      {"seed", options.seed},
-                      {"rows", Json::array()}});
-  return report;
-}
-
-std::string explanation(const BlockingCase& run) {
-  const BlockingOptions& options = run.options;
-  std::string text = "\n" + std::to_string(run.silhouettes.size()) + " silhouettes, " +
-                     std::to_string(run.library.shapes.size()) + " shapes in the library, " +
-                     std::to_string(run.twins.size()) + " pairs of twins. Queries: clipped from the left, turned, " +
-                     (options.size ? short_number(*options.size) + " times the size, " : "") + "the clip edge " +
-                     (options.edge_removed ? "removed" : "counted as boundary") + ", the scale " +
-                     (options.scale_known ? "known" : "unknown") + ", noise of " + short_number(options.noise_px) +
-                     " px.\nTimes are processor time of one core.\n";
-  if (!run.library.left_out.empty()) {
-    text += std::to_string(run.library.left_out.size()) + " silhouettes are no shapes, and are never found:";
-    for (const std::string& name : run.library.left_out) text += " " + name;
-    text += "\n";
-  }
-  return text;
-}
-
 }  // namespace
 
 Report bench_blocking(const Setting& setting, const BlockingOptions& asked) {
   check(asked);
+  check_blocks(asked.blocks);
   const BlockingOptions options = whole_blocking(asked, setting.quick);
   const std::vector<RecogniserMaker> makers = chosen_recognisers(options.descriptors);
   const std::string plot = std::filesystem::path(setting.out).replace_extension().string();
   if (!plot.empty()) check_plot_can_be_written(plot);
-  const std::vector<Silhouette> silhouettes = read_silhouettes(options.shapes);
-  const Twins twins = options.twins.empty() ? Twins() : read_twins(options.twins, silhouettes);
-  const SilhouetteLibrary library = make_silhouette_library(silhouettes, options.mirrors);
-  if (library.shapes.empty()) throw InputError("--shapes: no silhouette of " + options.shapes + " makes a shape");
+  const SilhouetteCase run = read_silhouette_case(options);
 
-  const BlockingCase run{options, silhouettes, library, twins};
-  Report report = empty_blocking_report(setting, run);
+  Report report;
+  report.json = report_head("blocking", setting);
+  report.json.update(case_json(run));
+  report.json["rows"] = Json::array();
   BlockingShown shown;
   for (const RecogniserMaker& make : makers) {
-    const std::unique_ptr<Recogniser> recogniser = make(library);
+    const std::unique_ptr<Recogniser> recogniser = make(run.library);
     for (const int percent : options.blocks) {
       setting.progress(recogniser->name() + ", " + std::to_string(percent) + " % hidden");
       shown.add(recognise_all(run, *recogniser, percent), report.json["rows"]);
     }
   }
   if (!plot.empty()) write_plot({shown.panel}, plot);
-  report.text = shown.table.text() + explanation(run);
+  report.text = shown.table.text() + "\nClipped from the left. " + case_text(run);
   return report;
 }
 

@@ -39,6 +39,7 @@ constexpr const char* kBenchExamples =
     "  tessera bench blocking --shapes silhouettes --twins bench/mpeg7_twins.txt --library-mirrors\n"
     "  tessera bench blocking --shapes silhouettes --descriptors pad,shape-context --queries 100\n"
     "  tessera bench descriptors --shapes silhouettes --minutes 5\n"
+    "  tessera bench scenes --shapes silhouettes --twins bench/mpeg7_twins.txt --queries 100\n"
     "  tessera bench scaling --library out/animals.h5 --shapes 10000 --ranks 2,3\n"
     "Each prints a table and writes the same figures as JSON, by default to out/bench_NAME.json.";
 
@@ -244,42 +245,67 @@ void add_scaling(CLI::App& bench, Command& selected) {
       ->capture_default_str();
 }
 
+void add_silhouette_options(CLI::App& sub, SilhouetteOptions& options) {
+  sub.add_option("--shapes", options.shapes, "Folder of silhouettes: PNGs, white on black")
+      ->required()
+      ->type_name("FOLDER");
+  sub.add_option("--twins", options.twins, "Pairs of silhouettes that count as one: two names a line")
+      ->type_name("FILE");
+  sub.add_flag("--library-mirrors", options.mirrors, "Mirror images of all silhouettes are in the library, too");
+  const std::map<std::string, bool> edges = {{"removed", true}, {"counted", false}};
+  sub.add_option("--edge", options.edge_removed,
+                 "The edge of what hides a part is removed from the boundary, or counts as boundary")
+      ->transform(CLI::CheckedTransformer(edges))
+      ->type_name("removed|counted")
+      ->default_str("removed");
+  const std::map<std::string, bool> scales = {{"known", true}, {"unknown", false}};
+  sub.add_option("--scale", options.scale_known, "Whether the size of queries is known")
+      ->transform(CLI::CheckedTransformer(scales))
+      ->type_name("known|unknown")
+      ->default_str(options.scale_known ? "known" : "unknown");
+  sub.add_option("--noise", options.noise_px, "Noise of the boundary, standard deviation")
+      ->type_name("PX")
+      ->capture_default_str();
+  sub.add_option("--jpeg", options.jpeg_quality, "Queries are drawn as JPEGs of this quality, 1 to 100, and traced")
+      ->type_name("QUALITY");
+  sub.add_option("--size", options.size, "Size of queries; default: 1, or 0.7 to 1.4 where the scale is unknown")
+      ->type_name("FACTOR");
+  sub.add_option("--queries", options.queries, "At each percentage; default: one of each silhouette")->type_name("N");
+  sub.add_option("--seed", options.seed, "Start of the random numbers")->type_name("N")->capture_default_str();
+}
+
 void add_blocking(CLI::App& bench, Command& selected) {
   const auto options = std::make_shared<BlockingOptions>();
   CLI::App* sub = add_benchmark(bench, selected, "blocking",
                                 "Silhouettes recognised by a part of their boundary, while ever more is hidden",
                                 [options](const Setting& s) { return bench_blocking(s, *options); });
-  sub->add_option("--shapes", options->shapes, "Folder of silhouettes: PNGs, white on black")
-      ->required()
-      ->type_name("FOLDER");
-  sub->add_option("--twins", options->twins, "Pairs of silhouettes that count as one: two names a line")
-      ->type_name("FILE");
-  sub->add_flag("--library-mirrors", options->mirrors, "Mirror images of all silhouettes are in the library, too");
+  add_silhouette_options(*sub, *options);
   add_list_option(*sub, "--blocks", options->blocks, "Percent of the width that is hidden, from the left",
                   {.type_name = "PERCENT,.."})
       ->default_str("0,10,20,30,40,50,60,70,80,90");
-  const std::map<std::string, bool> edges = {{"removed", true}, {"counted", false}};
-  sub->add_option("--edge", options->edge_removed, "The clip edge is removed from the boundary, or counts as boundary")
-      ->transform(CLI::CheckedTransformer(edges))
-      ->type_name("removed|counted")
-      ->default_str("removed");
-  const std::map<std::string, bool> scales = {{"known", true}, {"unknown", false}};
-  sub->add_option("--scale", options->scale_known, "Whether the size of queries is known")
-      ->transform(CLI::CheckedTransformer(scales))
-      ->type_name("known|unknown")
-      ->default_str("known");
-  sub->add_option("--noise", options->noise_px, "Noise of the boundary, standard deviation")
-      ->type_name("PX")
-      ->capture_default_str();
-  sub->add_option("--size", options->size, "Size of queries; default: 1, or 0.7 to 1.4 where the scale is unknown")
-      ->type_name("FACTOR");
   add_list_option(*sub, "--descriptors", options->descriptors,
                   "Compared on the same queries: pad, shape-context, triangle-areas, curvature-scale-space, "
                   "integral-invariants, hu-moments",
                   {.type_name = "NAME,.."})
       ->default_str("pad");
-  sub->add_option("--queries", options->queries, "At each percentage; default: one of each silhouette")->type_name("N");
-  sub->add_option("--seed", options->seed, "Start of the random numbers")->type_name("N")->capture_default_str();
+}
+
+void add_scenes(CLI::App& bench, Command& selected) {
+  const auto options = std::make_shared<ScenesOptions>();
+  CLI::App* sub = add_benchmark(bench, selected, "scenes",
+                                "Silhouettes recognised below others and behind branches, or where a part was changed",
+                                [options](const Setting& s) { return bench_scenes(s, *options); });
+  add_silhouette_options(*sub, *options);
+  add_list_option(*sub, "--kinds", options->kinds, "Of the scenes: clipped, covered, bars, branch, union, changed",
+                  {.type_name = "KIND,.."})
+      ->default_str("all");
+  add_list_option(*sub, "--hidden", options->hidden,
+                  "Percent of the area that is hidden, or of the outline that is changed", {.type_name = "PERCENT,.."})
+      ->default_str("20,30,40,50,60,70");
+  sub->add_option("--left-out", options->left_out,
+                  "Half of the classes, or of the shapes of each, are not in the library: precision and recall")
+      ->type_name("none|classes|shapes")
+      ->capture_default_str();
 }
 
 void add_descriptors(CLI::App& bench, Command& selected) {
@@ -310,6 +336,7 @@ void add_benchmarks(CLI::App& bench, Command& selected) {
   add_mosaic(bench, selected);
   add_blocking(bench, selected);
   add_descriptors(bench, selected);
+  add_scenes(bench, selected);
   add_scaling(bench, selected);
 }
 

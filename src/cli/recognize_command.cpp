@@ -13,7 +13,9 @@ constexpr const char* kRecognizeExamples =
     "  mpirun -n 8 tessera recognize q.svg --library large.h5               the same answer on any number of ranks\n"
     "A query may be turned, of any size, clipped or partly hidden. Similarity: how much of the query's outline the "
     "shape\n"
-    "follows, and how closely; 1 is all of it. The exit code is 3 where a query is nothing that the library has.";
+    "follows, and how closely; 1 is all of it. Score: the same, of the query's outline and the shape's alike. The "
+    "exit\n"
+    "code is 3 where a query is nothing that the library has.";
 
 }  // namespace
 
@@ -29,8 +31,7 @@ void add_recognize_command(CLI::App& app, Command& selected) {
   command->add_option("--top", arguments->most, "How many shapes are told of each query")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  command
-      ->add_option("--least", arguments->least_similarity, "A query that no shape is so similar to counts as unknown")
+  command->add_option("--least", arguments->least_score, "A query whose best shape has a lower score counts as unknown")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   command

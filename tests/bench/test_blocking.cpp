@@ -5,6 +5,8 @@
 
 #include "bench/benchmarks.h"
 #include "bench/blocking/clipped_curves.h"
+#include "bench/blocking/jpeg_copy.h"
+#include "bench/blocking/known_silhouettes.h"
 #include "bench/blocking/success.h"
 #include "blocking_silhouettes.h"
 #include "core/base/error.h"
@@ -21,9 +23,9 @@ cv::Mat box_mask() {
   return mask;
 }
 
-std::vector<Curve> clipped(const Clipping& clipping, std::uint64_t seed = 1) {
+std::vector<Curve> clipped(const Clipping& clipping, const View& view = {}, std::uint64_t seed = 1) {
   Draws draws(seed);
-  return clipped_curves(box_mask(), clipping, draws);
+  return clipped_curves(box_mask(), clipping, view, draws);
 }
 
 TEST(Clipping, NothingHiddenIsTheWholeBoundary) {
@@ -44,7 +46,7 @@ TEST(Clipping, ACountedEdgeIsBoundary) {
 TEST(Clipping, ARemovedEdgeLeavesAnArc) {
   for (const double turned_rad : {0., 1., 4.}) {
     for (const double size : {0.5, 1., 2.}) {
-      const std::vector<Curve> curves = clipped({.blocked = 0.4, .turned_rad = turned_rad, .size = size});
+      const std::vector<Curve> curves = clipped({.blocked = 0.4}, {.turned_rad = turned_rad, .size = size});
       ASSERT_EQ(curves.size(), 1u);
       EXPECT_FALSE(curves[0].closed);
       EXPECT_NEAR(length_of(curves[0]), 180 * size, 15 * std::max(1., size)) << "three sides of 60 px, and stairs";
@@ -52,33 +54,33 @@ TEST(Clipping, ARemovedEdgeLeavesAnArc) {
   }
 }
 
-TEST(Clipping, WithoutAClipNothingIsRemoved) { EXPECT_TRUE(clipped({.turned_rad = 1}).at(0).closed); }
+TEST(Clipping, WithoutAClipNothingIsRemoved) { EXPECT_TRUE(clipped({}, {.turned_rad = 1}).at(0).closed); }
 
 TEST(Clipping, PartsOfAShapeAreCurvesOfTheirOwn) {
   cv::Mat mask = box_mask();
   mask(cv::Rect(60, 50, 60, 20)).setTo(0);  // a C, open to the right
   Draws draws(1);
-  EXPECT_EQ(clipped_curves(mask, {.blocked = 0.6}, draws).size(), 2u);
+  EXPECT_EQ(clipped_curves(mask, {.blocked = 0.6}, {}, draws).size(), 2u);
 }
 
 TEST(Clipping, AHoleKeepsItsWholeBoundaryBesideTheClip) {
   cv::Mat mask = box_mask();
   mask(cv::Rect(90, 50, 20, 20)).setTo(0);
   Draws draws(1);
-  const std::vector<Curve> curves = clipped_curves(mask, {.blocked = 0.4}, draws);
+  const std::vector<Curve> curves = clipped_curves(mask, {.blocked = 0.4}, {}, draws);
   ASSERT_EQ(curves.size(), 2u);
   EXPECT_EQ(std::count_if(curves.begin(), curves.end(), [](const Curve& c) { return c.closed; }), 1);
 }
 
 TEST(Clipping, NothingIsLeftOfAnEmptyMask) {
   Draws draws(1);
-  EXPECT_TRUE(clipped_curves(cv::Mat(20, 20, CV_8U, cv::Scalar(0)), {.blocked = 0.5}, draws).empty());
+  EXPECT_TRUE(clipped_curves(cv::Mat(20, 20, CV_8U, cv::Scalar(0)), {.blocked = 0.5}, {}, draws).empty());
 }
 
 TEST(Clipping, NoiseHasItsWidthAndItsSeed) {
-  const std::vector<Curve> noisy = clipped({.noise_px = 1.5});
-  EXPECT_EQ(noisy, clipped({.noise_px = 1.5}));
-  EXPECT_NE(noisy, clipped({.noise_px = 1.5}, 2));
+  const std::vector<Curve> noisy = clipped({}, {.noise_px = 1.5});
+  EXPECT_EQ(noisy, clipped({}, {.noise_px = 1.5}));
+  EXPECT_NE(noisy, clipped({}, {.noise_px = 1.5}, 2));
   // Of points along the two sides that run in x: their y, from the nearer side.
   double squares = 0, count = 0;
   const Box box = bounding_box(clipped({}).at(0).points);
@@ -90,6 +92,36 @@ TEST(Clipping, NoiseHasItsWidthAndItsSeed) {
   }
   EXPECT_GT(count, 140);
   EXPECT_NEAR(std::sqrt(squares / count), 1.5, 0.3);
+}
+
+/// Pixels beside the mask's edges, whose values a JPEG changes.
+int changed_pixels(int quality) {
+  cv::Mat mask(64, 64, CV_8U, cv::Scalar(0));
+  cv::circle(mask, {30, 33}, 20, 255, cv::FILLED);
+  const cv::Mat copy = jpeg_copy(mask, quality);
+  EXPECT_EQ(copy.size(), mask.size());
+  EXPECT_EQ(copy.type(), CV_8U);
+  EXPECT_EQ(cv::countNonZero((copy > 127) != mask) > 30, false) << "nearly the same mask";
+  cv::Mat difference;
+  cv::absdiff(mask, copy, difference);
+  return cv::countNonZero(difference > 16);
+}
+
+TEST(JpegCopy, LosesMoreAtALowerQuality) {
+  EXPECT_LT(changed_pixels(95), 40);
+  EXPECT_GT(changed_pixels(20), 2 * changed_pixels(80));
+}
+
+TEST(JpegCopy, RefusesWhatIsTooLarge) {
+  EXPECT_THROW(jpeg_copy(cv::Mat(1, 70000, CV_8U, cv::Scalar(0)), 90), InputError);
+}
+
+TEST(Clipping, AJpegMovesTheBoundaryALittle) {
+  const std::vector<Curve> clean = clipped({}, {.turned_rad = 0.3});
+  const std::vector<Curve> jpeg = clipped({}, {.turned_rad = 0.3, .jpeg_quality = 30});
+  ASSERT_EQ(jpeg.size(), 1u);
+  EXPECT_NE(jpeg, clean);
+  EXPECT_NEAR(signed_area(jpeg[0].points), signed_area(clean[0].points), 100);
 }
 
 TEST(Silhouettes, TheLargestPartIsKept) {
@@ -250,6 +282,9 @@ TEST(Blocking, RefusesWhatItCannotDo) {
   options = {};
   options.size = 0;
   EXPECT_EQ(complaint(options, folder), "--size: found 0; allowed: 0.0625 to 16");
+  options = {};
+  options.jpeg_quality = -1;
+  EXPECT_EQ(complaint(options, folder), "--jpeg: found -1; allowed: 1 to 100, or 0 for none");
 }
 
 }  // namespace test_blocking

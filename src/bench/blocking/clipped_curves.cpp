@@ -2,129 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <opencv2/imgproc.hpp>
 
-#include "core/geometry/contour.h"
-#include "core/geometry/polygon.h"
-#include "core/geometry/similarity.h"
-
 namespace tessera::bench {
-namespace {
 
-constexpr int kRim_px = 8;  // of clear pixels round a turned mask
-constexpr double kLeastArea_px2 = 9;
-constexpr float kLeastLength_px = 16;
-/// Limits for the arcs that remain when the clip edge is cut out.
-constexpr std::size_t kLeastArcPoints = 8;
-constexpr float kLeastArc_px = 12;
-/// Points so near to the clip edge lie on it: in px of the coarser one of mask and query, and in parts of the noise.
-constexpr double kEdgeWidth_px = 1.5;
-constexpr double kEdgeNoise = 1.5;
-/// A mask that is drawn smaller is averaged first, by this part of the query's pixel; a mask's own pixels do the rest.
-constexpr double kAveraging = 0.5;
-constexpr double kOwnAveraging_px = 0.3;
-constexpr double kReduced = 0.9;
-
-struct TurnedMask {
-  cv::Mat mask;
-  Similarity query_from_mask;
-};
-
-/// The part of the mask that `box` holds, turned and scaled into a mask just large enough.
-TurnedMask turned_mask(const cv::Mat& mask, const cv::Rect& box, const Clipping& clipping) {
-  const double a = std::cos(clipping.turned_rad) * clipping.size;
-  const double b = std::sin(clipping.turned_rad) * clipping.size;
-  const double width = std::abs(a) * box.width + std::abs(b) * box.height + 2 * kRim_px;
-  const double height = std::abs(b) * box.width + std::abs(a) * box.height + 2 * kRim_px;
-  const double x = box.x + box.width * 0.5;
-  const double y = box.y + box.height * 0.5;
-  const cv::Mat matrix =
-      (cv::Mat_<double>(2, 3) << a, -b, width / 2 - (a * x - b * y), b, a, height / 2 - (b * x + a * y));
-  cv::Mat averaged = mask;
-  if (clipping.size < kReduced) {
-    cv::GaussianBlur(mask, averaged, {}, std::max(kOwnAveraging_px, kAveraging / clipping.size - kOwnAveraging_px));
-  }
-  cv::Mat turned;
-  cv::warpAffine(averaged, turned, matrix, {int(width) + 1, int(height) + 1}, cv::INTER_LINEAR);
-  return {turned > 127, {float(a), float(b), float(matrix.at<double>(0, 2)), float(matrix.at<double>(1, 2))}};
-}
-
-/// A number of the normal distribution (Box and Muller 1958).
-float normal_number(Draws& draws) {
-  const double radius = std::sqrt(-2 * std::log(1 - double(draws.unit())));
-  return float(radius * std::cos(2 * std::numbers::pi * double(draws.unit())));
-}
-
-/// Points 1 px apart, each moved across the curve.
-Curve noisy(const Curve& closed, double noise_px, Draws& draws) {
-  Curve result = resampled(closed, std::max(16, int(length_of(closed))));
-  const std::vector<Vec2> tangents = tangents_of(result);
-  for (std::size_t i = 0; i < tangents.size(); ++i) {
-    const Vec2 across{-tangents[i].y, tangents[i].x};
-    result.points[i] = result.points[i] + across * (float(noise_px) * normal_number(draws));
-  }
-  return result;
-}
-
-/// Adds the arcs of a closed curve between points that are on the clip edge; the curve itself where none is.
-template <class OnEdge>
-void add_arcs(const Curve& closed, const OnEdge& on_edge, std::vector<Curve>& arcs) {
-  const std::size_t count = closed.points.size();
-  std::size_t first = 0;
-  while (first < count && !on_edge(closed.points[first])) ++first;
-  if (first == count) {
-    arcs.push_back(closed);
-    return;
-  }
-  Curve arc;
-  for (std::size_t k = 1; k <= count; ++k) {
-    const Vec2 p = closed.points[(first + k) % count];
-    if (!on_edge(p)) {
-      arc.points.push_back(p);
-      continue;
-    }
-    if (arc.points.size() >= kLeastArcPoints && length_of(arc) > kLeastArc_px) arcs.push_back(arc);
-    arc.points.clear();
-  }
-}
-
-}  // namespace
-
-Grid<float> coverage_of(const cv::Mat& mask) {
-  Grid<float> coverage(mask.cols, mask.rows);
-  for (int y = 0; y < mask.rows; ++y) {
-    for (int x = 0; x < mask.cols; ++x) coverage(x, y) = float(mask.at<std::uint8_t>(y, x)) / 255;
-  }
-  return coverage;
-}
-
-std::vector<Curve> clipped_curves(const cv::Mat& mask, const Clipping& clipping, Draws& draws) {
+std::vector<Curve> clipped_curves(const cv::Mat& mask, const Clipping& clipping, const View& view, Draws& draws) {
   cv::Mat left = mask.clone();
   const cv::Rect whole = cv::boundingRect(left);
   const int edge = std::min(left.cols, int(std::lround(whole.x + clipping.blocked * whole.width)));
   left.colRange(0, edge).setTo(0);
-  const cv::Rect box = cv::boundingRect(left);
-  if (box.empty()) return {};
-
-  const TurnedMask turned = turned_mask(left, box, clipping);
-  const Similarity mask_from_query = turned.query_from_mask.inverse();
-  const double reach_px = kEdgeWidth_px * std::max(1., clipping.size) + kEdgeNoise * clipping.noise_px;
-  const auto on_edge = [&](Vec2 p) {
-    return (double(mask_from_query.apply(p).x) - (edge - 0.5)) * clipping.size < reach_px;
-  };
-  std::vector<Curve> curves;
-  for (std::vector<Vec2>& points : contours(coverage_of(turned.mask), 0.5f)) {
-    Curve curve{std::move(points), true};
-    if (std::abs(signed_area(curve.points)) < kLeastArea_px2 || length_of(curve) < kLeastLength_px) continue;
-    if (clipping.noise_px > 0) curve = noisy(curve, clipping.noise_px, draws);
-    if (clipping.blocked > 0 && clipping.edge_removed) {
-      add_arcs(curve, on_edge, curves);
-    } else {
-      curves.push_back(curve);
-    }
-  }
-  return curves;
+  HiderDistance from_edge;
+  if (clipping.blocked > 0 && clipping.edge_removed) from_edge = [edge](Vec2 p) { return double(p.x) - (edge - 0.5); };
+  return seen_curves(left, view, from_edge, draws);
 }
 
 }  // namespace tessera::bench

@@ -2,7 +2,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "bench/blocking/clipped_curves.h"
+#include "bench/blocking/seen_curves.h"
 #include "core/base/rank_pool.h"
 #include "core/shape/outline.h"
 #include "core/shape/shape_builder.h"

@@ -1,5 +1,4 @@
-#include "bench/blocking/recogniser.h"
-#include "core/recognition/recognition.h"
+#include "bench/blocking/pad_recogniser.h"
 
 namespace tessera::bench {
 namespace {
@@ -14,36 +13,28 @@ KnownShapes known_shapes_of(const SilhouetteLibrary& library) {
   return KnownShapes(ShapeId{0}, std::move(models), std::move(drawn_scales_px), PadParameters().levels);
 }
 
-class PadRecogniser : public Recogniser {
- public:
-  explicit PadRecogniser(const SilhouetteLibrary& library) : library_(library), known_(known_shapes_of(library)) {}
-
-  std::string name() const override { return "pad"; }
-
-  std::vector<std::uint32_t> recognise(const ClippedQuery& clipped) const override {
-    QuerySettings settings;
-    settings.least_sigma += float(clipped.noise_px);
-    const Query query(clipped.curves, settings);
-    RecognitionSettings wanted;
-    wanted.most = kMostTold;
-    if (clipped.size) wanted.query_per_drawn_px = float(*clipped.size);
-    const auto outline_of = [&](ShapeId id) { return library_.shapes[index_of(id)].outline; };
-    std::vector<std::uint32_t> found;
-    for (const Recognition& r : recognised(query, known_, wanted, outline_of)) {
-      found.push_back(std::uint32_t(index_of(r.shape)));
-    }
-    return found;
-  }
-
- private:
-  const SilhouetteLibrary& library_;
-  KnownShapes known_;
-};
-
 }  // namespace
 
-std::unique_ptr<Recogniser> make_pad_recogniser(const SilhouetteLibrary& library) {
-  return std::make_unique<PadRecogniser>(library);
+PadRecogniser::PadRecogniser(const SilhouetteLibrary& library) : library_(library), known_(known_shapes_of(library)) {}
+
+Query prepared_query(const ClippedQuery& query) {
+  QuerySettings settings;
+  settings.least_sigma += float(query.noise_px);
+  return Query(query.curves, settings);
+}
+
+std::vector<Recognition> PadRecogniser::recognitions(const ClippedQuery& query) const {
+  RecognitionSettings wanted;
+  wanted.most = kMostTold;
+  if (query.size) wanted.query_per_drawn_px = float(*query.size);
+  const auto outline_of = [&](ShapeId id) { return library_.shapes[index_of(id)].outline; };
+  return recognised(prepared_query(query), known_, wanted, outline_of);
+}
+
+std::vector<std::uint32_t> PadRecogniser::recognise(const ClippedQuery& query) const {
+  std::vector<std::uint32_t> found;
+  for (const Recognition& r : recognitions(query)) found.push_back(std::uint32_t(index_of(r.shape)));
+  return found;
 }
 
 }  // namespace tessera::bench

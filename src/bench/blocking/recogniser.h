@@ -32,9 +32,6 @@ class Recogniser {
   virtual std::vector<std::uint32_t> recognise(const ClippedQuery& query) const = 0;
 };
 
-/// A recogniser that searches the library by PADs (core/recognition). The library must outlive it.
-std::unique_ptr<Recogniser> make_pad_recogniser(const SilhouetteLibrary& library);
-
 /// A recogniser that compares the query with every shape by a descriptor and names the nearest. It has the descriptor's
 /// name.
 std::unique_ptr<Recogniser> make_descriptor_recogniser(std::unique_ptr<ShapeDescriptor> descriptor,

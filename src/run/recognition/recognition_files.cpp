@@ -8,6 +8,7 @@
 #include "files/atomic_file.h"
 #include "library/sheet.h"
 #include "library/sheet_cell.h"
+#include "recognition/answer_score.h"
 #include "text/utf8_text.h"
 
 namespace tessera {
@@ -19,11 +20,12 @@ constexpr std::size_t kMostColumns = 10;
 constexpr std::size_t kMostRows = 100;
 constexpr double kMargin = 0.06;  // of a cell
 
-RecognisedShape told(const Recognition& recognition, const Shape& head) {
+RecognisedShape told(const Recognition& recognition, const DrawnCurves& query, const Shape& head) {
   const Similarity& pose = recognition.query_from_shape;
   RecognisedShape shape;
   shape.name = head.name;
   shape.similarity = recognition.similarity;
+  shape.score = answer_score(recognition, query.curves, head.outline);
   if (head.drawn_scale_px > 0) shape.scale = double(pose.scale()) / double(head.drawn_scale_px);
   shape.rotation_deg = kDegreesPerRad * double(pose.rotation_rad());
   return shape;
@@ -57,16 +59,17 @@ void draw_query(cairo_t* cairo, const DrawnCurves& query, double x_px, double y_
 
 }  // namespace
 
-std::vector<RecognisedQuery> recognised_queries(const std::vector<std::string>& files, const Recognitions& found,
+std::vector<RecognisedQuery> recognised_queries(const std::vector<std::string>& files,
+                                                const std::vector<DrawnCurves>& drawn, const Recognitions& found,
                                                 const LibraryFile& library) {
   std::vector<RecognisedQuery> queries;
   for (std::size_t q = 0; q < files.size(); ++q) {
     RecognisedQuery query{files[q], {}};
     for (const Recognition& recognition : found[q]) {
       const std::size_t id = index_of(recognition.shape);
-      const LibraryParts no_parts{.outline = false, .field = false, .levels = 0, .artwork = false};
-      const Shape head = library.read(id, id + 1, no_parts).front();
-      query.shapes.push_back(told(recognition, head));
+      const LibraryParts outline_alone{.outline = true, .field = false, .levels = 0, .artwork = false};
+      const Shape head = library.read(id, id + 1, outline_alone).front();
+      query.shapes.push_back(told(recognition, drawn[q], head));
     }
     queries.push_back(std::move(query));
   }
@@ -84,6 +87,7 @@ void write_recognitions(const std::string& path, const std::string& library,
       nlohmann::ordered_json one;
       one["shape"] = shape.name;
       one["similarity"] = shape.similarity;
+      one["score"] = shape.score;
       if (shape.scale > 0) one["scale"] = shape.scale;
       one["rotation_deg"] = shape.rotation_deg;
       shapes.push_back(std::move(one));

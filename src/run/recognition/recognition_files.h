@@ -13,6 +13,7 @@ namespace tessera {
 struct RecognisedShape {
   std::string name;
   double similarity = 0;
+  double score = 0;  // answer_score()
   double scale = 0;  // px of the query's picture for one px of the library's drawing; 0: the library does not know
   double rotation_deg = 0;  // from the drawing to the picture, clockwise as y points down
 };
@@ -21,11 +22,12 @@ struct RecognisedQuery {
   std::string file;
   std::vector<RecognisedShape> shapes;  // the best first
 
-  bool found(double least_similarity) const { return !shapes.empty() && shapes.front().similarity >= least_similarity; }
+  bool found(double least_score) const { return !shapes.empty() && shapes.front().score >= least_score; }
 };
 
-/// `files`: the names of the queries.
-std::vector<RecognisedQuery> recognised_queries(const std::vector<std::string>& files, const Recognitions& found,
+/// `files`, `drawn`: the names of the queries, and what they show.
+std::vector<RecognisedQuery> recognised_queries(const std::vector<std::string>& files,
+                                                const std::vector<DrawnCurves>& drawn, const Recognitions& found,
                                                 const LibraryFile& library);
 
 /// Writes JSON. Throws EnvironmentError where the file cannot be written, as does write_recognition_sheet.

@@ -64,17 +64,18 @@ Recognitions searched(const RecognizeArguments& arguments, const RecognitionQues
 void print_table(const RecognizeArguments& arguments, const std::vector<RecognisedQuery>& queries) {
   for (const RecognisedQuery& query : queries) {
     print_line("%s", printable_utf8(query.file).c_str());
-    TextTable table({"shape", "similarity", "scale", "turned"});
+    TextTable table({"shape", "similarity", "score", "scale", "turned"});
     for (const RecognisedShape& shape : query.shapes) {
-      char similarity[16], scale[16], turned[16];
+      char similarity[16], score[16], scale[16], turned[16];
       std::snprintf(similarity, sizeof similarity, "%.3f", shape.similarity);
+      std::snprintf(score, sizeof score, "%.3f", shape.score);
       std::snprintf(scale, sizeof scale, "%.3f", shape.scale);
       std::snprintf(turned, sizeof turned, "%.1f deg", shape.rotation_deg);
-      table.add({shape.name, similarity, scale, turned});
+      table.add({shape.name, similarity, score, scale, turned});
     }
     if (!query.shapes.empty()) print_lines(table.text());
-    if (!query.found(arguments.least_similarity)) {
-      print_line("  nothing of the library: no similarity of %.2f or more (--least)", arguments.least_similarity);
+    if (!query.found(arguments.least_score)) {
+      print_line("  nothing of the library: the best shape's score is below %.2f (--least)", arguments.least_score);
     }
   }
 }
@@ -87,13 +88,13 @@ int lead(const RecognizeArguments& arguments, comm::Communicator& ranks) {
   const Stopwatch watch;
   const RecognitionQuestion question = question_of(arguments, drawn, library);
   const Recognitions found = searched(arguments, question, library, ranks);
-  const std::vector<RecognisedQuery> queries = recognised_queries(arguments.queries, found, library);
+  const std::vector<RecognisedQuery> queries = recognised_queries(arguments.queries, drawn, found, library);
   if (!arguments.quiet) print_table(arguments, queries);
   if (!arguments.json.empty()) write_recognitions(arguments.json, arguments.library, queries);
   if (!arguments.sheet.empty()) write_recognition_sheet(arguments.sheet, arguments.queries, drawn, found, library);
   if (!arguments.quiet) print_line("%zu shapes, %.1f s", library.size(), watch.seconds());
   bool all_found = true;
-  for (const RecognisedQuery& query : queries) all_found &= query.found(arguments.least_similarity);
+  for (const RecognisedQuery& query : queries) all_found &= query.found(arguments.least_score);
   return all_found ? kDoneExitCode : kIncompleteExitCode;
 }
 

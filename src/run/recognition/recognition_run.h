@@ -13,7 +13,7 @@ struct RecognizeArguments {
   std::vector<std::string> queries;  // files
   std::string library;
   std::size_t most = 10;
-  double least_similarity = 0.4;
+  double least_score = 0.4;     // RecognisedShape::score of the best shape; below it the query is unknown
   std::optional<double> scale;  // px of the query for one px of the library's drawings
   std::string json;             // empty: none
   std::string sheet;            // PNG; empty: none

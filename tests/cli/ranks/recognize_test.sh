@@ -14,7 +14,14 @@ cat >torn.svg <<'END'
 <svg xmlns='http://www.w3.org/2000/svg' width='300' height='300'><clipPath id='c'><rect x='0' y='0' width='60' height='100'/></clipPath>
 <g transform='rotate(40 150 150) scale(2) translate(20 20)'><path clip-path='url(#c)' d='M10 50 C10 10 90 10 90 50 C90 90 70 60 50 60 C30 60 10 90 10 50Z'/></g></svg>
 END
-draw_svg comb "M5 40 H15 V10 H20 V40 H30 V10 H35 V40 H45 V10 H50 V40 H60 V10 H65 V40 H75 V10 H80 V40 H95 V50 H5Z"
+comb="M5 40 H15 V10 H20 V40 H30 V10 H35 V40 H45 V10 H50 V40 H60 V10 H65 V40 H75 V10 H80 V40 H95 V50 H5Z"
+draw_svg comb "$comb"
+# A whole star beside two combs: a small part of all outlines, and all of the star's.
+cat >beside.svg <<END
+<svg xmlns='http://www.w3.org/2000/svg' width='300' height='160'>
+<path d='M50 5 L61 38 L95 38 L67 59 L78 93 L50 72 L22 93 L33 59 L5 38 L39 38Z'/>
+<path transform='translate(100 0)' d='$comb'/><path transform='translate(100 60)' d='$comb'/></svg>
+END
 
 run 0 recognize torn.svg drawings/star.svg --library own.h5 --json one.json --sheet one.png
 grep -qE '^bean +0\.[5-9]' output || fail "the bean is not found"
@@ -27,6 +34,9 @@ import json
 told = json.load(open("one.json"))
 assert [q["file"] for q in told["queries"]] == ["torn.svg", "drawings/star.svg"]
 best = told["queries"][0]["shapes"][0]
+assert 0.5 < best["score"] < 1, best
+star = told["queries"][1]["shapes"][0]
+assert star["shape"] == "star" and abs(star["score"] - star["similarity"]) < 0.05, star
 assert best["shape"] == "bean" and abs(best["scale"] - 2) < 0.1 and abs(best["rotation_deg"] - 40) < 3, best
 END
 echo "ok found"
@@ -38,6 +48,10 @@ grep -qF 'nothing of the library' output || fail "a scale that no shape has"
 run 3 recognize comb.svg --library own.h5 --json comb.json
 grep -qF 'nothing of the library' output || fail "what is not in the library is not told"
 [[ -s comb.json ]] || fail "no JSON of an unknown query"
+run 0 recognize beside.svg --library own.h5
+grep -qE '^star +0\.2[0-9]* +0\.5' output || fail "the star has another similarity or score: $(cat output)"
+run 3 recognize beside.svg --library own.h5 --least 0.6
+grep -qF "the best shape's score is below 0.60 (--least)" output || fail "not said why"
 echo "ok unknown"
 
 echo "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'/>" >empty.svg

@@ -1,0 +1,29 @@
+// The recogniser that searches a library of silhouettes by PADs (core/recognition).
+#pragma once
+
+#include "bench/blocking/recogniser.h"
+#include "core/recognition/known_shapes.h"
+#include "core/recognition/recognition.h"
+
+namespace tessera::bench {
+
+class PadRecogniser : public Recogniser {
+ public:
+  /// The library must outlive it.
+  explicit PadRecogniser(const SilhouetteLibrary& library);
+
+  std::string name() const override { return "pad"; }
+  std::vector<std::uint32_t> recognise(const ClippedQuery& query) const override;
+
+  /// The same answer with poses and similarities. Shapes have their places in the library's list as numbers.
+  std::vector<Recognition> recognitions(const ClippedQuery& query) const;
+
+ private:
+  const SilhouetteLibrary& library_;
+  KnownShapes known_;
+};
+
+/// How a query is prepared: noise that somebody told widens the narrowest smoothing.
+Query prepared_query(const ClippedQuery& query);
+
+}  // namespace tessera::bench

@@ -1,0 +1,41 @@
+// What all queries of one benchmark run share: the silhouettes, their twins, and the library that is searched.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "bench/blocking/known_silhouettes.h"
+#include "bench/blocking/recogniser.h"
+#include "bench/blocking/seen_curves.h"
+#include "bench/blocking/silhouette_options.h"
+#include "bench/blocking/silhouettes.h"
+#include "bench/blocking/twins.h"
+
+namespace tessera::bench {
+
+struct SilhouetteCase {
+  SilhouetteOptions options;
+  std::vector<Silhouette> silhouettes;
+  Twins twins;
+  SilhouetteLibrary library;
+
+  /// The number of queries of each kind, and the silhouette of which each is made.
+  std::size_t queries() const;
+  std::size_t silhouette_of(std::size_t query) const;
+};
+
+/// Reads and prepares what the options name. Throws InputError where that cannot be read, or gives no shape.
+SilhouetteCase read_silhouette_case(const SilhouetteOptions& options);
+
+/// The view of a query: turned at random; of a random size, 0.7 to 1.4, where the scale is unknown and no size is told.
+View random_view(const SilhouetteOptions& options, Draws& draws);
+
+/// The query with what is told of it.
+ClippedQuery told_query(std::vector<Curve> curves, const View& view, const SilhouetteOptions& options);
+
+/// What a report says of the case: for programs, and in a few lines for people.
+nlohmann::ordered_json case_json(const SilhouetteCase& run);
+std::string case_text(const SilhouetteCase& run);
+
+}  // namespace tessera::bench
