@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/recognition/curve_noise.h"
+
 namespace tessera {
 namespace {
 
@@ -56,6 +58,12 @@ QueryWidth make_width(const std::vector<Curve>& curves, float sigma, float lengt
   return width;
 }
 
+std::vector<Curve> cleaned(const std::vector<Curve>& curves, float sigma) {
+  std::vector<Curve> result;
+  for (const Curve& curve : curves) result.push_back(without_noise(curve, sigma));
+  return result;
+}
+
 }  // namespace
 
 Query::Measures Query::measure(const std::vector<Curve>& curves) {
@@ -102,7 +110,10 @@ std::vector<Curve> even_curves(const std::vector<Curve>& curves, float sigma, fl
 }
 
 Query::Query(const std::vector<Curve>& curves, const QuerySettings& settings)
-    : Query(curves, settings, measure(curves)) {}
+    : Query(Cleaned{cleaned(curves, settings.least_sigma)}, settings) {}
+
+Query::Query(const Cleaned& cleaned, const QuerySettings& settings)
+    : Query(cleaned.curves, settings, measure(cleaned.curves)) {}
 
 Query::Query(const std::vector<Curve>& curves, const QuerySettings& settings, const Measures& measures)
     : map_(make_map(curves, kMapSmoothing * settings.least_sigma, measures)),

@@ -23,7 +23,7 @@ struct QuerySettings {
 
 class Query {
  public:
-  /// `curves`: at least one, each without a curve_fault().
+  /// `curves`: at least one, each without a curve_fault(). Their noise is taken out first (curve_noise.h).
   Query(const std::vector<Curve>& curves, const QuerySettings& settings);
 
   const CurveMap& map() const { return map_; }
@@ -48,6 +48,10 @@ class Query {
   };
   static Measures measure(const std::vector<Curve>& curves);
   static CurveMap make_map(const std::vector<Curve>& curves, float sigma, const Measures& measures);
+  struct Cleaned {
+    std::vector<Curve> curves;  // without noise
+  };
+  Query(const Cleaned& cleaned, const QuerySettings& settings);
   Query(const std::vector<Curve>& curves, const QuerySettings& settings, const Measures& measures);
 
   CurveMap map_;
