@@ -41,6 +41,9 @@ struct Match {
 /// Lays B onto A, where as much as possible of their curves follow one another (paper, section 3.3 and Fig. 14). B may be
 /// turned, scaled and moved, but not mirrored; it may be a part of A, or have a part in common with it.
 ///
+/// Poses come from curves that have a 64th of the length of all curves, or more; shorter ones are followed where such a pose
+/// lays them onto each other.
+///
 /// Returns the `most` best matches, the best first; their poses differ. Empty where nothing matches. Throws Error as
 /// check() does. It may be called by several threads at once.
 TESSERA_MATCHING_API std::vector<Match> match(const Outline& a, const Outline& b, std::size_t most = 1);

@@ -3,7 +3,8 @@
 /// Shapes" (SIGGRAPH Asia 2016), section 3.2.
 ///
 /// Around a point of a curve, level i reaches so far to the left and to the right that the integral of the absolute
-/// curvature over each side is 2^i times delta_tau. A PAD holds these arclengths.
+/// curvature over each side is 2^i times delta_tau. A PAD holds these arclengths. 0.024 divided by the width of the
+/// smoothing is taken off the curvature first: so much is noise of straight lines.
 #pragma once
 
 #include <cstddef>
@@ -25,12 +26,12 @@ struct PadSettings {
 
 /// The arclengths round one point.
 struct Pad {
-  std::size_t curve = 0;      ///< of the outline
-  double along = 0;           ///< arclength from the curve's first point to this one, in the curve's units
-  Point position;             ///< on the smoothed curve
-  std::vector<double> left;   ///< arclength of levels 0, 1, ..., in the curve's units, increasing
-  std::vector<double> right;  ///< the same on the other side
-  int convexity = 0;          ///< +1: the interior bulges out here, -1: it is drawn in, 0: the curve is flat
+  std::size_t curve = 0;           ///< of the outline
+  double along = 0;                ///< arclength from the curve's first point to this one, in the curve's units
+  Point position = {};             ///< on the smoothed curve
+  std::vector<double> left = {};   ///< arclength of levels 0, 1, ..., in the curve's units, increasing
+  std::vector<double> right = {};  ///< the same on the other side
+  int convexity = 0;               ///< +1: the interior bulges out here, -1: it is drawn in, 0: the curve is flat
 };
 
 /// PADs along all curves. Near the ends of an open curve, levels that would run off the end are missing: `left` and

@@ -18,7 +18,7 @@ struct RecogniseSettings {
   std::size_t most = 10;  ///< outlines that are told
   /// Query units for one unit of the known outlines, or for one px of a library's drawings, where it is known: other sizes are
   /// then not looked for. It helps where little of an outline is seen.
-  std::optional<double> scale;
+  std::optional<double> scale = {};
 };
 
 struct Recognised {
