@@ -70,7 +70,7 @@ class Outlines(unittest.TestCase):
             (SQUARE[:1], "curve 0: found 1 point"),
             (np.zeros((5, 2)), "all one"),
             (SQUARE * np.nan, "curve 0: point 0: found the coordinate nan"),
-            (SQUARE * np.inf, "curve 0: point 0: found the coordinate nan"),
+            (np.where(SQUARE > 0, np.inf, 0), "curve 0: point 1: found the coordinate inf"),
             (SQUARE * 1e300, "found the coordinate 1e+300, allowed: -1e15 to 1e15"),
             (np.zeros((4, 3)), r"curve 0: found an array of the shape (4, 3), allowed: an array of the shape (N, 2)"),
             (np.zeros(4), "curve 0: found an array of the shape (4,)"),
