@@ -38,6 +38,13 @@ grep -hE '^#include ["<]' "$prefix"/include/tessera/matching/*.h | grep -vE '<[a
   fail "a public header includes something else than the standard library"
 echo "ok headers"
 
+# As after a build of the program alone: the library's own part of the installation, which looks for another file.
+sed 's/libtessera-matching\.so/libnone.so/g' "$build/src/package/cmake_install.cmake" >not_built.cmake
+"$cmake" -DCMAKE_INSTALL_PREFIX="$folder/nothing" -P not_built.cmake >output 2>errors || fail "what was not built is missed"
+grep -q 'Not built, so not installed: libtessera-matching' output || fail "not a word of what was not built"
+[[ ! -e nothing ]] || fail "parts of what was not built are installed"
+echo "ok what was not built"
+
 shown=$(awk '/^```cpp$/ { on = 1; next } /^```$/ && on { exit } on' "$prefix/share/tessera/docs/library.md")
 [[ -n $shown && $(<"$prefix/share/tessera/examples/cpp/match_drawings.cpp") == *"$shown"* ]] ||
   fail "docs/library.md shows something else than match_drawings.cpp"

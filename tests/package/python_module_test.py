@@ -317,6 +317,8 @@ class Documentation(unittest.TestCase):
             self.assertTrue(hasattr(tessera, name), name)
             if name != "__version__":
                 self.assertTrue(getattr(tessera, name).__doc__, name)
+                self.assertNotIn("_tessera", getattr(tessera, name).__doc__)
+        self.assertEqual(tessera.Outline.__module__, "tessera")
 
 
 if __name__ == "__main__":
