@@ -1,7 +1,6 @@
 #include "tessera/matching/recognise.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/base/rank_pool.h"
 #include "core/pad/pad_index.h"

@@ -61,6 +61,8 @@ head -1 "$out" | grep -qE '^score 0\.65[0-9]: 67\.[0-9] % of A, scale 1\.11[0-9]
   fail "another match: $(cat "$out")"
 "$folder/built/match_drawings" "$ducks/duck.svg" /none.svg >"$out" 2>"$err" && fail "matched a file that is not there"
 grep -q '^match_drawings: .*/none.svg' "$err" || fail "the error does not name /none.svg: $(cat "$err")"
+"$folder/built/match_drawings" >"$out" 2>"$err" && fail "matched nothing"
+grep -qx 'match_drawings: needs two drawings' "$err" || fail "another word of no drawings: $(cat "$err")"
 "$folder/built/own_descriptor" "$ducks/duck.svg" "$ducks/duck-2.svg" "$ducks/duck-6.svg" >"$out" 2>"$err" ||
   fail "own_descriptor"
 [[ $(grep -c . "$out") -eq 8 ]] || fail "not two tables: $(cat "$out")"
