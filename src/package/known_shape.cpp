@@ -7,6 +7,7 @@
 #include "core/geometry/closed_curve.h"
 #include "core/shape/outline.h"
 #include "core/shape/shape_builder.h"
+#include "package/number_in_message.h"
 #include "package/prepared_curves.h"
 #include "recognition/library_lots.h"
 #include "tessera/matching/error.h"
@@ -47,11 +48,11 @@ void check_compact(const tessera::Outline& outline) {
   const Box box = bounding_box(outline);
   const double extent = std::max(box.width(), box.height());
   if (extent > kLongestBox * unit) {
-    throw Error("too thin: it is " + std::to_string(int(extent / unit)) +
+    throw Error("too thin: it is " + number_in_message(extent / unit) +
                 " times as long as the square root of its area; allowed: 8 times");
   }
   if (perimeter_of(outline) > kLongestBoundary * unit) {
-    throw Error("its boundary is " + std::to_string(std::lround(double(perimeter_of(outline)) / unit)) +
+    throw Error("its boundary is " + number_in_message(double(perimeter_of(outline)) / unit) +
                 " times as long as the square root of its area; allowed: 100 times");
   }
 }

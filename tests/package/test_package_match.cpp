@@ -90,6 +90,8 @@ TEST(PackageMatch, AMillionPoints) {
   noise.curves.emplace_back();
   for (int i = 0; i < 1'000'000; ++i) noise.curves[0].points.push_back({double(bits()), double(bits())});
   match(noise, small);
+  noise.smoothing = 1e-6;  // much narrower than the distances of its points
+  EXPECT_NO_THROW(match(small, noise));
 }
 
 TEST(PackageMatch, AThousandCurves) {

@@ -79,6 +79,7 @@ TEST(PackageRecognise, WhatCannotBeKnownIsNamed) {
   EXPECT_EQ(fault(inside_out).substr(0, 32), "outline 1: found no closed curve");
   EXPECT_EQ(fault(matching::make_outline({{{0, 0}, {1000, 0}, {1000, 1}, {0, 1}}})).substr(0, 19),
             "outline 1: too thin");
+  EXPECT_EQ(fault(matching::make_outline({{{0, 0}, {1, 0}, {2, 1e-30}}})).substr(0, 19), "outline 1: too thin");
   Outline comb;
   comb.curves.emplace_back();
   for (int i = 0; i < 2000; ++i) comb.curves[0].points.push_back({double(i), i % 2 ? 1000.0 : 0.0});
