@@ -15,7 +15,11 @@ endif()
 
 option(TESSERA_BATCHES "Compile files in batches: TesseraRooms.cmake" ON)
 
+# The rooms are linked into libtessera-matching.so, too. Functions may still be inlined: no other library replaces them.
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
 add_library(tessera_options INTERFACE)
+target_compile_options(tessera_options INTERFACE -fno-semantic-interposition)
 target_compile_options(tessera_options INTERFACE -pthread)
 target_include_directories(tessera_options INTERFACE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/kernels)
 # -ffp-contract=off: the same job gives the same bytes, on the host and on every device; a fused multiply-add rounds

@@ -11,14 +11,14 @@ import sys
 ROOTS = ("", "src/", "tests/", "kernels/")
 # (?<!...): a part of a longer path, of a URL or of an include is none.
 FILE = re.compile(r"(?<![\w/.<\"$}{-])((?:[a-z_]+/)+[a-z_0-9]+\.(?:h|cpp|cl))\b")
-PATTERN = re.compile(r"`((?:src/)?(?:core|files|text|artwork|library|job|layers|checkpoint|result|render|products|comm|worker"
+PATTERN = re.compile(r"`((?:src/)?(?:core|files|text|artwork|library|job|layers|recognition|package|checkpoint|result|render|products|comm|worker"
                      r"|master|terminal|run|plan|program|bench|cli|kernels)/[\w/{},*]+(?:\.\*)?)`")
 
 
 def texts():
     """Pages, sources and scripts; not what this test and the test of rooms make up."""
     made_up = ("tests/scripts/rooms_refusals_test.sh", "tests/scripts/named_files_test.py")
-    for root in ("src", "tests", "kernels", "bench", "scripts", "slurm", "docs", "."):
+    for root in ("src", "include", "python", "examples", "tests", "kernels", "bench", "scripts", "slurm", "docs", "."):
         for folder, folders, files in os.walk(root):
             if root == ".":
                 folders.clear()

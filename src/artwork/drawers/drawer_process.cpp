@@ -135,7 +135,7 @@ std::string seconds_text(double seconds) {
 }  // namespace
 
 DrawerLayers DrawerProcess::start() {
-  const std::string program = drawer_program();
+  const std::string program = program_.empty() ? drawer_program() : program_;
   int sockets[2];
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets) != 0) {
     throw_cannot_start(std::generic_category().message(errno));

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "artwork/protocol/drawer_protocol.h"
 
@@ -15,9 +16,11 @@ namespace tessera {
 
 class DrawerProcess {
  public:
-  DrawerProcess(std::size_t bytes_per_process, double seconds_to_start)
+  /// `program`: DrawerSettings::program.
+  DrawerProcess(std::size_t bytes_per_process, double seconds_to_start, std::string program)
       : bytes_per_process_(bytes_per_process),
-        seconds_to_start_(seconds_to_start) {}
+        seconds_to_start_(seconds_to_start),
+        program_(std::move(program)) {}
   ~DrawerProcess() { end(); }
   DrawerProcess(const DrawerProcess&) = delete;
   DrawerProcess& operator=(const DrawerProcess&) = delete;
@@ -46,6 +49,7 @@ class DrawerProcess {
 
   std::size_t bytes_per_process_;
   double seconds_to_start_;
+  std::string program_;
   std::mutex mutex_;  // of pid_: a process that was collected may no longer be killed
   pid_t pid_ = -1;
   int socket_ = -1;

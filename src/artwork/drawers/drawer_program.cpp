@@ -20,6 +20,12 @@ bool can_be_run(const fs::path& file) {
   return fs::is_regular_file(file, error) && ::access(file.c_str(), X_OK) == 0;
 }
 
+/// What TESSERA_DRAWER says; null where it says nothing.
+const char* named_by_user() {
+  const char* given = std::getenv("TESSERA_DRAWER");
+  return given && *given ? given : nullptr;
+}
+
 fs::path folder_of_program() {
   try {
     return fs::path(own_program()).parent_path();
@@ -31,18 +37,23 @@ fs::path folder_of_program() {
 }  // namespace
 
 std::string drawer_program() {
-  if (const char* given = std::getenv("TESSERA_DRAWER"); given && *given) {
+  if (named_by_user()) return drawer_program_among({});  // /proc need not be there
+  const fs::path folder = folder_of_program();
+  return drawer_program_among({folder / kName, folder.parent_path() / "libexec" / "tessera" / kName});
+}
+
+std::string drawer_program_among(const std::vector<std::string>& files) {
+  if (const char* given = named_by_user()) {
     if (can_be_run(given)) return given;
     throw EnvironmentError(std::string("TESSERA_DRAWER: found ") + given + ", which is no program that can be run");
   }
-  const fs::path folder = folder_of_program();
-  const fs::path beside = folder / kName;
-  const fs::path installed = folder.parent_path() / "libexec" / "tessera" / kName;
-  for (const fs::path& file : {beside, installed}) {
+  std::string places;
+  for (const std::string& file : files) {
     if (can_be_run(file)) return file;
+    places += (places.empty() ? "" : " and ") + file;
   }
-  throw EnvironmentError("the program tessera-drawer, which reads drawings, is missing: looked for " + beside.string() +
-                         " and " + installed.string() + "; TESSERA_DRAWER=FILE names another place");
+  throw EnvironmentError("the program tessera-drawer, which reads drawings, is missing: looked for " + places +
+                         "; TESSERA_DRAWER=FILE names another place");
 }
 
 }  // namespace tessera

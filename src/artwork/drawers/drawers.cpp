@@ -71,7 +71,8 @@ class Drawers::Crew {
   explicit Crew(const DrawerSettings& settings) : settings_(settings) {
     const int count = std::max(1, settings.processes);
     for (int i = 0; i < count; ++i)
-      processes_.push_back(std::make_unique<DrawerProcess>(settings.bytes_per_process, settings.seconds_to_start));
+      processes_.push_back(
+          std::make_unique<DrawerProcess>(settings.bytes_per_process, settings.seconds_to_start, settings.program));
     const SignalsBlocked blocked;
     for (const auto& process : processes_) {
       try {

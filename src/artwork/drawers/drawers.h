@@ -25,6 +25,7 @@ struct DrawerSettings {
   double seconds_per_drawing = 20;                         // of CPU time; of wall-clock time three times as much
   std::size_t bytes_per_process = std::size_t(512) << 20;  // of address space, beyond what a process starts with
   double seconds_to_start = 60;  // linking its libraries can take long on a busy machine with a cold disk
+  std::string program = {};      // the file of tessera-drawer; empty: drawer_program() finds it
 };
 
 /// What drawers must be allowed for the largest photo, 16 bits a channel.

@@ -47,7 +47,7 @@ QueryWidth make_width(const std::vector<Curve>& curves, float sigma, float lengt
   for (const Curve& curve : curves) {
     const float own = length_of(curve);
     if (own < std::max(kShortestCurve * sigma, kShortestShare * length)) continue;
-    const int count = std::clamp(int(own * kPointsOfWidth / sigma), kLeastPoints, kMostPoints);
+    const int count = int(std::clamp<float>(own * kPointsOfWidth / sigma, kLeastPoints, kMostPoints));
     const int stride = std::max(1, int(spacing * float(count) / own));
     for (const PartialPyramid& p : partial_pyramids(smoothed(resampled(curve, count), sigma), sigma, stride, pad)) {
       if (tells_enough(p)) width.pyramids.push_back(p);

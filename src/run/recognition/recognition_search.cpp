@@ -7,37 +7,16 @@
 #include "comm/heartbeat.h"
 #include "core/base/error.h"
 #include "core/base/rank_pool.h"
-#include "library/storage/shape_models.h"
+#include "recognition/library_lots.h"
 #include "run/program_identity.h"
 
 namespace tessera {
 namespace {
 
-/// Smoothing levels that are searched. The coarsest says too little of parts.
-const std::vector<int> kSearchedLevels = {1, 2, 3, 4};
 /// The smoothing that takes out the stairs of pixels, in pixels.
 constexpr float kLeastSigma_pixels = 1.5f;
 /// A worker that rank 0 does not hear of for so long is lost.
 constexpr double kSilence_s = 300;
-
-ShapeRange lot_of(const ShapeLibrary& library, std::size_t lot, std::uint32_t lot_shapes) {
-  const std::size_t begin = lot * lot_shapes;
-  return {std::uint32_t(begin), std::uint32_t(std::min(library.size(), begin + lot_shapes))};
-}
-
-KnownShapes read_lot(const ShapeLibrary& library, const ShapeRange& range) {
-  MatchingContext context;
-  context.pad = library.pad_parameters();
-  context.levels = kSearchedLevels;
-  context.library_shapes = std::uint32_t(library.size());
-  std::vector<float> drawn_scales_px;
-  for (const Shape& head :
-       library.read(range.begin, range.end, {.outline = false, .field = false, .levels = 0, .artwork = false})) {
-    drawn_scales_px.push_back(head.drawn_scale_px);
-  }
-  return KnownShapes(ShapeId(range.begin), models_of(library, context)->models(range, {}), std::move(drawn_scales_px),
-                     context.pad.levels);
-}
 
 std::vector<Query> prepared_queries(const RecognitionQuestion& question, const PadParameters& pad) {
   std::vector<Query> queries;
@@ -46,12 +25,6 @@ std::vector<Query> prepared_queries(const RecognitionQuestion& question, const P
     queries.emplace_back(query.curves, QuerySettings{.pad = pad, .least_sigma = kLeastSigma_pixels * query.pixel});
   }
   return queries;
-}
-
-void keep_best(std::vector<Recognition>& best, const std::vector<Recognition>& more, std::size_t most) {
-  best.insert(best.end(), more.begin(), more.end());
-  std::sort(best.begin(), best.end());
-  if (best.size() > most) best.resize(most);
 }
 
 /// This rank's lots: each one whose number leaves the rank's number, divided by that of the ranks.
@@ -69,7 +42,7 @@ Recognitions recognised_here(const comm::Communicator& ranks, const RecognitionQ
         .outline;
   };
   Recognitions best(queries.size());
-  const std::size_t lots = (library.size() + question.lot_shapes - 1) / question.lot_shapes;
+  const std::size_t lots = number_of_lots(library, question.lot_shapes);
   for (std::size_t lot = std::size_t(ranks.rank()); lot < lots; lot += std::size_t(ranks.size())) {
     progress(lot, lots);
     const KnownShapes shapes = read_lot(library, lot_of(library, lot, question.lot_shapes));

@@ -1,0 +1,60 @@
+/// @file
+/// Which of many known outlines a query is, or is a part of.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "tessera/matching/export.h"
+#include "tessera/matching/library.h"
+#include "tessera/matching/outline.h"
+#include "tessera/matching/similarity.h"
+
+namespace tessera::matching {
+
+struct RecogniseSettings {
+  std::size_t most = 10;  ///< outlines that are told
+  /// Query units for one unit of the known outlines, or for one px of a library's drawings, where it is known: other sizes are
+  /// then not looked for. It helps where little of an outline is seen.
+  std::optional<double> scale = {};
+};
+
+struct Recognised {
+  std::size_t known = 0;  ///< index of the known outline
+  /// How much of the query's length the known outline follows, and how closely: 0 to about 1.
+  double similarity = 0;
+  Similarity query_from_known;
+};
+
+/// Known outlines with an index of their PADs (paper, section 3.3): a query looks at few of them.
+class TESSERA_MATCHING_API KnownOutlines {
+ public:
+  /// `outlines`: at least one. Of each, the closed curve with the largest area and the holes within it are known. Throws
+  /// Error, which names the outline, as check() does, and where an outline has no closed curve, no area, or is longer than 8
+  /// square roots of its area, or its boundary than 100. An outline takes about 70 KB of memory and about 10 ms of one core.
+  explicit KnownOutlines(const std::vector<Outline>& outlines);
+
+  /// All shapes of a library, by their places in it. Throws Error where the file is damaged.
+  explicit KnownOutlines(const Library& library);
+
+  ~KnownOutlines();
+  KnownOutlines(KnownOutlines&&) noexcept;
+  KnownOutlines& operator=(KnownOutlines&&) noexcept;
+
+  std::size_t size() const;
+
+  /// The best known outlines, the best first, each once; those that the query has nothing in common with are left out. A query
+  /// whose best similarity is below 0.4 is, as a rule, none of them. Mirror images are not recognised.
+  ///
+  /// It computes on all cores that the process may use, in threads that stay; a process that was forked after the first call
+  /// cannot use them, and gets an Error. It may be called by several threads at once. Throws Error as check() does.
+  std::vector<Recognised> recognise(const Outline& query, const RecogniseSettings& settings = {}) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace tessera::matching

@@ -1,0 +1,32 @@
+// NumPy arrays as the library's points and numbers, and back.
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <string>
+#include <vector>
+
+#include "tessera/matching/matching.h"
+
+namespace tessera::python {
+
+namespace py = pybind11;
+using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// An array of the shape (N, 2); `name` stands in the Error.
+std::vector<matching::Point> points_of(const py::handle& array, const std::string& name);
+
+/// One array of the shape (N, 2), or several of them.
+std::vector<std::vector<matching::Point>> curves_of(const py::object& curves);
+
+/// The shape (N, 2).
+Array array_of(const std::vector<matching::Point>& points);
+
+/// A one-dimensional array.
+Array array_of(const std::vector<double>& numbers);
+
+/// An array of numbers of any shape, flattened.
+std::vector<double> numbers_of(const py::handle& array, const std::string& name);
+
+}  // namespace tessera::python

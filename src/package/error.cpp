@@ -1,0 +1,7 @@
+#include "tessera/matching/error.h"
+
+namespace tessera::matching {
+
+Error::~Error() = default;
+
+}  // namespace tessera::matching

@@ -1,0 +1,87 @@
+#!/usr/bin/env bash
+# cpp_examples_test.sh CMAKE BUILD_FOLDER NEW_FOLDER: what cmake --install leaves is moved elsewhere, and there it is all
+# that the programs of examples/cpp are built and run with. And libtessera-matching.so exports its public headers alone.
+set -uo pipefail
+cmake=$1
+build=$2
+folder=$3
+# shellcheck source=tests/cli/command_fixture.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../cli/command_fixture.sh"
+source_folder=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+unset TESSERA_DRAWER
+
+new_folder
+"$cmake" --install "$build" --prefix "$folder/first" >output 2>errors || fail "cmake --install"
+mkdir elsewhere
+mv first elsewhere/tessera
+prefix=$folder/elsewhere/tessera
+library=$prefix/lib/libtessera-matching.so
+[[ -e $library ]] || fail "no libtessera-matching.so"
+
+nm -DC --defined-only "$library" >output || fail "nm"
+# Each line: address, kind, name with the version. The version itself is an absolute symbol.
+foreign=$(sed -E 's/^[0-9a-f]+ . //; s/^(typeinfo for|typeinfo name for|vtable for) //' output |
+  grep -vE '^(tessera::matching::[A-Za-z]|TESSERA_MATCHING$)')
+[[ -z $foreign ]] || fail "exported, but of no public header: $foreign"
+grep -q ' tessera::matching::match(' output || fail "match() is not exported"
+readelf -d "$library" >output
+grep -qiE 'R(UN)?PATH' output && fail "the library looks for others in fixed folders"
+grep -q 'SONAME.*\[libtessera-matching\.so\.0\.1\]' output || fail "another soname"
+echo "ok exports"
+
+for header in "$prefix"/include/tessera/matching/*.h; do
+  echo "#include \"tessera/matching/${header##*/}\"" >alone.cpp
+  c++ -std=c++17 -Wall -Wextra -Wpedantic -Werror -fsyntax-only -I "$prefix/include" alone.cpp >output 2>errors ||
+    fail "${header##*/} does not compile alone in C++17"
+done
+grep -hE '^#include ["<]' "$prefix"/include/tessera/matching/*.h | grep -vE '<[a-z_]+>|"tessera/matching/' &&
+  fail "a public header includes something else than the standard library"
+echo "ok headers"
+
+# As after a build of the program alone: the library's own part of the installation, which looks for another file.
+sed 's/libtessera-matching\.so/libnone.so/g' "$build/src/package/cmake_install.cmake" >not_built.cmake
+"$cmake" -DCMAKE_INSTALL_PREFIX="$folder/nothing" -P not_built.cmake >output 2>errors || fail "what was not built is missed"
+grep -q 'Not built, so not installed: libtessera-matching' output || fail "not a word of what was not built"
+[[ ! -e nothing ]] || fail "parts of what was not built are installed"
+echo "ok what was not built"
+
+shown=$(awk '/^```cpp$/ { on = 1; next } /^```$/ && on { exit } on' "$prefix/share/tessera/docs/library.md")
+[[ -n $shown && $(<"$prefix/share/tessera/examples/cpp/match_drawings.cpp") == *"$shown"* ]] ||
+  fail "docs/library.md shows something else than match_drawings.cpp"
+cp -r "$prefix/share/tessera/examples/cpp" cpp
+"$cmake" -S cpp -B built -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_CXX_FLAGS='-Wall -Wextra -Werror' >output 2>errors ||
+  fail "examples/cpp cannot be configured"
+"$cmake" --build built >output 2>errors || fail "examples/cpp cannot be built"
+ducks=$source_folder/docs/matching
+cd / || exit 1
+out=$folder/output
+err=$folder/errors
+"$folder/built/match_drawings" "$ducks/duck.svg" "$ducks/duck-4.svg" >"$out" 2>"$err" || fail "match_drawings"
+head -1 "$out" | grep -qE '^score 0\.65[0-9]: 67\.[0-9] % of A, scale 1\.11[0-9], turned by -1\.39[0-9] rad$' ||
+  fail "another match: $(cat "$out")"
+"$folder/built/match_drawings" "$ducks/duck.svg" /none.svg >"$out" 2>"$err" && fail "matched a file that is not there"
+grep -q '^match_drawings: .*/none.svg' "$err" || fail "the error does not name /none.svg: $(cat "$err")"
+"$folder/built/match_drawings" >"$out" 2>"$err" && fail "matched nothing"
+grep -qx 'match_drawings: needs two drawings' "$err" || fail "another word of no drawings: $(cat "$err")"
+"$folder/built/own_descriptor" "$ducks/duck.svg" "$ducks/duck-2.svg" "$ducks/duck-6.svg" >"$out" 2>"$err" ||
+  fail "own_descriptor"
+[[ $(grep -c . "$out") -eq 8 ]] || fail "not two tables: $(cat "$out")"
+# The second is the first one, turned and scaled; the third is a boat.
+awk '/^pad/ { getline; exit !($1 == 0 && $2 < 0.05 && $3 > 2 * $2) }' "$out" || fail "other distances: $(cat "$out")"
+echo "ok examples"
+
+# Another one of the two numbers that count is another interface.
+cd "$folder" || exit 1
+for version in 0.2 1.0; do
+  sed -i -E "s/Tessera [0-9.]+ REQUIRED/Tessera $version REQUIRED/" cpp/CMakeLists.txt
+  "$cmake" -S cpp -B "other_$version" -DCMAKE_PREFIX_PATH="$prefix" >output 2>errors && fail "taken for version $version"
+done
+echo "ok versions"
+
+mv "$prefix/libexec/tessera/tessera-drawer" drawer
+"$folder/built/match_drawings" "$ducks/duck.svg" "$ducks/duck-4.svg" >output 2>errors && fail "matched without a drawer"
+grep -qF "tessera-drawer, which reads drawings, is missing: looked for $prefix/libexec/tessera/tessera-drawer" errors ||
+  fail "does not say where it looked: $(cat errors)"
+TESSERA_DRAWER=$PWD/drawer "$folder/built/match_drawings" "$ducks/duck.svg" "$ducks/duck-4.svg" >output 2>errors ||
+  fail "TESSERA_DRAWER does not help"
+echo "ok a drawer elsewhere"

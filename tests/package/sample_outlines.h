@@ -1,0 +1,59 @@
+// Outlines for tests of the public library.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "support/random_curves.h"
+#include "tessera/matching/matching.h"
+
+namespace tessera::test {
+
+/// Without symmetry, the interior on the left, as large as 2 to 3.
+inline matching::Outline random_outline(std::uint32_t seed, int points = 400) {
+  matching::Outline outline;
+  matching::Curve& curve = outline.curves.emplace_back();
+  for (const Vec2 p : random_curve(seed, points)) curve.points.push_back({p.x, p.y});
+  return outline;
+}
+
+inline matching::Outline circle(double radius, int points = 360) {
+  matching::Outline outline;
+  matching::Curve& curve = outline.curves.emplace_back();
+  for (int i = 0; i < points; ++i) {
+    const double angle = 2 * M_PI * i / points;
+    curve.points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  return outline;
+}
+
+/// A disc of the radius 3 with a hole of the radius 1.
+inline matching::Outline ring() {
+  return matching::make_outline({circle(3).curves[0].points, circle(1).curves[0].points});
+}
+
+inline matching::Outline mapped(matching::Outline outline, const matching::Similarity& map) {
+  for (matching::Curve& curve : outline.curves) {
+    for (matching::Point& p : curve.points) p = map.apply(p);
+  }
+  outline.smoothing *= map.scale();
+  return outline;
+}
+
+inline matching::Similarity similarity(double scale, double rotation_rad, double tx, double ty) {
+  return {scale * std::cos(rotation_rad), scale * std::sin(rotation_rad), tx, ty};
+}
+
+/// What an Error says; empty where there is none.
+inline std::string error_of(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const matching::Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace tessera::test
