@@ -12,8 +12,18 @@ constexpr float kShortestWidths = 6;
 /// The longest arc of a closed curve: a longer one comes back to where it began.
 constexpr float kLongestOfClosed = 0.8f;
 /// Arcs begin this part of their length apart, or farther, where more than so many would be looked up of a length.
-constexpr float kStartSpacing = 1.f / 12;
-constexpr float kMostOfLength = 40;
+constexpr float kStartSpacing = 1.f / 8;
+constexpr float kMostOfLength = 20;
+
+/// An arc whose points lie within this part of its length beside a line tells nothing: many shapes have a straight side.
+constexpr float kStraight = 0.015f;
+
+bool is_straight(const ArcSignature& signature) {
+  for (std::size_t i = 1; i < signature.size(); i += 2) {
+    if (std::abs(signature[i] - 0.5f) > kStraight) return false;
+  }
+  return true;
+}
 
 /// The point at an arclength of an evenly spaced curve.
 class EvenCurve {
@@ -51,7 +61,7 @@ void add_arcs(const EvenCurve& curve, bool closed, float length, float spacing, 
     QueryArc arc{length, {}, {}};
     for (std::size_t i = 0; i < kArcPoints; ++i) arc.points[i] = curve.at(start + length * float(i) / (kArcPoints - 1));
     const std::optional<ArcSignature> signature = arc_signature(arc.points, length);
-    if (!signature) continue;
+    if (!signature || is_straight(*signature)) continue;
     arc.signature = *signature;
     arcs.push_back(arc);
   }

@@ -14,8 +14,8 @@ struct QueryArc {
   ArcSignature signature;
 };
 
-/// Arcs of the lengths `unit` times powers of `step`, of all of the query's curves that are long enough for them. Their
-/// starts are a part of their length apart.
+/// Arcs of the lengths `unit` times powers of `step`, of all of the query's curves that are long enough for them, but for
+/// straight ones. Their starts are a part of their length apart.
 std::vector<QueryArc> query_arcs(const Query& query, float unit, float step);
 
 }  // namespace tessera
