@@ -110,10 +110,10 @@ std::vector<Curve> even_curves(const std::vector<Curve>& curves, float sigma, fl
 }
 
 Query::Query(const std::vector<Curve>& curves, const QuerySettings& settings)
-    : Query(Cleaned{cleaned(curves, settings.least_sigma)}, settings) {}
-
-Query::Query(const Cleaned& cleaned, const QuerySettings& settings)
-    : Query(cleaned.curves, settings, measure(cleaned.curves)) {}
+    : Query(curves, settings, measure(curves)) {
+  const std::vector<Curve> without = cleaned(curves, settings.least_sigma);
+  if (without != curves) without_noise_.reset(new Query(without, settings, measure(without)));
+}
 
 Query::Query(const std::vector<Curve>& curves, const QuerySettings& settings, const Measures& measures)
     : map_(make_map(curves, kMapSmoothing * settings.least_sigma, measures)),

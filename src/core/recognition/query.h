@@ -2,6 +2,7 @@
 // query's own (px of an image, or a drawing's units).
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "core/recognition/curve_map.h"
@@ -23,9 +24,12 @@ struct QuerySettings {
 
 class Query {
  public:
-  /// `curves`: at least one, each without a curve_fault(). Their noise is taken out first (curve_noise.h).
+  /// `curves`: at least one, each without a curve_fault().
   Query(const std::vector<Curve>& curves, const QuerySettings& settings);
 
+  /// The query of the curves without their noise (curve_noise.h); null where they have none. What seems noise may belong to
+  /// the shape: a hedgehog's spines.
+  const Query* without_noise() const { return without_noise_.get(); }
   const CurveMap& map() const { return map_; }
   /// The curves, smoothed by the narrowest width, as evenly spaced points.
   const std::vector<Curve>& narrow_curves() const { return narrow_curves_; }
@@ -48,16 +52,13 @@ class Query {
   };
   static Measures measure(const std::vector<Curve>& curves);
   static CurveMap make_map(const std::vector<Curve>& curves, float sigma, const Measures& measures);
-  struct Cleaned {
-    std::vector<Curve> curves;  // without noise
-  };
-  Query(const Cleaned& cleaned, const QuerySettings& settings);
   Query(const std::vector<Curve>& curves, const QuerySettings& settings, const Measures& measures);
 
   CurveMap map_;
   Measures measures_;
   float least_sigma_;
   std::vector<Curve> narrow_curves_;
+  std::unique_ptr<Query> without_noise_;
   std::vector<QueryWidth> widths_;
 };
 

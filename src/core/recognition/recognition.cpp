@@ -73,11 +73,9 @@ CurvePoints outline_points(const Outline& outline) {
   return CurvePoints(curves);
 }
 
-}  // namespace
-
-std::vector<Recognition> recognised(const Query& query, const KnownShapes& shapes, const RecognitionSettings& settings,
-                                    const OutlineOf& outline_of) {
-  if (shapes.size() == 0) return {};
+/// The compared shapes, each once.
+std::vector<Recognition> recognised_as_it_is(const Query& query, const KnownShapes& shapes,
+                                             const RecognitionSettings& settings, const OutlineOf& outline_of) {
   const PossibleScales scales(query, shapes, settings.query_per_drawn_px);
   std::vector<PosedShape> posed = pad_poses(query, shapes, scales);
   for (const PosedShape& p : arc_poses(query, shapes, scales, settings.query_per_drawn_px)) posed.push_back(p);
@@ -99,9 +97,30 @@ std::vector<Recognition> recognised(const Query& query, const KnownShapes& shape
                      kComparedReach * query.least_sigma(), scales.near(p.shape, p.query_from_shape));
     result.push_back({shapes.id(p.shape), pose, followed_part(query, points.boundary(), pose)});
   }
-  std::sort(result.begin(), result.end());
-  if (result.size() > settings.most) result.resize(settings.most);
   return result;
+}
+
+/// The better of both answers of each shape.
+std::vector<Recognition> best_of_each(std::vector<Recognition> found) {
+  std::sort(found.begin(), found.end());
+  std::unordered_set<std::size_t> seen;
+  std::erase_if(found, [&](const Recognition& r) { return !seen.insert(index_of(r.shape)).second; });
+  return found;
+}
+
+}  // namespace
+
+std::vector<Recognition> recognised(const Query& query, const KnownShapes& shapes, const RecognitionSettings& settings,
+                                    const OutlineOf& outline_of) {
+  if (shapes.size() == 0) return {};
+  std::vector<Recognition> found = recognised_as_it_is(query, shapes, settings, outline_of);
+  if (query.without_noise()) {
+    const auto more = recognised_as_it_is(*query.without_noise(), shapes, settings, outline_of);
+    found.insert(found.end(), more.begin(), more.end());
+  }
+  found = best_of_each(std::move(found));
+  if (found.size() > settings.most) found.resize(settings.most);
+  return found;
 }
 
 }  // namespace tessera
