@@ -29,7 +29,7 @@ constexpr float kShortestCurve = 6;
 constexpr float kShortestShare = 1.f / 64;
 /// PADs are so many widths apart, or farther, where more than so many would be looked up.
 constexpr float kPadSpacing = 1.5f;
-constexpr float kMostPads = 16;
+constexpr float kMostPads = 10;
 /// Levels of inner_levels().
 constexpr int kInnerLevels = 3;
 

@@ -13,7 +13,7 @@ constexpr float kShortestWidths = 6;
 constexpr float kLongestOfClosed = 0.8f;
 /// Arcs begin this part of their length apart, or farther, where more than so many would be looked up of a length.
 constexpr float kStartSpacing = 1.f / 8;
-constexpr float kMostOfLength = 20;
+constexpr float kMostOfLength = 10;
 
 /// An arc whose points lie within this part of its length beside a line tells nothing: many shapes have a straight side.
 constexpr float kStraight = 0.015f;
