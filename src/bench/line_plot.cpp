@@ -14,9 +14,9 @@
 namespace tessera::bench {
 namespace {
 
-constexpr double kPanelWidth = 460;
+constexpr double kPanelWidth = 610;
 constexpr double kHeight = 380;
-constexpr double kLeft = 60, kRight = 20, kTop = 40, kBottom = 50;  // margins around the axes
+constexpr double kLeft = 60, kRight = 170, kTop = 40, kBottom = 50;  // margins around the axes; right: the legend
 constexpr int kPngWidth_px = 1840;
 constexpr double kLegendLine = 16;
 constexpr double kLinearStep = 10;     // of an x axis that is not logarithmic
@@ -40,21 +40,18 @@ class PanelDrawing {
     x_axis();
     y_axis();
     int colour = 0;
-    double legend_y =
-        begins_low() ? kTop + kLegendLine : kTop + height() - kLegendLine * (double(panel_.curves.size()) - 0.5);
+    const double legend_x = left_ + width() + 16;
+    double legend_y = kTop + kLegendLine;
     for (const PlotCurve& curve : panel_.curves) {
       const char* stroke = curve.ideal ? kGrey : kColours[std::size_t(colour++) % kColours.size()];
       draw_curve(curve, stroke);
-      line(left_ + 10, legend_y - 4, left_ + 34, legend_y - 4, stroke, curve.ideal);
-      text(left_ + 40, legend_y, curve.name, "start", 12);
+      line(legend_x, legend_y - 4, legend_x + 24, legend_y - 4, stroke, curve.ideal);
+      text(legend_x + 30, legend_y, curve.name, "start", 12);
       legend_y += kLegendLine;
     }
   }
 
  private:
-  /// Speed-ups leave the upper left corner free, efficiencies and what falls the lower one.
-  bool begins_low() const { return y_at(panel_.curves.front().points.front().second) > kTop + height() / 2; }
-
   static double width() { return kPanelWidth - kLeft - kRight; }
   static double height() { return kHeight - kTop - kBottom; }
 

@@ -23,10 +23,8 @@ constexpr float kPointsOfWidth = 4;
 constexpr int kLeastPoints = 48;
 constexpr int kMostPoints = 2000;
 constexpr int kMostMapPoints = 20000;
-/// PADs are not taken of curves shorter than so many widths, which have lost their shape, nor of those shorter than this
-/// part of all curves.
+/// PADs are not taken of curves shorter than so many widths, which have lost their shape.
 constexpr float kShortestCurve = 6;
-constexpr float kShortestShare = 1.f / 64;
 /// PADs are so many widths apart, or farther, where more than so many would be looked up.
 constexpr float kPadSpacing = 1.5f;
 constexpr float kMostPads = 10;

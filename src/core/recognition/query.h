@@ -65,6 +65,9 @@ class Query {
 /// The curves, smoothed by `sigma`, as evenly spaced points: about `spacing` apart, at least 48 and at most 20,000 a curve.
 std::vector<Curve> even_curves(const std::vector<Curve>& curves, float sigma, float spacing);
 
+/// Nothing is looked up of a curve that is less than this part of all curves: there may be thousands.
+inline constexpr float kShortestShare = 1.f / 64;
+
 /// Widths of the smoothing are so far apart: half an octave.
 inline constexpr float kWidthStep = 1.41421356f;
 

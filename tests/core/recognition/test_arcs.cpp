@@ -135,6 +135,16 @@ TEST(QueryArcs, AreOfTheLengthsAskedForAndLieOnTheCurve) {
   EXPECT_NEAR(largest_angle, std::numbers::pi / 2, 0.01f) << "the last ends with it";
 }
 
+TEST(QueryArcs, AreNotTakenOfThousandsOfCrumbs) {
+  std::vector<Curve> curves{quarter()};
+  for (int i = 0; i < 1000; ++i) {
+    Curve crumb = quarter();
+    for (Vec2& p : crumb.points) p = p * 0.2f + Vec2{0, 100};
+    curves.push_back(crumb);
+  }
+  EXPECT_TRUE(query_arcs(Query(curves, {}), 3, 2).empty());
+}
+
 TEST(QueryArcs, AreNotStraight) {
   const Curve corner{{{0, 0}, {100, 0}, {100, 80}}, false};
   for (const QueryArc& arc : query_arcs(Query({corner}, {}), 3, 2)) {
