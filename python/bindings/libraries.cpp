@@ -43,15 +43,19 @@ are in units of the outline.)")
       .def_readonly("known", &Recognised::known, "Number of the known outline, from 0.")
       .def_readonly("similarity", &Recognised::similarity,
                     "How much of the query's length the known outline follows, and how closely: 0 to about 1.")
+      .def_readonly(
+          "score", &Recognised::score,
+          "The same length as a part of the geometric mean of both lengths, 0 to about 1: tells known from unknown.")
       .def_readonly("query_from_known", &Recognised::query_from_known, "The Similarity that lays it onto the query.")
       .def("__repr__", [](const Recognised& r) {
-        return py::str("<tessera.Recognised: known {}, similarity {:.3f}>").format(r.known, r.similarity);
+        return py::str("<tessera.Recognised: known {}, similarity {:.3f}, score {:.3f}>")
+            .format(r.known, r.similarity, r.score);
       });
 
   py::class_<KnownOutlines>(module, "KnownOutlines", R"(Known outlines with an index of their PADs.
 
 known: a Library, or a list of Outline. Of each outline the closed curve with the largest area and its holes are known. An
-outline takes about 70 KB of memory.)")
+outline takes about 80 KB of memory.)")
       .def(py::init<const Library&>(), py::arg("known"))
       .def(py::init<const std::vector<Outline>&>(), py::arg("known"), py::call_guard<py::gil_scoped_release>())
       .def("__len__", &KnownOutlines::size)
@@ -68,8 +72,9 @@ query: an Outline. It may be turned, of any size, clipped or partly hidden.
 most: how many are told.
 scale: query units for one unit of the known outlines (of a Library: for one px of its drawings), where it is known.
 
-Returns a list of Recognised, the best first. A query whose best similarity is below 0.4 is, as a rule, none of them. It
-computes on all cores; a process that was forked after the first call gets an Error.)");
+Returns a list of Recognised, the best first by similarity. A query whose best outline has a score below 0.4 is, as a rule, none of
+them; of a small part of an outline take less. Open curves may run either way, all the same way. It computes on all cores; a
+process that was forked after the first call gets an Error.)");
 }
 
 }  // namespace tessera::python

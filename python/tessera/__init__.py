@@ -5,7 +5,8 @@
 >>> tessera.match(a, b)
 [<tessera.Match: score 0.656, 67.4 % of A, 63.7 % of B>]
 
-Points are NumPy arrays of the shape (N, 2), in any unit of length. Whatever is of no use raises tessera.Error, a ValueError.
+Points are NumPy arrays of the shape (N, 2), in any unit of length. Values that are of no use raise
+tessera.Error, a ValueError; arguments of another type raise TypeError.
 Functions that compute for long let other threads of Python run.
 """
 

@@ -106,7 +106,7 @@ SceneAnswer answered(const ScenesCase& run, const PadRecogniser& recogniser, con
   std::vector<std::uint32_t> places;
   for (const Recognition& r : found) places.push_back(std::uint32_t(index_of(r.shape)));
   answer.success = scene_success(places, scene->shown, run.silhouettes.library, run.silhouettes.twins);
-  answer.measures = answer_measures(scene->query, found, run.silhouettes.library, run.silhouettes.twins);
+  answer.measures = answer_measures(found, run.silhouettes.library, run.silhouettes.twins);
   return answer;
 }
 

@@ -1,6 +1,7 @@
 #include "package/prepared_curves.h"
 
 #include <algorithm>
+#include <string>
 
 #include "package/outline_box.h"
 
@@ -20,6 +21,9 @@ PreparedCurves prepared_curves(const Outline& outline) {
       const Point p = prepared_from_own.apply(own);
       prepared.points.push_back({float(p.x), float(p.y)});
     }
+    // Points that differ in double may be one in float.
+    const std::string fault = curve_fault(prepared);
+    if (!fault.empty()) throw Error("curve " + std::to_string(result.curves.size() - 1) + ": " + fault);
   }
   const double sigma = outline.smoothing > 0 ? result.prepared(outline.smoothing) : kDefaultSigma;
   result.least_sigma = float(std::max(sigma, kLeastSigma));

@@ -1,6 +1,7 @@
 #include "tessera/matching/recognise.h"
 
 #include <algorithm>
+#include <set>
 
 #include "core/base/rank_pool.h"
 #include "core/pad/pad_index.h"
@@ -11,6 +12,7 @@
 #include "package/number_in_message.h"
 #include "package/prepared_curves.h"
 #include "package/translated_errors.h"
+#include "recognition/answer_score.h"
 #include "recognition/library_lots.h"
 
 namespace tessera::matching {
@@ -40,8 +42,29 @@ void check_scale(double scale) {
   throw Error("scale: found " + number_in_message(scale) + ", allowed: above 1e-15 and below 1e15");
 }
 
-tessera::Query prepared_query(const PreparedCurves& prepared, const PadParameters& pad) {
-  return tessera::Query(prepared.curves, {.pad = pad, .least_sigma = prepared.least_sigma});
+/// The curves, with the open ones in the other direction.
+std::vector<tessera::Curve> turned_round(std::vector<tessera::Curve> curves) {
+  for (tessera::Curve& curve : curves) {
+    if (!curve.closed) std::reverse(curve.points.begin(), curve.points.end());
+  }
+  return curves;
+}
+
+/// The query in both directions in which its open curves may run; once, where all are closed.
+std::vector<tessera::Query> prepared_queries(const PreparedCurves& prepared, const PadParameters& pad) {
+  const QuerySettings settings{.pad = pad, .least_sigma = prepared.least_sigma, .without_noise = true};
+  std::vector<tessera::Query> queries;
+  queries.emplace_back(prepared.curves, settings);
+  const std::vector<tessera::Curve> other_way = turned_round(prepared.curves);
+  if (other_way != prepared.curves) queries.emplace_back(other_way, settings);
+  return queries;
+}
+
+/// Removes all answers of a shape but its best one; the best first.
+void keep_best_of_each(std::vector<Recognition>& found) {
+  std::sort(found.begin(), found.end());
+  std::set<std::size_t> seen;
+  std::erase_if(found, [&](const Recognition& r) { return !seen.insert(index_of(r.shape)).second; });
 }
 
 }  // namespace
@@ -98,7 +121,6 @@ std::vector<Recognised> KnownOutlines::recognise(const Outline& query, const Rec
   return with_errors_translated([&] {
     check_threads_are_own();
     const PreparedCurves prepared = prepared_curves(query);
-    const tessera::Query ready = prepared_query(prepared, state_->pad);
     RecognitionSettings core_settings{.query_per_drawn_px = {}, .most = std::min(settings.most, size())};
     if (settings.scale) {
       check_scale(*settings.scale);
@@ -107,14 +129,20 @@ std::vector<Recognised> KnownOutlines::recognise(const Outline& query, const Rec
     }
     const OutlineOf outline_of = [&](ShapeId id) { return state_->outlines[index_of(id)]; };
     std::vector<Recognition> best;
-    for (const KnownShapes& lot : state_->lots) {
-      keep_best(best, recognised(ready, lot, core_settings, outline_of), core_settings.most);
+    for (const tessera::Query& way : prepared_queries(prepared, state_->pad)) {
+      std::vector<Recognition> of_way;
+      for (const KnownShapes& lot : state_->lots) {
+        keep_best(of_way, recognised(way, lot, core_settings, outline_of), core_settings.most);
+      }
+      best.insert(best.end(), of_way.begin(), of_way.end());
     }
+    keep_best_of_each(best);
+    best.resize(std::min(best.size(), core_settings.most));
     std::vector<Recognised> result;
     for (const Recognition& found : best) {
       const std::size_t known = index_of(found.shape);
       result.push_back(
-          {known, found.similarity,
+          {known, found.similarity, answer_score(found, state_->outlines[known]),
            prepared.own_from_prepared * to_public(found.query_from_shape) * state_->shape_from_own[known]});
     }
     return result;

@@ -6,12 +6,11 @@
 
 namespace tessera {
 
-double answer_score(const Recognition& answer, const std::vector<Curve>& query, const Outline& outline) {
-  double of_query = 0;
-  for (const Curve& curve : query) of_query += double(length_of(curve));
+double answer_score(const Recognition& answer, const Outline& outline) {
   double of_shape = 0;
   for (const std::vector<Vec2>& curve : outline.curves) of_shape += double(closed_length(curve));
-  return double(answer.similarity) * std::sqrt(of_query / (of_shape * double(answer.query_from_shape.scale())));
+  const double followed = double(answer.similarity) * double(answer.query_length);
+  return followed / std::sqrt(double(answer.query_length) * of_shape * double(answer.query_from_shape.scale()));
 }
 
 }  // namespace tessera

@@ -1,10 +1,7 @@
 // By which the best answer for a query is told from a shape that the library has not.
 #pragma once
 
-#include <vector>
-
 #include "core/geometry/polygon.h"
-#include "core/recognition/curve.h"
 #include "core/recognition/recognition.h"
 
 namespace tessera {
@@ -14,6 +11,6 @@ namespace tessera {
 /// in parts of the geometric mean of the query's and the shape's. So a query of which a fence or another shape is a part
 /// may have a low similarity and a good score, and a small piece of boundary that fits on some large shape the contrary.
 /// `outline`: of the answer, shape frame.
-double answer_score(const Recognition& answer, const std::vector<Curve>& query, const Outline& outline);
+double answer_score(const Recognition& answer, const Outline& outline);
 
 }  // namespace tessera

@@ -218,16 +218,15 @@ TEST(AnswerMeasures, CompareTheBestAnswerWithTheNextShapeAndWithItsOwnLength) {
   for (std::size_t i = 0; i < 3; ++i) library.shapes.push_back({.silhouette = i});
   library.shapes[0].outline.curves = {{{0, 0}, {2, 0}, {2, 2}, {0, 2}}};  // 8 units long
   const Twins twins("a b", "t.txt", named_silhouettes({"a", "b", "c"}));
-  const ClippedQuery query{{{{{0, 0}, {6, 0}}, false}, {{{0, 4}, {12, 4}}, false}}, 0, {}};  // 18 px
   const Similarity four_times{0, 4, 0, 0};
   const std::vector<Recognition> found = {
-      {ShapeId{0}, four_times, 0.6f}, {ShapeId{1}, {}, 0.55f}, {ShapeId{2}, {}, 0.25f}};
-  const AnswerMeasures measures = answer_measures(query, found, library, twins);
+      {ShapeId{0}, four_times, 0.6f, 18}, {ShapeId{1}, {}, 0.55f}, {ShapeId{2}, {}, 0.25f}};
+  const AnswerMeasures measures = answer_measures(found, library, twins);
   EXPECT_NEAR(measures.similarity, 0.6, 1e-6);
   EXPECT_NEAR(measures.margin, 0.35, 1e-6) << "over the first that is no twin";
   EXPECT_NEAR(measures.score, 0.6 * std::sqrt(18 / 32.), 1e-6);
-  EXPECT_NEAR(answer_measures(query, {found[0], found[1]}, library, twins).margin, 0.6, 1e-6);
-  EXPECT_EQ(answer_measures(query, {}, library, twins).score, 0);
+  EXPECT_NEAR(answer_measures({found[0], found[1]}, library, twins).margin, 0.6, 1e-6);
+  EXPECT_EQ(answer_measures({}, library, twins).score, 0);
 }
 
 SilhouetteCase blob_case(int count) {

@@ -3,6 +3,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cmath>
+#include <set>
+
 #include "core/shape/shape_builder.h"
 #include "library/storage/library_file.h"
 #include "sample_outlines.h"
@@ -45,6 +48,29 @@ TEST(PackageRecognise, AWholeAndAHalf) {
     EXPECT_NEAR(at.x, expected.x, 5);
     EXPECT_NEAR(at.y, expected.y, 5);
   }
+}
+
+TEST(PackageRecognise, AnOpenCurveMayRunEitherWay) {
+  const std::vector<Outline> outlines = random_outlines(6);
+  const KnownOutlines known(outlines);
+  Outline query = half(outlines[4]);
+  const double forwards = known.recognise(query, {.most = 1}).at(0).similarity;
+  std::reverse(query.curves[0].points.begin(), query.curves[0].points.end());
+  const std::vector<Recognised> found = known.recognise(query, {.most = 6});
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found[0].known, 4u);
+  EXPECT_NEAR(found[0].similarity, forwards, 0.02);
+  std::set<std::size_t> each;
+  for (const Recognised& r : found) EXPECT_TRUE(each.insert(r.known).second) << "told twice: " << r.known;
+}
+
+TEST(PackageRecognise, TheScoreCountsBothLengths) {
+  const std::vector<Outline> outlines = random_outlines(6);
+  const KnownOutlines known(outlines);
+  EXPECT_NEAR(known.recognise(outlines[1], {.most = 1}).at(0).score, 1, 0.05);
+  const Recognised of_half = known.recognise(half(outlines[1]), {.most = 1}).at(0);
+  EXPECT_EQ(of_half.known, 1u);
+  EXPECT_NEAR(of_half.score, std::sqrt(0.5), 0.1);
 }
 
 TEST(PackageRecognise, AKnownScaleExcludesOthers) {

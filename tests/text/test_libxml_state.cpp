@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 #include <pthread.h>
 
-#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <thread>
@@ -23,7 +22,8 @@ std::atomic<int> most_making{0};  // at one time
 /// which may enter it does.
 extern "C" int pthread_mutex_init(pthread_mutex_t* mutex, const pthread_mutexattr_t* attributes) {
   const int now = ++making;
-  most_making = std::max(most_making.load(), now);
+  for (int most = most_making; most < now && !most_making.compare_exchange_weak(most, now);) {
+  }
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
   --making;
   using Function = int(pthread_mutex_t*, const pthread_mutexattr_t*);

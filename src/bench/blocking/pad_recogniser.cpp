@@ -20,6 +20,7 @@ PadRecogniser::PadRecogniser(const SilhouetteLibrary& library) : library_(librar
 Query prepared_query(const ClippedQuery& query) {
   QuerySettings settings;
   settings.least_sigma += float(query.noise_px);
+  settings.without_noise = true;
   return Query(query.curves, settings);
 }
 

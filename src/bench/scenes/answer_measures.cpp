@@ -17,12 +17,12 @@ double margin_of(const std::vector<Recognition>& found, const SilhouetteLibrary&
 
 }  // namespace
 
-AnswerMeasures answer_measures(const ClippedQuery& query, const std::vector<Recognition>& found,
-                               const SilhouetteLibrary& library, const Twins& twins) {
+AnswerMeasures answer_measures(const std::vector<Recognition>& found, const SilhouetteLibrary& library,
+                               const Twins& twins) {
   if (found.empty()) return {};
   const Recognition& best = found.front();
   return {double(best.similarity), margin_of(found, library, twins),
-          answer_score(best, query.curves, library.shapes[index_of(best.shape)].outline)};
+          answer_score(best, library.shapes[index_of(best.shape)].outline)};
 }
 
 }  // namespace tessera::bench

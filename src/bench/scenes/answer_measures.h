@@ -16,7 +16,7 @@ struct AnswerMeasures {
 };
 
 /// `found`: the answers, the best first.
-AnswerMeasures answer_measures(const ClippedQuery& query, const std::vector<Recognition>& found,
-                               const SilhouetteLibrary& library, const Twins& twins);
+AnswerMeasures answer_measures(const std::vector<Recognition>& found, const SilhouetteLibrary& library,
+                               const Twins& twins);
 
 }  // namespace tessera::bench

@@ -31,6 +31,10 @@ std::vector<std::vector<std::size_t>> classes_of(const std::vector<Silhouette>& 
 /// Takes the members in a random order, each with its twins, and leaves every second group out.
 void leave_out_half(const std::vector<std::size_t>& members, const Twins& twins, Draws& draws,
                     std::vector<bool>& left_out) {
+  // The library may hold mirror images.
+  const auto are_alike = [&](std::size_t a, std::size_t b) {
+    return twins.are_twins(a, b) || twins.are_twins(a, b, true);
+  };
   std::vector<bool> taken(left_out.size());
   bool leaves_out = draws.below(2) == 1;
   for (const std::size_t start : shuffled(members.size(), draws)) {
@@ -40,7 +44,7 @@ void leave_out_half(const std::vector<std::size_t>& members, const Twins& twins,
     for (std::size_t k = 0; k < group.size(); ++k) {
       if (leaves_out) left_out[group[k]] = true;
       for (const std::size_t other : members) {
-        if (taken[other] || !twins.are_twins(group[k], other)) continue;
+        if (taken[other] || !are_alike(group[k], other)) continue;
         taken[other] = true;
         group.push_back(other);
       }

@@ -8,7 +8,7 @@ SceneSuccess scene_success(const std::vector<std::uint32_t>& found, const std::v
                            const SilhouetteLibrary& library, const Twins& twins) {
   const auto shows = [&](std::uint32_t place, std::size_t silhouette) {
     const KnownSilhouette& shape = library.shapes[place];
-    return !shape.mirrored && twins.are_twins(shape.silhouette, silhouette);
+    return twins.are_twins(silhouette, shape.silhouette, shape.mirrored);
   };
   const auto is_told = [&](std::size_t silhouette) {
     return std::any_of(found.begin(), found.end(), [&](std::uint32_t place) { return shows(place, silhouette); });
@@ -18,7 +18,7 @@ SceneSuccess scene_success(const std::vector<std::uint32_t>& found, const std::v
   const std::uint32_t first = found.front();
   success.told = true;
   success.twin = shows(first, shown.front());
-  success.itself = success.twin && library.shapes[first].silhouette == shown.front();
+  success.itself = library.shapes[first].silhouette == shown.front() && !library.shapes[first].mirrored;
   success.any = std::any_of(shown.begin(), shown.end(), [&](std::size_t s) { return shows(first, s); });
   success.among = is_told(shown.front());
   success.all_among = std::all_of(shown.begin(), shown.end(), is_told);

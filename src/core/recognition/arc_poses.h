@@ -10,7 +10,7 @@
 namespace tessera {
 
 /// One pose for each pair of an arc of the query and one of its nearest in the library that may have this scale.
-/// `drawn_unit`: query units for one px of the library's drawings, where it is known: arcs of exactly the library's lengths
+/// `query_per_drawn_px`: query units for one px of the library's drawings, where it is known: arcs of exactly the library's lengths
 /// are looked up then.
 std::vector<PosedShape> arc_poses(const Query& query, const KnownShapes& shapes, const PossibleScales& scales,
                                   std::optional<float> query_per_drawn_px);

@@ -1,6 +1,7 @@
 #include "core/recognition/arc_signature.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tessera {
 namespace {
@@ -32,6 +33,12 @@ std::optional<ArcSignature> arc_signature(const ArcPoints& points, float length)
     signature[2 * i + 1] = 0.5f + cross(axis, p);
   }
   return signature;
+}
+
+float arc_distance(const ArcSignature& a, const ArcSignature& b) {
+  float largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
 }
 
 PadBytes arc_bytes(const std::optional<ArcSignature>& signature, float length) {

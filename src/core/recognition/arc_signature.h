@@ -22,6 +22,9 @@ using ArcSignature = std::array<float, kMaxPadElements>;
 /// `length`: of the arc. None where the arc runs back to where it began, so that it has no direction.
 std::optional<ArcSignature> arc_signature(const ArcPoints& points, float length);
 
+/// The largest difference of a coordinate.
+float arc_distance(const ArcSignature& a, const ArcSignature& b);
+
 /// An entry of an index, of an arc of so many shape units. An arc without signature is never met.
 PadBytes arc_bytes(const std::optional<ArcSignature>& signature, float length);
 

@@ -92,13 +92,15 @@ class CurveMatcher {
   }
 
   std::vector<Similarity> all_poses() const {
-    std::vector<Similarity> poses = curve_poses(query_a_, query_b_, pad_.levels);
+    std::vector<Similarity> poses;
+    const auto add = [&](const std::vector<Similarity>& more) { poses.insert(poses.end(), more.begin(), more.end()); };
+    add(curve_poses(query_a_, query_b_, pad_.levels));
+    add(arc_pair_poses(query_a_, query_b_));
     if (!any_direction_) return poses;
     const Query other_way(reversed(b_.curves), {pad_, b_.least_sigma});
-    const std::vector<Similarity> more = curve_poses(query_a_, other_way, pad_.levels);
-    const std::vector<Similarity> straight = straight_poses(a_.curves, b_.curves);
-    poses.insert(poses.end(), more.begin(), more.end());
-    poses.insert(poses.end(), straight.begin(), straight.end());
+    add(curve_poses(query_a_, other_way, pad_.levels));
+    add(arc_pair_poses(query_a_, other_way));
+    add(straight_poses(a_.curves, b_.curves));
     return poses;
   }
 

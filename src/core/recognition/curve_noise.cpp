@@ -10,16 +10,16 @@ constexpr float kNoiseLoss = 0.2f;
 constexpr int kMostRounds = 10;
 /// A curve of fewer widths would lose its shape, too.
 constexpr float kShortest = 20;
-constexpr float kPointsOfWidth = 3;
-constexpr float kLeastPoints = 48;
-constexpr float kMostPoints = 20000;
+constexpr float kNoisyPointsOfWidth = 3;
+constexpr float kLeastNoisyPoints = 48;
+constexpr float kMostNoisyPoints = 20000;
 
 }  // namespace
 
 Curve without_noise(Curve curve, float sigma) {
   float length = length_of(curve);
   for (int round = 0; round < kMostRounds; ++round) {
-    const float points = std::clamp(kPointsOfWidth * length / sigma, kLeastPoints, kMostPoints);
+    const float points = std::clamp(kNoisyPointsOfWidth * length / sigma, kLeastNoisyPoints, kMostNoisyPoints);
     Curve smooth = smoothed(resampled(curve, int(points)), sigma);
     const float left = length_of(smooth);
     if (left > (1 - kNoiseLoss) * length || left < kShortest * sigma) break;

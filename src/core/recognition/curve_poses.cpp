@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/recognition/point_fit.h"
+#include "core/recognition/query_arcs.h"
 
 namespace tessera {
 namespace {
@@ -25,6 +26,11 @@ constexpr float kPairScaleSlack = 1.2f;
 constexpr float kSameResidual = 0.05f;
 constexpr float kLargestResidual = 0.3f;
 constexpr int kInnermostLevels = 2;
+/// Steps between lengths of arcs, how much two may differ, and how many of B are tried for each of A.
+constexpr float kArcStepOfA = 1.41421356f;
+constexpr float kArcStepOfB = 1.18920712f;
+constexpr float kArcPairReach = 0.04f;
+constexpr std::size_t kMostPairsOfArc = 8;
 /// Open curves are straight where the line from end to end has this part of their length. They turn by 0.9 rad at most.
 constexpr float kStraight = 0.96f;
 constexpr std::size_t kMostStraight = 64;
@@ -154,6 +160,26 @@ std::vector<StraightLine> straight_lines(const std::vector<Curve>& curves) {
 
 std::vector<Similarity> curve_poses(const Query& a, const Query& b, int pad_levels) {
   return PoseList(a, b, pad_levels).poses();
+}
+
+std::vector<Similarity> arc_pair_poses(const Query& a, const Query& b) {
+  const std::vector<QueryArc> of_a = query_arcs(a, 1, kArcStepOfA);
+  const std::vector<QueryArc> of_b = query_arcs(b, 1, kArcStepOfB);
+  std::vector<Similarity> poses;
+  std::vector<std::pair<float, std::size_t>> near;
+  for (const QueryArc& arc : of_a) {
+    near.clear();
+    for (std::size_t i = 0; i < of_b.size(); ++i) {
+      const float distance = arc_distance(arc.signature, of_b[i].signature);
+      if (distance < kArcPairReach) near.push_back({distance, i});
+    }
+    const std::size_t count = std::min(near.size(), kMostPairsOfArc);
+    std::partial_sort(near.begin(), near.begin() + std::ptrdiff_t(count), near.end());
+    for (std::size_t i = 0; i < count; ++i) {
+      poses.push_back(fit_points(of_b[near[i].second].points, arc.points).query_from_shape);
+    }
+  }
+  return poses;
 }
 
 std::vector<Similarity> straight_poses(const std::vector<Curve>& a, const std::vector<Curve>& b) {

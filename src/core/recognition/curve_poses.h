@@ -15,6 +15,9 @@ namespace tessera {
 /// these leave a residual, as between different shapes, the point and the ends of levels 0 and 1 give a second pose.
 std::vector<Similarity> curve_poses(const Query& a, const Query& b, int pad_levels);
 
+/// One pose for each pair of arcs of A and B that run alike: parts without corners, on which PADs find few levels.
+std::vector<Similarity> arc_pair_poses(const Query& a, const Query& b);
+
 /// Poses that lay the open curves of B that are nearly straight onto those of A, end to end and both ways round. Such
 /// curves turn too little for a PAD: the paper's first limitation.
 std::vector<Similarity> straight_poses(const std::vector<Curve>& a, const std::vector<Curve>& b);

@@ -1,4 +1,5 @@
-// Shapes of a library that follow one another, made ready for searches: an index of their PADs at each smoothing level.
+// Shapes of a library that follow one another, made ready for searches: an index of their PADs at each smoothing level, and one of
+// the arcs of their boundaries.
 #pragma once
 
 #include <cstdint>
@@ -33,6 +34,7 @@ class KnownShapes {
   const ShapeModel& model(std::uint32_t shape) const { return models_[shape]; }
   float drawn_scale_px(std::uint32_t shape) const { return drawn_scales_px_[shape]; }
   const std::vector<Level>& levels() const { return levels_; }
+  /// Of one shape at least.
   const KnownArcs& arcs() const { return *arcs_; }
   int pad_levels() const { return pad_levels_; }
   /// The key points of a sample of the level with this place in levels().

@@ -56,6 +56,14 @@ QueryWidth make_width(const std::vector<Curve>& curves, float sigma, float lengt
   return width;
 }
 
+std::vector<Curve> large_curves(const std::vector<Curve>& curves, float length) {
+  std::vector<Curve> large;
+  for (const Curve& curve : curves) {
+    if (length_of(curve) >= kShortestShare * length) large.push_back(curve);
+  }
+  return large;
+}
+
 std::vector<Curve> cleaned(const std::vector<Curve>& curves, float sigma) {
   std::vector<Curve> result;
   for (const Curve& curve : curves) result.push_back(without_noise(curve, sigma));
@@ -109,6 +117,7 @@ std::vector<Curve> even_curves(const std::vector<Curve>& curves, float sigma, fl
 
 Query::Query(const std::vector<Curve>& curves, const QuerySettings& settings)
     : Query(curves, settings, measure(curves)) {
+  if (!settings.without_noise) return;
   const std::vector<Curve> without = cleaned(curves, settings.least_sigma);
   if (without != curves) without_noise_.reset(new Query(without, settings, measure(without)));
 }
@@ -117,7 +126,7 @@ Query::Query(const std::vector<Curve>& curves, const QuerySettings& settings, co
     : map_(make_map(curves, kMapSmoothing * settings.least_sigma, measures)),
       measures_(measures),
       least_sigma_(settings.least_sigma),
-      narrow_curves_(even_curves(curves, settings.least_sigma, settings.least_sigma)) {
+      narrow_curves_(even_curves(large_curves(curves, measures.length), settings.least_sigma, settings.least_sigma)) {
   for (float sigma = settings.least_sigma; sigma < kWidest * measures.length; sigma *= kWidthStep) {
     widths_.push_back(make_width(curves, sigma, measures.length, settings.pad));
   }

@@ -20,6 +20,8 @@ struct QuerySettings {
   PadParameters pad;
   /// The narrowest smoothing, query units: what the curves' own noise needs. 1.5 pixels of a clean silhouette.
   float least_sigma = 1.5f;
+  /// Whether Query::without_noise() is made.
+  bool without_noise = false;
 };
 
 class Query {
@@ -27,11 +29,11 @@ class Query {
   /// `curves`: at least one, each without a curve_fault().
   Query(const std::vector<Curve>& curves, const QuerySettings& settings);
 
-  /// The query of the curves without their noise (curve_noise.h); null where they have none. What seems noise may belong to
+  /// The query of the curves without their noise (curve_noise.h); null where they have none, or where it was not asked for. What seems noise may belong to
   /// the shape: a hedgehog's spines.
   const Query* without_noise() const { return without_noise_.get(); }
   const CurveMap& map() const { return map_; }
-  /// The curves, smoothed by the narrowest width, as evenly spaced points.
+  /// The curves that are kShortestShare of all at least, smoothed by the narrowest width, as evenly spaced points.
   const std::vector<Curve>& narrow_curves() const { return narrow_curves_; }
   const std::vector<QueryWidth>& widths() const { return widths_; }
   float least_sigma() const { return least_sigma_; }

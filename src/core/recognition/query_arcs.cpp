@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 namespace tessera {
 namespace {
@@ -74,7 +73,6 @@ std::vector<QueryArc> query_arcs(const Query& query, float unit, float step) {
   const float shortest = kShortestWidths * query.least_sigma();
   for (const Curve& curve : query.narrow_curves()) {
     const EvenCurve even(curve);
-    if (even.length() < kShortestShare * query.length()) continue;
     const float longest = curve.closed ? kLongestOfClosed * even.length() : even.length();
     const float first = unit * std::pow(step, std::ceil(std::log(shortest / unit) / std::log(step)));
     for (float length = first; length <= longest; length *= step) {

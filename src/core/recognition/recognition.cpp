@@ -95,7 +95,7 @@ std::vector<Recognition> recognised_as_it_is(const Query& query, const KnownShap
     const Similarity pose =
         refined_pose(query, points.boundary(), p.query_from_shape, kCompareSteps, kCompareReach * query.least_sigma(),
                      kComparedReach * query.least_sigma(), scales.near(p.shape, p.query_from_shape));
-    result.push_back({shapes.id(p.shape), pose, followed_part(query, points.boundary(), pose)});
+    result.push_back({shapes.id(p.shape), pose, followed_part(query, points.boundary(), pose), query.length()});
   }
   return result;
 }

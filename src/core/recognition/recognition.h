@@ -1,5 +1,5 @@
-// Which shapes of a library a query is, or is a part of: the query's PADs are looked up in the library's index; each pair
-// gives a pose, poses are tried on the query's curves, the best are made better and compared (paper, section 3.3 and
+// Which shapes of a library a query is, or is a part of: the query's PADs and arcs are looked up in indexes of the library's; each
+// pair gives a pose, poses are tried on the query's curves, the best are made better and compared (paper, section 3.3 and
 // Figs. 26 and 27).
 #pragma once
 
@@ -25,6 +25,8 @@ struct Recognition {
   Similarity query_from_shape;
   /// How much of the query's boundary the shape follows, and how closely: 0 to about 1.
   float similarity = 0;
+  float query_length =
+      0;  // that the similarity is a part of, query units; the query's without its noise, where that fits better
 };
 /// The better one first; equal ones by their numbers.
 inline bool operator<(const Recognition& a, const Recognition& b) {

@@ -25,7 +25,7 @@ RecognisedShape told(const Recognition& recognition, const DrawnCurves& query, c
   RecognisedShape shape;
   shape.name = head.name;
   shape.similarity = recognition.similarity;
-  shape.score = answer_score(recognition, query.curves, head.outline);
+  shape.score = answer_score(recognition, head.outline);
   if (head.drawn_scale_px > 0) shape.scale = double(pose.scale()) / double(head.drawn_scale_px);
   shape.rotation_deg = kDegreesPerRad * double(pose.rotation_rad());
   return shape;

@@ -22,7 +22,8 @@ std::vector<Query> prepared_queries(const RecognitionQuestion& question, const P
   std::vector<Query> queries;
   queries.reserve(question.queries.size());
   for (const AskedCurves& query : question.queries) {
-    queries.emplace_back(query.curves, QuerySettings{.pad = pad, .least_sigma = kLeastSigma_pixels * query.pixel});
+    const float least_sigma = kLeastSigma_pixels * query.pixel;
+    queries.emplace_back(query.curves, QuerySettings{.pad = pad, .least_sigma = least_sigma, .without_noise = true});
   }
   return queries;
 }

@@ -147,7 +147,9 @@ TEST(QueryArcs, AreNotTakenOfThousandsOfCrumbs) {
 
 TEST(QueryArcs, AreNotStraight) {
   const Curve corner{{{0, 0}, {100, 0}, {100, 80}}, false};
-  for (const QueryArc& arc : query_arcs(Query({corner}, {}), 3, 2)) {
+  const std::vector<QueryArc> arcs = query_arcs(Query({corner}, {}), 3, 2);
+  ASSERT_FALSE(arcs.empty());
+  for (const QueryArc& arc : arcs) {
     EXPECT_LT(arc.points.front().y, 1.f) << "begins before the corner";
     EXPECT_GT(arc.points.back().x, 99.f) << "ends after it";
   }

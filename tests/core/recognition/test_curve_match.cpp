@@ -98,6 +98,22 @@ TEST(CurveMatch, OpenCurvesMatchInThePartThatTheyShare) {
 }
 
 // As the paper's Fig. 14: from the same shape to one that has less and less of it.
+/// Without corners PADs have few levels on it; arcs give the pose.
+TEST(CurveMatch, AThirdOfAnEllipseIsFoundWhereverItBegins) {
+  Curve ellipse{{}, true};
+  for (int i = 0; i < 480; ++i) {
+    const float angle = 6.2831853f * float(i) / 480;
+    ellipse.points.push_back({200 * std::cos(angle), 110 * std::sin(angle)});
+  }
+  for (int start = 0; start < 480; start += 60) {
+    Curve third;
+    for (int i = 0; i < 160; ++i) third.points.push_back(ellipse.points[std::size_t(start + i) % 480]);
+    const CurveMatch match = best_match(ellipse, posed(third, turned(1, 0.7f)));
+    EXPECT_GT(match.part_of_b, 0.9f) << "from point " << start;
+    EXPECT_NEAR(match.a_from_b.scale(), 1 / 0.7f, 0.1f) << "from point " << start;
+  }
+}
+
 TEST(CurveMatch, ScoresFallAsLessOfTheShapeIsLeft) {
   float score = 2, part = 2;
   for (const float changed : {0.f, 0.2f, 0.4f, 0.6f, 0.8f}) {

@@ -7,6 +7,8 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
+#include <set>
 
 #include "core/recognition/boundary_fit.h"
 #include "core/recognition/point_fit.h"
@@ -95,6 +97,27 @@ TEST(Recognition, FindsAShapeOfWhichHalfIsHidden) {
     right += !found.empty() && index_of(found[0].shape) == i;
   }
   EXPECT_GE(right, tried - 1);
+}
+
+/// Noise of 3 px at points 1 px apart makes the outline several times longer.
+TEST(Recognition, FindsANoisyShapeWithoutItsNoise) {
+  Curve outline = posed_outline(7, turned(0.4f, 120));
+  outline = resampled(outline, int(length_of(outline)));
+  std::mt19937 bits(1);
+  std::normal_distribution<float> noise(0, 3);
+  const std::vector<Vec2> tangents = tangents_of(outline);
+  for (std::size_t i = 0; i < tangents.size(); ++i) {
+    outline.points[i] = outline.points[i] + Vec2{-tangents[i].y, tangents[i].x} * noise(bits);
+  }
+  const auto with = recognised(Query({outline}, {}), all_shapes(), {}, outline_of);
+  const auto without = recognised(Query({outline}, {.without_noise = true}), all_shapes(), {}, outline_of);
+  ASSERT_FALSE(without.empty());
+  EXPECT_EQ(index_of(without[0].shape), 7u);
+  EXPECT_GT(without[0].similarity, 0.6f);
+  EXPECT_TRUE(with.empty() || with[0].similarity < without[0].similarity);
+  EXPECT_LT(without[0].query_length, 0.6f * length_of(outline)) << "the length without noise";
+  std::set<std::size_t> each;
+  for (const Recognition& r : without) EXPECT_TRUE(each.insert(index_of(r.shape)).second) << "told twice";
 }
 
 TEST(Recognition, AKnownScaleExcludesOthers) {
