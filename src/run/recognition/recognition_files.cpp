@@ -20,7 +20,7 @@ constexpr std::size_t kMostColumns = 10;
 constexpr std::size_t kMostRows = 100;
 constexpr double kMargin = 0.06;  // of a cell
 
-RecognisedShape told(const Recognition& recognition, const DrawnCurves& query, const Shape& head) {
+RecognisedShape told(const Recognition& recognition, const Shape& head) {
   const Similarity& pose = recognition.query_from_shape;
   RecognisedShape shape;
   shape.name = head.name;
@@ -69,7 +69,7 @@ std::vector<RecognisedQuery> recognised_queries(const std::vector<std::string>& 
       const std::size_t id = index_of(recognition.shape);
       const LibraryParts outline_alone{.outline = true, .field = false, .levels = 0, .artwork = false};
       const Shape head = library.read(id, id + 1, outline_alone).front();
-      query.shapes.push_back(told(recognition, drawn[q], head));
+      query.shapes.push_back(told(recognition, head));
     }
     queries.push_back(std::move(query));
   }
