@@ -59,8 +59,7 @@ void draw_query(cairo_t* cairo, const DrawnCurves& query, double x_px, double y_
 
 }  // namespace
 
-std::vector<RecognisedQuery> recognised_queries(const std::vector<std::string>& files,
-                                                const std::vector<DrawnCurves>& drawn, const Recognitions& found,
+std::vector<RecognisedQuery> recognised_queries(const std::vector<std::string>& files, const Recognitions& found,
                                                 const LibraryFile& library) {
   std::vector<RecognisedQuery> queries;
   for (std::size_t q = 0; q < files.size(); ++q) {

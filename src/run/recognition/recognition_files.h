@@ -25,9 +25,8 @@ struct RecognisedQuery {
   bool found(double least_score) const { return !shapes.empty() && shapes.front().score >= least_score; }
 };
 
-/// `files`, `drawn`: the names of the queries, and what they show.
-std::vector<RecognisedQuery> recognised_queries(const std::vector<std::string>& files,
-                                                const std::vector<DrawnCurves>& drawn, const Recognitions& found,
+/// `files`: the names of the queries.
+std::vector<RecognisedQuery> recognised_queries(const std::vector<std::string>& files, const Recognitions& found,
                                                 const LibraryFile& library);
 
 /// Writes JSON. Throws EnvironmentError where the file cannot be written, as does write_recognition_sheet.

@@ -88,7 +88,7 @@ int lead(const RecognizeArguments& arguments, comm::Communicator& ranks) {
   const Stopwatch watch;
   const RecognitionQuestion question = question_of(arguments, drawn, library);
   const Recognitions found = searched(arguments, question, library, ranks);
-  const std::vector<RecognisedQuery> queries = recognised_queries(arguments.queries, drawn, found, library);
+  const std::vector<RecognisedQuery> queries = recognised_queries(arguments.queries, found, library);
   if (!arguments.quiet) print_table(arguments, queries);
   if (!arguments.json.empty()) write_recognitions(arguments.json, arguments.library, queries);
   if (!arguments.sheet.empty()) write_recognition_sheet(arguments.sheet, arguments.queries, drawn, found, library);

@@ -109,8 +109,10 @@ TEST(Recognition, FindsANoisyShapeWithoutItsNoise) {
   for (std::size_t i = 0; i < tangents.size(); ++i) {
     outline.points[i] = outline.points[i] + Vec2{-tangents[i].y, tangents[i].x} * noise(bits);
   }
+  QuerySettings without_its_noise;
+  without_its_noise.without_noise = true;
   const auto with = recognised(Query({outline}, {}), all_shapes(), {}, outline_of);
-  const auto without = recognised(Query({outline}, {.without_noise = true}), all_shapes(), {}, outline_of);
+  const auto without = recognised(Query({outline}, without_its_noise), all_shapes(), {}, outline_of);
   ASSERT_FALSE(without.empty());
   EXPECT_EQ(index_of(without[0].shape), 7u);
   EXPECT_GT(without[0].similarity, 0.6f);
