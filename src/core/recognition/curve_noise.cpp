@@ -6,7 +6,7 @@ namespace tessera {
 namespace {
 
 /// A curve that loses more of its length has noise: the stairs of pixels are at most 8 % of it, corners some percent.
-constexpr float kNoiseLoss = 0.2f;
+constexpr float kNoiseLoss = 0.12f;
 constexpr int kMostRounds = 10;
 /// A curve of fewer widths would lose its shape, too.
 constexpr float kShortest = 20;

@@ -47,7 +47,7 @@ RC_GTEST_PROP(WithoutNoise, LeavesTheShape, ()) {
   const Curve truth = clean(seed), given = noisy(truth, noise_px, seed + 1), left = without_noise(given, 1.5f);
   RC_LOG(std::to_string(length_of(given)) + " to " + std::to_string(length_of(left)));
   RC_ASSERT(length_of(given) > 1.3f * length_of(truth));
-  RC_ASSERT(length_of(left) < 1.5f * length_of(truth));  // it ends where a fifth is still to be won
+  RC_ASSERT(length_of(left) < 1.5f * length_of(truth));  // it ends where an eighth is still to be won
   RC_ASSERT(length_of(left) > 0.9f * length_of(truth));
   RC_ASSERT(root_mean_square_off(left, truth) < 0.75f * root_mean_square_off(given, truth));
 }
