@@ -108,7 +108,7 @@ struct DescriptorsOptions {
 Report bench_descriptors(const Setting& setting, const DescriptorsOptions& options);
 
 struct ScenesOptions : SilhouetteOptions {
-  /// Nobody knows at which scale two silhouettes lie over each other.
+  /// The scale is unknown by default: a scene of two silhouettes does not tell it.
   ScenesOptions() { scale_known = false; }
 
   std::vector<std::string> kinds;  // names of scene_kinds(); none: all

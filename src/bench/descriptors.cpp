@@ -48,7 +48,7 @@ std::vector<Shape> shapes_of_folder(const std::string& folder, std::size_t most)
   if (shapes.size() < 2) {
     throw InputError("--shapes: found silhouettes of " + std::to_string(shapes.size()) +
                      (shapes.size() == 1 ? " class in " : " classes in ") + folder +
-                     "; needed: 2 or more classes, named by what stands before the first dash of a file's name");
+                     "; needed: 2 or more classes, named by what stands before the last dash of a file's name");
   }
   return shapes;
 }

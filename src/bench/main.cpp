@@ -314,7 +314,7 @@ void add_descriptors(CLI::App& bench, Command& selected) {
                                 "The same collage with PADs, shape context and Hu moments: pieces placed a minute",
                                 [options](const Setting& s) { return bench_descriptors(s, *options); });
   sub->add_option("--shapes", options->shapes,
-                  "Folder of silhouettes: PNGs, white on black, of each name before a dash the first; default: blobs "
+                  "Folder of silhouettes: PNGs, white on black, of each name before the last dash the first; default: blobs "
                   "made from formulas")
       ->type_name("FOLDER");
   sub->add_option("--minutes", options->minutes, "Processor time of each method")->type_name("M")->default_str("1");

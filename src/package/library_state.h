@@ -1,4 +1,4 @@
-// What a Library holds.
+// The private state of the public class Library.
 #pragma once
 
 #include <string>

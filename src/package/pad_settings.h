@@ -1,4 +1,4 @@
-// What PadSettings may say.
+// Checks the public PadSettings and fills in its defaults.
 #pragma once
 
 #include "tessera/matching/pad.h"

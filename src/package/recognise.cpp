@@ -1,7 +1,7 @@
 #include "tessera/matching/recognise.h"
 
 #include <algorithm>
-#include <set>
+#include <utility>
 
 #include "core/base/rank_pool.h"
 #include "core/pad/pad_index.h"
@@ -58,13 +58,6 @@ std::vector<tessera::Query> prepared_queries(const PreparedCurves& prepared, con
   const std::vector<tessera::Curve> other_way = turned_round(prepared.curves);
   if (other_way != prepared.curves) queries.emplace_back(other_way, settings);
   return queries;
-}
-
-/// Removes all answers of a shape but its best one; the best first.
-void keep_best_of_each(std::vector<Recognition>& found) {
-  std::sort(found.begin(), found.end());
-  std::set<std::size_t> seen;
-  std::erase_if(found, [&](const Recognition& r) { return !seen.insert(index_of(r.shape)).second; });
 }
 
 }  // namespace
@@ -136,7 +129,7 @@ std::vector<Recognised> KnownOutlines::recognise(const Outline& query, const Rec
       }
       best.insert(best.end(), of_way.begin(), of_way.end());
     }
-    keep_best_of_each(best);
+    best = best_of_each(std::move(best));
     best.resize(std::min(best.size(), core_settings.most));
     std::vector<Recognised> result;
     for (const Recognition& found : best) {

@@ -1,4 +1,4 @@
-// By which the best answer for a query is told from a shape that the library has not.
+// The score of an answer: it tells whether the library has the query's shape at all.
 #pragma once
 
 #include "core/geometry/polygon.h"

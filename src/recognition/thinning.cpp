@@ -72,7 +72,7 @@ class Border {
     return !taken.empty();
   }
 
-  /// In the order of rows.
+  /// The pixels, row by row.
   std::vector<Pixel> sorted_pixels() const {
     std::vector<Pixel> sorted = pixels_;
     std::sort(sorted.begin(), sorted.end(),

@@ -13,7 +13,7 @@
 
 namespace tessera::matching {
 
-/// What a descriptor keeps of an outline. Only the descriptor knows what the numbers mean.
+/// The numbers by which a descriptor describes an outline. Only the descriptor knows what the numbers mean.
 using Description = std::vector<double>;
 
 /// Implement it to compare a descriptor of your own with PAD.

@@ -9,7 +9,7 @@
 
 namespace tessera::matching {
 
-/// What of a drawing becomes curves.
+/// Chooses the lines of a drawing that become curves.
 enum class Trace {
   outlines,     ///< the outlines of its silhouette, holes too: closed curves
   centre_lines  ///< the middles of its strokes, which are cut where they meet: open curves, as a rule

@@ -30,7 +30,7 @@ class TESSERA_MATCHING_API Library {
 
   std::size_t size() const;
 
-  /// Of all shapes, in their order; each occurs once.
+  /// The names of all shapes, in the shapes' order. No name occurs twice.
   const std::vector<std::string>& names() const;
 
   /// The outline of a shape: its outer curve has 512 evenly spaced points. The origin is the centroid of its area, and the
@@ -43,7 +43,7 @@ class TESSERA_MATCHING_API Library {
   /// Width of the Gaussian of a level, in units of the outlines: 0.177, and half as wide from level to level.
   static double smoothing(int level);
 
-  /// What the PADs were made with.
+  /// The parameters with which the library's PADs were made: levels on each side, and the turning of level 0.
   int pad_levels() const;
   double pad_delta_tau_rad() const;
 

@@ -1,5 +1,5 @@
 /// @file
-/// What is matched: the outlines of a silhouette, or open lines.
+/// Curves that are matched and recognised: the outlines of a silhouette, or open lines.
 ///
 /// Any unit of length will do. The y axis may point down, as in pictures, or up, as in plots, but in all outlines alike.
 #pragma once

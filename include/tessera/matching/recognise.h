@@ -1,5 +1,5 @@
 /// @file
-/// Which of many known outlines a query is, or is a part of.
+/// Recognition: finds the known outlines that a query shows, wholly or in part.
 #pragma once
 
 #include <cstddef>

@@ -20,7 +20,7 @@ bool can_be_run(const fs::path& file) {
   return fs::is_regular_file(file, error) && ::access(file.c_str(), X_OK) == 0;
 }
 
-/// What TESSERA_DRAWER says; null where it says nothing.
+/// The value of the environment variable TESSERA_DRAWER; null where it is not set or empty.
 const char* named_by_user() {
   const char* given = std::getenv("TESSERA_DRAWER");
   return given && *given ? given : nullptr;

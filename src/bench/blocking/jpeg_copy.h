@@ -1,4 +1,4 @@
-// What is left of a mask that was kept as a JPEG.
+// Writes a mask as a JPEG and reads it back, with the noise that the compression adds.
 #pragma once
 
 #include <opencv2/core.hpp>

@@ -1,4 +1,4 @@
-// What all queries of one benchmark run share: the silhouettes, their twins, and the library that is searched.
+// The data that all queries of one benchmark run share: the silhouettes, their twins, and the library that is searched.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -34,7 +34,7 @@ View random_view(const SilhouetteOptions& options, Draws& draws);
 /// The query with what is told of it.
 ClippedQuery told_query(std::vector<Curve> curves, const View& view, const SilhouetteOptions& options);
 
-/// What a report says of the case: for programs, and in a few lines for people.
+/// The case in a report: as JSON for programs, and in a few lines for people.
 nlohmann::ordered_json case_json(const SilhouetteCase& run);
 std::string case_text(const SilhouetteCase& run);
 

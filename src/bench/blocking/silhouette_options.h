@@ -1,4 +1,4 @@
-// What the benchmarks of silhouettes that are recognised have in common on their command lines.
+// Options that the benchmarks of recognised silhouettes (blocking, scenes) have in common.
 #pragma once
 
 #include <cstddef>

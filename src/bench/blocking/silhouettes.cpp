@@ -64,11 +64,12 @@ std::vector<Silhouette> read_silhouettes(const std::string& folder) {
   return silhouettes;
 }
 
+std::string class_of(const Silhouette& silhouette) { return silhouette.name.substr(0, silhouette.name.rfind('-')); }
+
 std::vector<Silhouette> first_of_each_class(std::vector<Silhouette> silhouettes) {
   std::set<std::string> classes;
-  std::erase_if(silhouettes, [&](const Silhouette& silhouette) {
-    return !classes.insert(silhouette.name.substr(0, silhouette.name.find('-'))).second;
-  });
+  std::erase_if(silhouettes,
+                [&](const Silhouette& silhouette) { return !classes.insert(class_of(silhouette)).second; });
   return silhouettes;
 }
 

@@ -20,7 +20,10 @@ cv::Mat largest_part(const cv::Mat& grey);
 /// them is no picture or empty.
 std::vector<Silhouette> read_silhouettes(const std::string& folder);
 
-/// Of each class the first one, in their order. The class is the name before its first dash, or the whole name.
+/// The class of a silhouette: its name before the last dash, or the whole name. "Bone-12" is of the class "Bone".
+std::string class_of(const Silhouette& silhouette);
+
+/// The first silhouette of each class, in their order.
 std::vector<Silhouette> first_of_each_class(std::vector<Silhouette> silhouettes);
 
 }  // namespace tessera::bench

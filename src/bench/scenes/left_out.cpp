@@ -20,8 +20,7 @@ std::vector<std::size_t> shuffled(std::size_t count, Draws& draws) {
 std::vector<std::vector<std::size_t>> classes_of(const std::vector<Silhouette>& silhouettes) {
   std::map<std::string, std::vector<std::size_t>> by_name;
   for (std::size_t i = 0; i < silhouettes.size(); ++i) {
-    const std::string& name = silhouettes[i].name;
-    by_name[name.substr(0, name.rfind('-'))].push_back(i);
+    by_name[class_of(silhouettes[i])].push_back(i);
   }
   std::vector<std::vector<std::size_t>> classes;
   for (auto& [name, members] : by_name) classes.push_back(std::move(members));

@@ -17,7 +17,7 @@ enum class LeftOut {
   shapes    // half of the shapes of each class; twins share their lot
 };
 
-/// Which of the silhouettes are left out, by draws of the seed. The class of "Bone-12" is "Bone".
+/// Chooses the silhouettes that are left out, by draws of the seed. One value a silhouette: true where it is left out.
 std::vector<bool> chosen_left_out(const std::vector<Silhouette>& silhouettes, const Twins& twins, LeftOut kind,
                                   std::uint64_t seed);
 

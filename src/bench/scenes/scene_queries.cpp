@@ -16,7 +16,7 @@ namespace {
 constexpr int kMostOthersTried = 64;
 constexpr double kTriesToDouble = 16;
 
-/// What is seen, and of what.
+/// The visible part of a scene, and the silhouettes that it shows.
 struct Sight {
   cv::Mat seen;
   HiderDistance from_hider;  // empty: all is boundary

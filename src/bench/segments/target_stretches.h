@@ -13,7 +13,7 @@ namespace tessera::bench {
 
 class TargetStretches {
  public:
-  /// Of a canvas that does not repeat.
+  /// The canvas must not repeat.
   explicit TargetStretches(const PieceSettings& pieces);
 
   /// Traces the whole curve anew. `free`: the free field at the canvas' nodes, paddings taken off.

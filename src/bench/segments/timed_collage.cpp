@@ -12,7 +12,7 @@ namespace {
 /// An octave of sizes: large enough for the 1.5 px by which fields blur, small enough for a quick field.
 constexpr float kLeastScale_px = 50;
 constexpr float kMostScale_px = 100;
-/// Of the square, in areas of all shapes at their largest: with less, some find no place at its rim.
+/// Area of the square canvas, in areas of all shapes at their largest. In a smaller one some shapes find no place at the rim.
 constexpr double kRoom = 1.5;
 
 /// Counts the pieces over the processor time, and ends the loop when that is over.

@@ -12,8 +12,6 @@ constexpr float kArcReach = 0.04f;
 constexpr std::size_t kMostPairs = 100;
 /// Arcs of which the points are farther apart do not run alike.
 constexpr float kMostResidual = 0.15f;
-/// Steps between lengths of the query's arcs, where the scale is unknown.
-constexpr float kUnknownStep = 1.18920712f;
 /// The number of arcs in one task of a thread.
 constexpr std::size_t kPortion = 8;
 
@@ -35,10 +33,9 @@ void look_up(const QueryArc& arc, const KnownShapes& shapes, const PossibleScale
 
 }  // namespace
 
-std::vector<PosedShape> arc_poses(const Query& query, const KnownShapes& shapes, const PossibleScales& scales,
-                                  std::optional<float> query_per_drawn_px) {
-  const std::vector<QueryArc> arcs =
-      query_arcs(query, query_per_drawn_px.value_or(1), query_per_drawn_px ? kArcStep : kUnknownStep);
+std::vector<PosedShape> arc_poses(const Query& query, const KnownShapes& shapes, const PossibleScales& scales) {
+  const std::optional<float> known = scales.query_per_drawn_px();
+  const std::vector<QueryArc> arcs = query_arcs(query, known.value_or(1), known ? kArcStep : kFineArcStep);
   std::vector<std::vector<PosedShape>> of_arc(arcs.size());
   parallel_for_portions(arcs.size(), kPortion, [&](std::size_t i) { look_up(arcs[i], shapes, scales, of_arc[i]); });
   std::vector<PosedShape> poses;

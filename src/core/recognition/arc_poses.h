@@ -10,9 +10,7 @@
 namespace tessera {
 
 /// One pose for each pair of an arc of the query and one of its nearest in the library that may have this scale.
-/// `query_per_drawn_px`: query units for one px of the library's drawings, where it is known: arcs of exactly the library's lengths
-/// are looked up then.
-std::vector<PosedShape> arc_poses(const Query& query, const KnownShapes& shapes, const PossibleScales& scales,
-                                  std::optional<float> query_per_drawn_px);
+/// Where the scale is known, arcs of exactly the library's lengths are looked up.
+std::vector<PosedShape> arc_poses(const Query& query, const KnownShapes& shapes, const PossibleScales& scales);
 
 }  // namespace tessera

@@ -11,6 +11,13 @@
 
 namespace tessera {
 
+/// Lengths of arcs are half an octave apart on one side of a comparison, and a quarter on the other one, where the scale is
+/// unknown.
+inline constexpr float kArcStep = 1.41421356f;
+inline constexpr float kFineArcStep = 1.18920712f;
+/// The longest arc of a closed curve, in parts of it: a longer one comes back to where it began.
+inline constexpr float kLongestOfClosed = 0.8f;
+
 /// Points of an arc at even arclength, both ends among them.
 inline constexpr int kArcPoints = 6;
 using ArcPoints = std::array<Vec2, kArcPoints>;
@@ -28,7 +35,7 @@ float arc_distance(const ArcSignature& a, const ArcSignature& b);
 /// An entry of an index, of an arc of so many shape units. An arc without signature is never met.
 PadBytes arc_bytes(const std::optional<ArcSignature>& signature, float length);
 
-/// What a search of that index looks for: arcs of the lengths between `least` and `most`, shape units.
+/// The target of a search in that index: arcs of the lengths between `least` and `most`, shape units.
 PadTarget arc_target(const ArcSignature& signature, float least, float most);
 
 }  // namespace tessera

@@ -1,4 +1,4 @@
-// Where the nearest point of some curves is, for many points near them.
+// A map of curves: tells the nearest point of the curves for any point near them.
 #pragma once
 
 #include <cstdint>

@@ -181,7 +181,7 @@ class CurveMatcher {
     return points > 0 ? sum / points : 0;
   }
 
-  /// From arclengths of a smoothed curve to those of the given one, which is a little longer.
+  /// Turns arclengths of a smoothed curve into those of the given one, which is a little longer.
   static void stretch(CurvePart& part, const std::vector<Curve>& given, const std::vector<Curve>& even) {
     const float factor = length_of(given[part.curve]) / length_of(even[part.curve]);
     part.from *= factor;

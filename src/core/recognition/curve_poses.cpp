@@ -26,9 +26,7 @@ constexpr float kPairScaleSlack = 1.2f;
 constexpr float kSameResidual = 0.05f;
 constexpr float kLargestResidual = 0.3f;
 constexpr int kInnermostLevels = 2;
-/// Steps between lengths of arcs, how much two may differ, and how many of B are tried for each of A.
-constexpr float kArcStepOfA = 1.41421356f;
-constexpr float kArcStepOfB = 1.18920712f;
+/// How much two arcs may differ, and how many of B are tried for each of A.
 constexpr float kArcPairReach = 0.04f;
 constexpr std::size_t kMostPairsOfArc = 8;
 /// Open curves are straight where the line from end to end has this part of their length. They turn by 0.9 rad at most.
@@ -163,8 +161,8 @@ std::vector<Similarity> curve_poses(const Query& a, const Query& b, int pad_leve
 }
 
 std::vector<Similarity> arc_pair_poses(const Query& a, const Query& b) {
-  const std::vector<QueryArc> of_a = query_arcs(a, 1, kArcStepOfA);
-  const std::vector<QueryArc> of_b = query_arcs(b, 1, kArcStepOfB);
+  const std::vector<QueryArc> of_a = query_arcs(a, 1, kArcStep);
+  const std::vector<QueryArc> of_b = query_arcs(b, 1, kFineArcStep);
   std::vector<Similarity> poses;
   std::vector<std::pair<float, std::size_t>> near;
   for (const QueryArc& arc : of_a) {

@@ -7,9 +7,6 @@
 namespace tessera {
 namespace {
 
-/// Longer arcs come back to where they began.
-constexpr float kLongestArc = 0.8f;
-
 /// The outer boundary at even arclength: where the samples of the finest level lie.
 class Boundary {
  public:
@@ -69,7 +66,8 @@ KnownArcs::KnownArcs(const std::vector<ShapeModel>& models, const std::vector<fl
       const auto place = std::uint32_t(shape) * of_shape + i;
       const float length = length_of(place);
       std::optional<ArcSignature> signature;
-      if (length < kLongestArc * around_[shape]) signature = arc_signature(points_of(place, models[shape]), length);
+      if (length < kLongestOfClosed * around_[shape])
+        signature = arc_signature(points_of(place, models[shape]), length);
       bytes[place] = arc_bytes(signature, length);
     }
   });

@@ -12,7 +12,6 @@ namespace tessera {
 
 /// The lengths of arcs, in px of the drawing, are powers of kArcStep: so queries of a known scale can have the same. A shape has
 /// kArcLengths of them, from the first one that is kShortestArc of its boundary or more.
-inline constexpr float kArcStep = 1.41421356f;
 inline constexpr int kArcLengths = 8;
 inline constexpr float kShortestArc = 1.f / 16;
 

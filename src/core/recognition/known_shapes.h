@@ -34,7 +34,7 @@ class KnownShapes {
   const ShapeModel& model(std::uint32_t shape) const { return models_[shape]; }
   float drawn_scale_px(std::uint32_t shape) const { return drawn_scales_px_[shape]; }
   const std::vector<Level>& levels() const { return levels_; }
-  /// Of one shape at least.
+  /// The shapes' arcs. There must be at least one shape.
   const KnownArcs& arcs() const { return *arcs_; }
   int pad_levels() const { return pad_levels_; }
   /// The key points of a sample of the level with this place in levels().

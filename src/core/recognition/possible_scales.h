@@ -15,7 +15,8 @@ class PossibleScales {
   /// scale then. Else shapes are from a part of the query to somewhat larger than it.
   PossibleScales(const Query& query, const KnownShapes& shapes, std::optional<float> query_per_drawn_px);
 
-  /// What is possible for any of the shapes.
+  std::optional<float> query_per_drawn_px() const { return query_per_drawn_px_; }
+  /// The least and the largest scale that any of the shapes may have.
   const ScaleLimits& limits() const { return limits_; }
   /// Whether this shape may have one of these scales, `scales` being an estimate by key points.
   bool may_have(std::uint32_t shape, const ScaleLimits& scales) const;

@@ -1,4 +1,4 @@
-// What is looked for: the curves of a drawing, or of what is seen of it, prepared once for all comparisons. Units are the
+// A query: the curves of a drawing, or of what is seen of it, prepared once for all comparisons. Units are the
 // query's own (px of an image, or a drawing's units).
 #pragma once
 
@@ -20,7 +20,7 @@ struct QuerySettings {
   PadParameters pad;
   /// The narrowest smoothing, query units: what the curves' own noise needs. 1.5 pixels of a clean silhouette.
   float least_sigma = 1.5f;
-  /// Whether Query::without_noise() is made.
+  /// Asks for Query::without_noise().
   bool without_noise = false;
 };
 

@@ -8,8 +8,6 @@ namespace {
 
 /// The shortest arc, in widths of the query's narrowest smoothing: a shorter one has lost its shape.
 constexpr float kShortestWidths = 6;
-/// The longest arc of a closed curve: a longer one comes back to where it began.
-constexpr float kLongestOfClosed = 0.8f;
 /// Arcs begin this part of their length apart, or farther, where more than so many would be looked up of a length.
 constexpr float kStartSpacing = 1.f / 8;
 constexpr float kMostOfLength = 10;

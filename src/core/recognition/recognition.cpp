@@ -73,12 +73,23 @@ CurvePoints outline_points(const Outline& outline) {
   return CurvePoints(curves);
 }
 
-/// The compared shapes, each once.
+/// Fits the whole outline of a shape to the query, and measures how much of the query it follows.
+Recognition compared(const Query& query, const KnownShapes& shapes, const PosedShape& posed,
+                     const PossibleScales& scales, const OutlineOf& outline_of) {
+  const ShapeId id = shapes.id(posed.shape);
+  const CurvePoints points = outline_points(outline_of(id));
+  const Similarity pose =
+      refined_pose(query, points.boundary(), posed.query_from_shape, kCompareSteps, kCompareReach * query.least_sigma(),
+                   kComparedReach * query.least_sigma(), scales.near(posed.shape, posed.query_from_shape));
+  return {id, pose, followed_part(query, points.boundary(), pose), query.length()};
+}
+
+/// The answers for the query's curves as they are: each compared shape once.
 std::vector<Recognition> recognised_as_it_is(const Query& query, const KnownShapes& shapes,
                                              const RecognitionSettings& settings, const OutlineOf& outline_of) {
   const PossibleScales scales(query, shapes, settings.query_per_drawn_px);
   std::vector<PosedShape> posed = pad_poses(query, shapes, scales);
-  for (const PosedShape& p : arc_poses(query, shapes, scales, settings.query_per_drawn_px)) posed.push_back(p);
+  for (const PosedShape& p : arc_poses(query, shapes, scales)) posed.push_back(p);
   parallel_for_portions(posed.size(), kPortion, [&](std::size_t i) {
     posed[i].followed = roughly_followed(query, model_points(shapes.model(posed[i].shape)), posed[i].query_from_shape);
   });
@@ -90,25 +101,18 @@ std::vector<Recognition> recognised_as_it_is(const Query& query, const KnownShap
   keep_first_of_each(posed);
   posed.resize(std::min(posed.size(), std::max(kMostCompared, 2 * settings.most)));
   std::vector<Recognition> result;
-  for (const PosedShape& p : posed) {
-    const CurvePoints points = outline_points(outline_of(shapes.id(p.shape)));
-    const Similarity pose =
-        refined_pose(query, points.boundary(), p.query_from_shape, kCompareSteps, kCompareReach * query.least_sigma(),
-                     kComparedReach * query.least_sigma(), scales.near(p.shape, p.query_from_shape));
-    result.push_back({shapes.id(p.shape), pose, followed_part(query, points.boundary(), pose), query.length()});
-  }
+  for (const PosedShape& p : posed) result.push_back(compared(query, shapes, p, scales, outline_of));
   return result;
 }
 
-/// The better of both answers of each shape.
+}  // namespace
+
 std::vector<Recognition> best_of_each(std::vector<Recognition> found) {
   std::sort(found.begin(), found.end());
   std::unordered_set<std::size_t> seen;
   std::erase_if(found, [&](const Recognition& r) { return !seen.insert(index_of(r.shape)).second; });
   return found;
 }
-
-}  // namespace
 
 std::vector<Recognition> recognised(const Query& query, const KnownShapes& shapes, const RecognitionSettings& settings,
                                     const OutlineOf& outline_of) {

@@ -1,4 +1,4 @@
-// Which shapes of a library a query is, or is a part of: the query's PADs and arcs are looked up in indexes of the library's; each
+// Finds the shapes of a library that a query shows, wholly or in part: the query's PADs and arcs are looked up in indexes of the library's; each
 // pair gives a pose, poses are tried on the query's curves, the best are made better and compared (paper, section 3.3 and
 // Figs. 26 and 27).
 #pragma once
@@ -32,6 +32,9 @@ struct Recognition {
 inline bool operator<(const Recognition& a, const Recognition& b) {
   return a.similarity != b.similarity ? a.similarity > b.similarity : a.shape < b.shape;
 }
+
+/// The answers in order, of each shape the best one alone.
+std::vector<Recognition> best_of_each(std::vector<Recognition> found);
 
 /// The outline of a shape, shape frame.
 using OutlineOf = std::function<Outline(ShapeId)>;

@@ -167,7 +167,7 @@ RC_GTEST_PROP(ArcPoses, FindTheShapeOfAPartOfItsBoundary, ()) {
   const Query query({part_of(shape, pose, std::size_t(*rc::gen::inRange(0, int(count))), count / 7)}, {});
   for (const std::optional<float> told : {std::optional<float>(factor), std::optional<float>()}) {
     const PossibleScales scales(query, known, told);
-    const std::vector<PosedShape> found = arc_poses(query, known, scales, told);
+    const std::vector<PosedShape> found = arc_poses(query, known, scales);
     const bool right = std::any_of(found.begin(), found.end(), [&](const PosedShape& p) {
       return p.shape == shape && norm(p.query_from_shape.apply(Vec2{}) - pose.apply(Vec2{})) < 0.4f * pose.scale();
     });
