@@ -143,10 +143,11 @@ TEST(LeftOutSilhouettes, AreHalfOfTheClasses) {
 
 TEST(LeftOutSilhouettes, AreHalfOfTheShapesOfEachClassAndTwinsShareTheirLot) {
   const auto silhouettes = named_silhouettes({"a-1", "a-2", "a-3", "a-4", "b-1", "b-2"});
-  const Twins twins("a-1 a-3", "t.txt", silhouettes);
+  const Twins twins("a-1 a-3\na-2 ~a-4", "t.txt", silhouettes);
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     const std::vector<bool> left_out = chosen_left_out(silhouettes, twins, LeftOut::shapes, seed);
     EXPECT_EQ(left_out[0], left_out[2]) << seed;
+    EXPECT_EQ(left_out[1], left_out[3]) << "the library may hold mirror images; " << seed;
     EXPECT_NE(left_out[4], left_out[5]) << seed;
   }
 }
@@ -173,6 +174,9 @@ TEST(SceneSuccess, CountsTheHiddenSilhouetteAndAllThatIsShown) {
   EXPECT_TRUE(!upper_first.twin && upper_first.any && upper_first.among && upper_first.all_among);
   const SceneSuccess mirrored = scene_success({4}, {0}, library, twins);
   EXPECT_TRUE(mirrored.told && !mirrored.twin && !mirrored.any && !mirrored.among);
+  const Twins mirrors("a ~a", "t.txt", named_silhouettes({"a", "b", "c"}));
+  const SceneSuccess symmetric = scene_success({4}, {0}, library, mirrors);
+  EXPECT_TRUE(symmetric.twin && symmetric.any && symmetric.among && !symmetric.itself);
   const SceneSuccess nothing = scene_success({}, {0}, library, twins);
   EXPECT_TRUE(!nothing.told && !nothing.among && !nothing.all_among);
 }

@@ -70,6 +70,15 @@ TEST(PackageMatch, BadInputSaysWhichOutline) {
             "B: curve 0: point 5: found the coordinate nan, allowed: -1e15 to 1e15");
 }
 
+/// Its points differ in double, and are one in the numbers that the core computes with.
+TEST(PackageMatch, ACurveThatIsOnePointBesideALargeOneIsRefused) {
+  matching::Outline outline = matching::make_outline({{{0, 0}, {1024, 0}, {1024, 1024}, {0, 1024}}});
+  matching::Curve speck{{}, true};
+  for (int i = 0; i < 100; ++i) speck.points.push_back({1000, 1000 + 0.000012 * (i % 2)});
+  outline.curves.push_back(speck);
+  EXPECT_EQ(error_of([&] { match(outline, outline); }).substr(0, 12), "A: curve 1: ");
+}
+
 TEST(PackageMatch, StraightLinesMatchByTheirEnds) {
   const Outline line{{{{{0, 0}, {100, 0}}, false}}};
   const Outline other{{{{{5, 5}, {5, 55}}, false}}};
