@@ -1,34 +1,81 @@
 #include "core/pad/pad_index.h"
 
 #include <algorithm>
-#include <numeric>
+
+#include "core/base/rank_pool.h"
 
 namespace tessera {
 namespace {
 
 constexpr std::size_t kNodePads = std::size_t(kIndexFanOut) * kIndexFanOut;
 
+/// The rows of a PAD's bytes: its elements, then its scale.
+constexpr std::size_t kScaleRow = kMaxPadElements;
+constexpr std::size_t kRows = kMaxPadElements + 1;
+
+/// A PAD on its way to its place in the order, with its bytes: to look them up elsewhere takes most of the time.
+struct Entry {
+  std::array<std::uint8_t, kRows> row;
+  std::uint32_t place;
+};
+
+/// Branches of so many PADs are split on a thread of their own.
+constexpr std::size_t kOwnThread = 1 << 16;
+
+/// Sums of bytes and of their squares, of each row.
+struct Moments {
+  std::array<std::uint64_t, kRows> sum{};
+  std::array<std::uint64_t, kRows> squares{};
+};
+
+Moments moments_of(std::span<const Entry> entries) {
+  constexpr std::size_t kMostSummed = 65536;  // squares of bytes that 32 bits hold
+  Moments moments;
+  for (; !entries.empty(); entries = entries.subspan(std::min(entries.size(), kMostSummed))) {
+    std::array<std::uint32_t, kRows> sum{};
+    std::array<std::uint32_t, kRows> squares{};
+    for (const Entry& entry : entries.first(std::min(entries.size(), kMostSummed))) {
+      for (std::size_t row = 0; row < kRows; ++row) {
+        const std::uint32_t byte = entry.row[row];
+        sum[row] += byte;
+        squares[row] += byte * byte;
+      }
+    }
+    for (std::size_t row = 0; row < kRows; ++row) {
+      moments.sum[row] += sum[row];
+      moments.squares[row] += squares[row];
+    }
+  }
+  return moments;
+}
+
 class Splitter {
  public:
-  Splitter(std::span<const PadBytes> pads, int elements, double scale_share)
-      : pads_(pads),
-        elements_(elements),
+  /// `all`: by their places, first the convex ones, then the others. `scratch`: as many.
+  Splitter(std::span<Entry> all, std::span<Entry> scratch, int elements, double scale_share)
+      : all_(all),
+        scratch_(scratch),
+        elements_(std::size_t(elements)),
         scale_share_(scale_share) {}
 
   /// Orders PADs so that every whole block, and every whole node, is one branch of the tree.
-  void split(std::span<std::uint32_t> order) const {
+  void split(std::span<Entry> order) const {
     const std::size_t whole = order.size() > kNodePads ? kNodePads : kIndexFanOut;
     if (order.size() <= whole) return;
     const std::size_t parts = (order.size() + whole - 1) / whole;
     const std::size_t middle = parts / 2 * whole;
     part(order, middle);
-    split(order.first(middle));
-    split(order.subspan(middle));
+    if (order.size() > kOwnThread) {
+      run_both([&] { split(order.first(middle)); }, [&] { split(order.subspan(middle)); });
+    } else {
+      split(order.first(middle));
+      split(order.subspan(middle));
+    }
   }
 
   /// The first `convex` of them are: convex ones have a tree of their own, the others (concave, flat) another,
   /// but for one `unit` in which both meet.
-  void split_by_sign(std::span<std::uint32_t> order, std::size_t convex, std::size_t unit) const {
+  void split_by_sign(std::span<Entry> order, std::size_t convex, std::size_t unit) const {
     const std::size_t whole = convex / unit * unit;
     const std::size_t mixed_end = std::min(order.size(), whole + unit);
     split(order.first(whole));
@@ -38,47 +85,53 @@ class Splitter {
   }
 
  private:
-  /// Those before `middle` have no larger byte than the others, of the row that varies most.
-  void part(std::span<std::uint32_t> order, std::size_t middle) const {
+  /// Those before `middle` have no larger byte than the others, of the row that varies most. Among themselves both keep
+  /// their order, so that PADs of equal bytes are told apart by their places.
+  void part(std::span<Entry> order, std::size_t middle) const {
     if (middle == 0 || middle >= order.size()) return;
-    const int row = widest_row(order);
-    std::nth_element(order.begin(), order.begin() + std::ptrdiff_t(middle), order.end(),
-                     [&](std::uint32_t a, std::uint32_t b) {
-                       const int byte_a = byte(pads_[a], row);
-                       const int byte_b = byte(pads_[b], row);
-                       return byte_a != byte_b ? byte_a < byte_b : a < b;
-                     });
+    const std::size_t row = widest_row(order);
+    std::array<std::size_t, 256> of_byte{};
+    for (const Entry& entry : order) ++of_byte[entry.row[row]];
+    std::size_t byte = 0;  // that of the PAD at `middle`
+    std::size_t smaller = 0;
+    for (; smaller + of_byte[byte] <= middle; ++byte) smaller += of_byte[byte];
+    std::size_t ties = middle - smaller;  // of them come before `middle`
+
+    const std::span<Entry> parted = scratch_.subspan(std::size_t(order.data() - all_.data()), order.size());
+    std::size_t before = 0;
+    std::size_t behind = middle;
+    for (const Entry& entry : order) {
+      const bool tie = entry.row[row] == byte && ties > 0;
+      ties -= tie;
+      std::size_t& next = entry.row[row] < byte || tie ? before : behind;
+      parted[next++] = entry;
+    }
+    std::copy(parted.begin(), parted.end(), order.begin());
   }
 
-  int byte(const PadBytes& pad, int row) const { return row < elements_ ? pad.element[std::size_t(row)] : pad.scale; }
-
-  /// The row (an element, or the scale behind them) whose bytes vary most.
-  int widest_row(std::span<const std::uint32_t> order) const {
-    std::array<std::uint64_t, kMaxPadElements + 1> sum{};
-    std::array<std::uint64_t, kMaxPadElements + 1> squares{};
-    for (const std::uint32_t i : order) {
-      for (int row = 0; row <= elements_; ++row) {
-        const auto b = std::uint64_t(byte(pads_[i], row));
-        sum[std::size_t(row)] += b;
-        squares[std::size_t(row)] += b * b;
-      }
-    }
-    int widest = 0;
+  /// The row whose bytes vary most, of the elements in use and the scale.
+  std::size_t widest_row(std::span<const Entry> order) const {
+    const Moments moments = moments_of(order);
+    const auto count = double(order.size());
+    const auto variance_of = [&](std::size_t row) {
+      const double mean = double(moments.sum[row]) / count;
+      return double(moments.squares[row]) / count - mean * mean;
+    };
+    std::size_t widest = 0;
     double most = -1;
-    for (int row = 0; row <= elements_; ++row) {
-      const double mean = double(sum[std::size_t(row)]) / double(order.size());
-      double variance = double(squares[std::size_t(row)]) / double(order.size()) - mean * mean;
-      if (row == elements_) variance *= scale_share_;
+    for (std::size_t row = 0; row < elements_; ++row) {
+      const double variance = variance_of(row);
       if (variance > most) {
         most = variance;
         widest = row;
       }
     }
-    return widest;
+    return variance_of(kScaleRow) * scale_share_ > most ? kScaleRow : widest;
   }
 
-  std::span<const PadBytes> pads_;
-  int elements_;
+  std::span<Entry> all_;
+  std::span<Entry> scratch_;
+  std::size_t elements_;
   double scale_share_;
 };
 
@@ -141,11 +194,19 @@ PadBytes pad_bytes(const QuantisedPad& pad, float scale_length, float convexity)
 }
 
 std::vector<std::uint32_t> pad_order(std::span<const PadBytes> pads, int elements, double scale_share) {
-  std::vector<std::uint32_t> order(pads.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto others =
-      std::stable_partition(order.begin(), order.end(), [&](std::uint32_t i) { return pads[i].sign == sign_byte(1); });
-  Splitter(pads, elements, scale_share).split_by_sign(order, std::size_t(others - order.begin()), kNodePads);
+  std::vector<Entry> entries(pads.size());
+  for (std::size_t i = 0; i < pads.size(); ++i) {
+    std::copy(pads[i].element.begin(), pads[i].element.end(), entries[i].row.begin());
+    entries[i].row[kScaleRow] = pads[i].scale;
+    entries[i].place = std::uint32_t(i);
+  }
+  const auto others = std::stable_partition(entries.begin(), entries.end(),
+                                            [&](const Entry& entry) { return pads[entry.place].sign == sign_byte(1); });
+  std::vector<Entry> scratch(entries.size());
+  Splitter(entries, scratch, elements, scale_share)
+      .split_by_sign(entries, std::size_t(others - entries.begin()), kNodePads);
+  std::vector<std::uint32_t> order(entries.size());
+  std::transform(entries.begin(), entries.end(), order.begin(), [](const Entry& entry) { return entry.place; });
   return order;
 }
 

@@ -26,10 +26,13 @@ KnownShapes::KnownShapes(ShapeId first, std::vector<ShapeModel> models, std::vec
       drawn_scales_px_(std::move(drawn_scales_px)),
       pad_levels_(pad_levels) {
   if (models_.empty()) return;
-  arcs_.emplace(models_, drawn_scales_px_, pad_levels_);
   const std::vector<ModelLevel>& levels = models_.front().levels;
   std::vector<std::optional<PadSearch>> searches(levels.size());
-  parallel_for(levels.size(), [&](std::size_t k) { searches[k].emplace(make_search(models_, k, pad_levels_)); });
+  run_both([&] { arcs_.emplace(models_, drawn_scales_px_, pad_levels_); },
+           [&] {
+             parallel_for(levels.size(),
+                          [&](std::size_t k) { searches[k].emplace(make_search(models_, k, pad_levels_)); });
+           });
   for (std::size_t k = 0; k < levels.size(); ++k) {
     levels_.push_back({levels[k].level, std::uint32_t(levels[k].samples.size()), std::move(*searches[k])});
   }

@@ -50,6 +50,33 @@ RC_GTEST_PROP(PadIndex, orders_all_pads_into_boxes_that_hold_them, ()) {
   }
 }
 
+/// So many that branches are split on several threads.
+TEST(PadIndex, ManyPadsAreInBoxesThatHoldThem) {
+  const std::vector<PadBytes> pads = random_pads(150'000, 5);
+  const PadIndex index = make_pad_index(pads, kElements);
+  std::vector<bool> seen(pads.size());
+  for (std::size_t i = 0; i < pads.size(); ++i) {
+    ASSERT_FALSE(seen[index.order[i]]);
+    seen[index.order[i]] = true;
+    ASSERT_TRUE(holds(index.blocks[i / kIndexFanOut], pads[index.order[i]]));
+  }
+}
+
+/// The order is this program's own, and no standard library's: within a block PADs keep the order of their places, and of
+/// PADs that are all alike the first ones come first.
+TEST(PadIndex, PadsOfABlockKeepTheirOrder) {
+  std::vector<PadBytes> pads = random_pads(20'000, 6);
+  for (PadBytes& pad : pads) pad.sign = 1;
+  const std::vector<std::uint32_t> order = pad_order(pads, kElements);
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    ASSERT_TRUE(i % kIndexFanOut == 0 || order[i - 1] < order[i]) << i;
+  }
+  std::fill(pads.begin(), pads.end(), pads.front());
+  std::vector<std::uint32_t> places(pads.size());
+  std::iota(places.begin(), places.end(), 0u);
+  EXPECT_EQ(pad_order(pads, kElements), places);
+}
+
 /// No larger than it must be: every bound is some PAD's.
 TEST(PadIndex, BoxesAreTight) {
   const std::vector<PadBytes> pads = random_pads(5000, 7);
