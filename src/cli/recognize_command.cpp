@@ -15,7 +15,7 @@ constexpr const char* kRecognizeExamples =
     "shape\n"
     "follows, and how closely; 1 is all of it. Score: the same, of the query's outline and the shape's alike. The "
     "exit\n"
-    "code is 3 where a query is nothing that the library has.";
+    "code is 3 where a query is nothing that the library has, or cannot be read, and 2 where none can.";
 
 }  // namespace
 

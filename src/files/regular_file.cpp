@@ -21,7 +21,7 @@ namespace {
   const std::string message = std::generic_category().message(reason);
   if (reason == EMFILE || reason == ENFILE || reason == ENOMEM)
     throw EnvironmentError("cannot read " + path + ": " + message);
-  throw InputError(path + ": not a readable file: " + message + ", allowed: a regular file");
+  throw InputError(path + ": not a readable file: " + message);
 }
 
 [[noreturn]] void throw_found(const std::string& path, const std::string& found) {

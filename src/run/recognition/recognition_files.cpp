@@ -76,7 +76,7 @@ std::vector<RecognisedQuery> recognised_queries(const std::vector<std::string>& 
 }
 
 void write_recognitions(const std::string& path, const std::string& library,
-                        const std::vector<RecognisedQuery>& queries) {
+                        const std::vector<RecognisedQuery>& queries, const std::vector<UnreadQuery>& unread) {
   nlohmann::ordered_json json;
   json["library"] = printable_utf8(library);
   json["queries"] = nlohmann::ordered_json::array();
@@ -93,30 +93,33 @@ void write_recognitions(const std::string& path, const std::string& library,
     }
     json["queries"].push_back({{"file", printable_utf8(query.file)}, {"shapes", std::move(shapes)}});
   }
+  for (const UnreadQuery& query : unread) {
+    json["unread"].push_back({{"file", printable_utf8(query.file)}, {"reason", printable_utf8(query.reason)}});
+  }
   write_file_atomically(path, json.dump(1) + "\n");
 }
 
-void write_recognition_sheet(const std::string& path, const std::vector<std::string>& files,
+void write_recognition_sheet(const std::string& path, const std::vector<RecognisedQuery>& queries,
                              const std::vector<DrawnCurves>& drawn, const Recognitions& found,
                              const LibraryFile& library) {
   std::size_t most = 0;
   for (const std::vector<Recognition>& shapes : found) most = std::max(most, shapes.size());
   const std::size_t columns = 1 + std::min(most, kMostColumns - 1);
-  const std::size_t rows = std::min(files.size(), kMostRows);
+  const std::size_t rows = std::min(queries.size(), kMostRows);
   const SheetLayout layout{kCell_px, kCell_px, kCaptions_px, int(columns), int(rows)};
   const Sheet sheet(layout, sheet_title(library, library.size()));
   Drawers drawers({});
   for (std::size_t row = 0; row < rows; ++row) {
     const std::size_t first = row * columns;
     draw_query(sheet.cairo(), drawn[row], layout.x_px(first), layout.y_px(first));
-    sheet.caption(first, 0, printable_utf8(std::filesystem::path(files[row]).filename().string()));
+    sheet.caption(first, 0, printable_utf8(std::filesystem::path(queries[row].file).filename().string()));
     for (std::size_t k = 0; k + 1 < columns && k < found[row].size(); ++k) {
       const std::size_t cell = first + 1 + k;
       const Shape shape = shape_for_sheet(library, index_of(found[row][k].shape));
       draw_on_sheet(sheet.cairo(), drawers, shape,
                     {double(layout.x_px(cell)), double(layout.y_px(cell)), double(kCell_px), true});
       sheet.caption(cell, 0, printable_utf8(shape.name));
-      sheet.caption(cell, 1, std::to_string(found[row][k].similarity).substr(0, 5));
+      sheet.caption(cell, 1, "score " + std::to_string(queries[row].shapes[k].score).substr(0, 5));
     }
   }
   write_file_atomically(path, sheet.png(path));

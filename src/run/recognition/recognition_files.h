@@ -25,16 +25,22 @@ struct RecognisedQuery {
   bool found(double least_score) const { return !shapes.empty() && shapes.front().score >= least_score; }
 };
 
+/// A query whose file cannot be read.
+struct UnreadQuery {
+  std::string file;
+  std::string reason;  // names the file
+};
+
 /// `files`: the names of the queries.
 std::vector<RecognisedQuery> recognised_queries(const std::vector<std::string>& files, const Recognitions& found,
                                                 const LibraryFile& library);
 
 /// Writes JSON. Throws EnvironmentError where the file cannot be written, as does write_recognition_sheet.
 void write_recognitions(const std::string& path, const std::string& library,
-                        const std::vector<RecognisedQuery>& queries);
+                        const std::vector<RecognisedQuery>& queries, const std::vector<UnreadQuery>& unread);
 
 /// Writes a PNG: a row for each query, its outlines first, then the best shapes.
-void write_recognition_sheet(const std::string& path, const std::vector<std::string>& files,
+void write_recognition_sheet(const std::string& path, const std::vector<RecognisedQuery>& queries,
                              const std::vector<DrawnCurves>& drawn, const Recognitions& found,
                              const LibraryFile& library);
 

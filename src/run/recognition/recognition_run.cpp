@@ -1,10 +1,12 @@
 #include "run/recognition/recognition_run.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
+#include "files/atomic_file.h"
 #include "library/storage/library_file.h"
 #include "recognition/drawn_curves.h"
 #include "run/recognition/recognition_files.h"
@@ -31,12 +33,26 @@ void check_drawn_sizes(const LibraryFile& library) {
   throw InputError("--scale: " + library.path() + " does not know how large its shapes were drawn; build it anew");
 }
 
-std::vector<DrawnCurves> read_queries(const RecognizeArguments& arguments) {
+/// The files that can be read, with their curves, and those that cannot, with the reasons.
+struct ReadQueries {
+  std::vector<std::string> files;
+  std::vector<DrawnCurves> drawn;
+  std::vector<UnreadQuery> unread;
+};
+
+/// Throws InputError where no file can be read.
+ReadQueries read_queries(const std::vector<std::string>& files) {
   Drawers drawers({});
-  std::vector<DrawnCurves> queries;
-  for (const std::string& path : arguments.queries) {
-    queries.push_back(read_drawn_curves(path, TracedAs::outlines, drawers));
+  ReadQueries queries;
+  for (const std::string& file : files) {
+    try {
+      queries.drawn.push_back(read_drawn_curves(file, TracedAs::outlines, drawers));
+      queries.files.push_back(file);
+    } catch (const InputError& error) {
+      queries.unread.push_back({file, error.what()});
+    }
   }
+  if (queries.files.empty()) throw InputError(queries.unread.front().reason);
   return queries;
 }
 
@@ -82,20 +98,23 @@ void print_table(const RecognizeArguments& arguments, const std::vector<Recognis
 
 int lead(const RecognizeArguments& arguments, comm::Communicator& ranks) {
   check(arguments);
-  const std::vector<DrawnCurves> drawn = read_queries(arguments);
+  for (const std::string& output : {arguments.json, arguments.sheet}) {
+    if (!output.empty()) check_can_be_written(output);
+  }
+  const ReadQueries read = read_queries(arguments.queries);
   const LibraryFile library(arguments.library);
   if (arguments.scale) check_drawn_sizes(library);
   const Stopwatch watch;
-  const RecognitionQuestion question = question_of(arguments, drawn, library);
-  const Recognitions found = searched(arguments, question, library, ranks);
-  const std::vector<RecognisedQuery> queries = recognised_queries(arguments.queries, found, library);
+  const Recognitions found = searched(arguments, question_of(arguments, read.drawn, library), library, ranks);
+  const std::vector<RecognisedQuery> queries = recognised_queries(read.files, found, library);
   if (!arguments.quiet) print_table(arguments, queries);
-  if (!arguments.json.empty()) write_recognitions(arguments.json, arguments.library, queries);
-  if (!arguments.sheet.empty()) write_recognition_sheet(arguments.sheet, arguments.queries, drawn, found, library);
+  if (!arguments.json.empty()) write_recognitions(arguments.json, arguments.library, queries, read.unread);
+  if (!arguments.sheet.empty()) write_recognition_sheet(arguments.sheet, queries, read.drawn, found, library);
   if (!arguments.quiet) print_line("%zu shapes, %.1f s", library.size(), watch.seconds());
-  bool all_found = true;
-  for (const RecognisedQuery& query : queries) all_found &= query.found(arguments.least_score);
-  return all_found ? kDoneExitCode : kIncompleteExitCode;
+  for (const UnreadQuery& query : read.unread) print_warning("not looked for: " + query.reason);
+  const bool all_found = std::all_of(queries.begin(), queries.end(),
+                                     [&](const RecognisedQuery& query) { return query.found(arguments.least_score); });
+  return all_found && read.unread.empty() ? kDoneExitCode : kIncompleteExitCode;
 }
 
 }  // namespace

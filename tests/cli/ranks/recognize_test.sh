@@ -62,10 +62,24 @@ run 2 recognize bad.png --library own.h5
 expect_word bad.png
 run 2 recognize none.png --library own.h5
 expect_word none.png
+run 3 recognize none.png torn.svg bad.png --library own.h5 --json some.json --sheet some.png
+expect_word 'warning: not looked for: none.png'
+expect_word 'warning: not looked for: bad.png'
+grep -qE '^bean +0\.[5-9]' output || fail "files that cannot be read cost the answers of others"
+python3 - <<'END' || fail "the JSON does not name what could not be read"
+import json
+told = json.load(open("some.json"))
+assert [q["file"] for q in told["queries"]] == ["torn.svg"] and told["queries"][0]["shapes"][0]["shape"] == "bean"
+assert [q["file"] for q in told["unread"]] == ["none.png", "bad.png"] and all(q["reason"] for q in told["unread"])
+END
 run 2 recognize torn.svg --library none.h5
 expect_word none.h5
 run 2 recognize torn.svg --library own.h5 --scale -1
 expect_word --scale
-run 1 recognize torn.svg --library own.h5 --json none/a.json
-expect_word none/a.json
+for output in '--json none/a.json' '--sheet none/a.png'; do
+  # shellcheck disable=SC2086
+  run 1 recognize torn.svg --library own.h5 $output
+  expect_word "${output#* }"
+  ! grep -q bean output || fail "searched before it was known that $output cannot be written"
+done
 echo "ok mistakes"
