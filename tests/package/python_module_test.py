@@ -292,12 +292,20 @@ class Results(unittest.TestCase):
             self.assertAlmostEqual(tessera.Outline(piece.polygon).area, piece.scale_px**2, delta=0.01 * piece.scale_px**2)
 
     def test_what_is_missing_or_damaged_is_named(self):
+        def feature(index, number):
+            return (f'{{"features": [{{"properties": {{"index": {index}, "shape": "a", "mirrored": false, "canvas_from_shape": '
+                    f'[1, 0, 0, 0]}}, "geometry": {{"coordinates": [[[0, 0], [{number}, 0], [0, 1], [0, 0]]]}}}}]}}')
+
         with self.assertRaisesRegex(tessera.Error, "none/manifest.json: not found; allowed: the folder of a result"):
             tessera.read_result("none")
         with tempfile.TemporaryDirectory() as folder:
             for file, content, message in (("pieces.geojson", "{}", "no list of features"),
                                            ("pieces.geojson", '{"features": [{"properties": {}}]}', "piece 0: damaged"),
                                            ("pieces.geojson", "[" * 100000, "damaged"),
+                                           ("pieces.geojson", feature("1e999", 1), "piece 0: damaged: OverflowError"),
+                                           ("pieces.geojson", feature("Infinity", 1), "piece 0: damaged: OverflowError"),
+                                           ("pieces.geojson", feature("0", "1" + "0" * 400), "piece 0: damaged: OverflowError"),
+                                           ("pieces.geojson", feature("0", "1e999"), "piece 0: damaged: .*not finite"),
                                            ("manifest.json", "[1]", "found list, allowed: an object"),
                                            ("job.toml", "a =", "damaged"), ("card.json", "{", "damaged"),
                                            ("manifest.json", b"\xff\xfe", "damaged")):
