@@ -15,13 +15,25 @@ std::string shape_text(const Array& array) {
 Array array_or_error(const py::handle& object, const std::string& name, const std::string& allowed) {
   Array array = Array::ensure(object);
   if (!array) {
-    throw Error(name + ": found " + std::string(py::str(py::type::handle_of(object).attr("__name__"))) +
-                ", which is no array of numbers; allowed: " + allowed);
+    throw Error(name + ": found " + type_name(object) + ", which is no array of numbers; allowed: " + allowed);
   }
   return array;
 }
 
+/// Whether the object has rows, as a table or a list of lists has. Lists of different lengths have rows, too: NumPy refuses them
+/// with a ValueError, but points_of() then names the curve.
+bool has_rows(const py::object& object) {
+  try {
+    return py::module_::import("numpy").attr("ndim")(object).cast<int>() >= 2;
+  } catch (const py::error_already_set& error) {
+    if (!error.matches(PyExc_ValueError)) throw;
+    return true;
+  }
+}
+
 }  // namespace
+
+std::string type_name(const py::handle& object) { return py::str(py::type::handle_of(object).attr("__name__")); }
 
 std::vector<Point> points_of(const py::handle& object, const std::string& name) {
   const std::string allowed = "an array of the shape (N, 2)";
@@ -41,13 +53,11 @@ std::vector<Point> points_of(const py::handle& object, const std::string& name) 
 
 std::vector<std::vector<Point>> curves_of(const py::object& curves) {
   if (!py::isinstance<py::sequence>(curves) && !py::isinstance<py::array>(curves)) {
-    throw Error("curves: found " + std::string(py::str(py::type::handle_of(curves).attr("__name__"))) +
-                ", allowed: an array of the shape (N, 2), or a list of them");
+    throw Error("curves: found " + type_name(curves) + ", allowed: an array of the shape (N, 2), or a list of them");
   }
   const auto list = py::reinterpret_borrow<py::sequence>(curves);
-  const py::object dimensions = py::module_::import("numpy").attr("ndim");
   // One curve, whose items are points, or several, whose items are curves.
-  if (list.size() > 0 && dimensions(list[0]).cast<int>() < 2) return {points_of(curves, "curve 0")};
+  if (list.size() > 0 && !has_rows(list[0])) return {points_of(curves, "curve 0")};
   if (list.size() > matching::kMostCurves) {
     throw Error("an outline of " + std::to_string(list.size()) +
                 " curves, allowed: " + std::to_string(matching::kMostCurves) + " or fewer");

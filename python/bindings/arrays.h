@@ -14,6 +14,9 @@ namespace tessera::python {
 namespace py = pybind11;
 using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
+/// The name of an object's class, for messages.
+std::string type_name(const py::handle& object);
+
 /// An array of the shape (N, 2); `name` stands in the Error.
 std::vector<matching::Point> points_of(const py::handle& array, const std::string& name);
 

@@ -30,7 +30,7 @@ class PythonDescriptor : public Descriptor {
     try {
       return distance.cast<double>();
     } catch (const py::cast_error&) {
-      throw matching::Error("distance() returned no number");
+      throw matching::Error("what distance() returned: found " + type_name(distance) + ", allowed: a number");
     }
   }
 
@@ -46,6 +46,23 @@ class PythonDescriptor : public Descriptor {
     return own(arguments...);
   }
 };
+
+/// Without the interpreter's lock; a descriptor that is written in Python takes the lock again.
+Array described(const Descriptor& descriptor, const Outline& outline) {
+  Description description;
+  {
+    const py::gil_scoped_release released;
+    description = descriptor.describe(outline);
+  }
+  return array_of(description);
+}
+
+double distance_of(const Descriptor& descriptor, const py::object& query, const py::object& known) {
+  const Description of_query = numbers_of(query, "query");
+  const Description of_known = numbers_of(known, "known");
+  const py::gil_scoped_release released;
+  return descriptor.distance(of_query, of_known);
+}
 
 Array matrix_of(const Descriptor& descriptor, const std::vector<Outline>& queries,
                 const std::optional<std::vector<Outline>>& known) {
@@ -71,16 +88,8 @@ describe(outline) -> an array of numbers, whose meaning only the descriptor know
 distance(query, known) -> how much two such arrays (shape (N,)) differ: a float, 0 for the same)")
       .def(py::init<>())
       .def("name", &Descriptor::name)
-      .def(
-          "describe",
-          [](const Descriptor& descriptor, const Outline& outline) { return array_of(descriptor.describe(outline)); },
-          py::arg("outline"))
-      .def(
-          "distance",
-          [](const Descriptor& descriptor, const py::object& query, const py::object& known) {
-            return descriptor.distance(numbers_of(query, "query"), numbers_of(known, "known"));
-          },
-          py::arg("query"), py::arg("known"));
+      .def("describe", &described, py::arg("outline"))
+      .def("distance", &distance_of, py::arg("query"), py::arg("known"));
 
   module.def(
       "pad_descriptor",
@@ -90,7 +99,10 @@ distance(query, known) -> how much two such arrays (shape (N,)) differ: a float,
       py::kw_only(), py::arg("levels") = 5, py::arg("delta_tau_rad") = 0.2, py::arg("smoothing") = 0.0,
       py::arg("samples") = 64, R"(The Descriptor of PADs; the settings are those of pads().
 
-Its distance is the mean, over the query's PADs, of that to the nearest PAD that is known.)");
+Its distance is the mean, over the query's PADs, of that to the nearest PAD that is known. Size does not count: two discs have
+the distance 0; a disc and a square have 0.06, the square and the disc 0.19. A PAD counts 2, the largest distance, where it has
+fewer than two levels on a side: on straight lines, on faint arcs, and near the ends of open curves. So does a query without PADs
+(all of its curves are shorter than six widths of the smoothing), and a straight line has the distance 2 to itself, too.)");
 
   module.def("distance_matrix", &matrix_of, py::arg("descriptor"), py::arg("queries"), py::arg("known") = py::none(),
              R"(The distance of each query to each known outline.

@@ -12,7 +12,8 @@ using matching::Outline;
 using matching::Recognised;
 
 // HDF5 serves one thread at a time, and other modules (h5py) call it while they hold the interpreter's lock. So a library is
-// read with the lock held.
+// read with the lock held. KnownOutlines(Library) indexes each lot of shapes where it reads the lot, so that it holds the lock
+// until it is done.
 void bind_libraries(py::module_& module) {
   py::class_<Library>(module, "Library", R"(A library of shapes, as `tessera library build` makes it.
 
@@ -37,7 +38,8 @@ are in units of the outline.)")
           "smoothing", &Library::smoothing, py::arg("level"),
           "Width (sigma) of a level's Gaussian, in units of the outlines: 0.177 for level 0, then half each time.")
       .def_property_readonly("pad_levels", &Library::pad_levels, "Levels of the stored PADs.")
-      .def_property_readonly("pad_delta_tau_rad", &Library::pad_delta_tau_rad, "Their delta_tau.");
+      .def_property_readonly("pad_delta_tau_rad", &Library::pad_delta_tau_rad, "Their delta_tau.")
+      .def("__repr__", [](const Library& l) { return "<tessera.Library: shapes: " + std::to_string(l.size()) + ">"; });
 
   py::class_<Recognised>(module, "Recognised", "A known outline that a query is, or is a part of.")
       .def_readonly("known", &Recognised::known, "Number of the known outline, from 0.")
@@ -59,6 +61,10 @@ outline takes about 80 KB of memory.)")
       .def(py::init<const Library&>(), py::arg("known"))
       .def(py::init<const std::vector<Outline>&>(), py::arg("known"), py::call_guard<py::gil_scoped_release>())
       .def("__len__", &KnownOutlines::size)
+      .def("__repr__",
+           [](const KnownOutlines& known) {
+             return "<tessera.KnownOutlines: outlines: " + std::to_string(known.size()) + ">";
+           })
       .def(
           "recognise",
           [](const KnownOutlines& known, const Outline& query, std::size_t most, std::optional<double> scale) {

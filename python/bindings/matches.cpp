@@ -10,19 +10,29 @@ using matching::Match;
 using matching::MatchedRun;
 using matching::Outline;
 
+namespace {
+
+std::string part_text(const CurvePart& part) {
+  return py::str("curve {}, {:.6g} to {:.6g}").format(part.curve, part.from, part.to);
+}
+
+}  // namespace
+
 void bind_matches(py::module_& module) {
   py::class_<CurvePart>(module, "CurvePart", "A part of a curve, as arclengths from its first point, in its units.")
       .def_readonly("curve", &CurvePart::curve, "Number of the curve in the outline.")
       .def_readonly("start", &CurvePart::from)
       .def_readonly("end", &CurvePart::to,
                     "Larger than the curve's length where the part goes on beyond the first point of a closed curve.")
-      .def("__repr__", [](const CurvePart& part) {
-        return py::str("<tessera.CurvePart: curve {}, {:.6g} to {:.6g}>").format(part.curve, part.from, part.to);
-      });
+      .def("__repr__", [](const CurvePart& part) { return "<tessera.CurvePart: " + part_text(part) + ">"; });
   py::class_<MatchedRun>(module, "MatchedRun", "A part of a curve of B that follows a part of a curve of A.")
       .def_readonly("of_a", &MatchedRun::of_a)
       .def_readonly("of_b", &MatchedRun::of_b)
-      .def_readonly("reversed", &MatchedRun::reversed, "Whether B runs against A's direction.");
+      .def_readonly("reversed", &MatchedRun::reversed, "Whether B runs against A's direction.")
+      .def("__repr__", [](const MatchedRun& run) {
+        return "<tessera.MatchedRun: A's " + part_text(run.of_a) + ", B's " + part_text(run.of_b) +
+               (run.reversed ? ", reversed>" : ">");
+      });
   py::class_<Match>(module, "Match", "One way to lay outline B onto outline A.")
       .def_readonly("a_from_b", &Match::a_from_b, "The Similarity that lays B onto A.")
       .def_readonly("runs", &Match::runs, "A list of MatchedRun.")

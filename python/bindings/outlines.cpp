@@ -1,6 +1,8 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <tuple>
+
 #include "arrays.h"
 #include "module.h"
 
@@ -13,6 +15,7 @@ using matching::Similarity;
 
 Outline make_outline(const py::object& curves, bool closed, double smoothing) {
   std::vector<std::vector<matching::Point>> points = curves_of(curves);
+  const py::gil_scoped_release released;  // many curves with many points take seconds
   Outline outline;
   if (closed) {
     outline = matching::make_outline(std::move(points));
@@ -34,6 +37,38 @@ std::vector<bool> closed_of(const Outline& outline) {
   std::vector<bool> closed;
   for (const Curve& curve : outline.curves) closed.push_back(curve.closed);
   return closed;
+}
+
+/// What pickle and copy keep of an outline: the points of its curves, whether each is closed, the smoothing.
+using OutlineState = std::tuple<py::list, std::vector<bool>, double>;
+
+OutlineState state_of(const Outline& outline) {
+  return {py::cast(arrays_of(outline)), closed_of(outline), outline.smoothing};
+}
+
+/// The curves run as they did, which those of make_outline() may not.
+Outline outline_of_state(const OutlineState& state) {
+  const auto& [curves, closed, smoothing] = state;
+  if (curves.size() != closed.size()) {
+    throw matching::Error("the state of an Outline: found " + std::to_string(curves.size()) + " curves and " +
+                          std::to_string(closed.size()) + " values of closed, allowed: as many");
+  }
+  Outline outline;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    outline.curves.push_back({points_of(curves[i], "curve " + std::to_string(i)), closed[i]});
+  }
+  outline.smoothing = smoothing;
+  check(outline);
+  return outline;
+}
+
+Outline mapped(Outline outline, const Similarity& map) {
+  for (Curve& curve : outline.curves) {
+    for (matching::Point& p : curve.points) p = map.apply(p);
+  }
+  outline.smoothing *= map.scale();
+  check(outline);
+  return outline;
 }
 
 std::string outline_text(const Outline& outline) {
@@ -82,6 +117,11 @@ It maps (x, y) to (a x - b y + tx, b x + a y + ty).)")
       .def(
           "__matmul__", [](const Similarity& outer, const Similarity& inner) { return outer * inner; },
           "First the right one, then the left one.")
+      .def(py::pickle([](const Similarity& s) { return std::make_tuple(s.a, s.b, s.tx, s.ty); },
+                      [](const std::tuple<double, double, double, double>& state) {
+                        const auto& [a, b, tx, ty] = state;
+                        return Similarity{a, b, tx, ty};
+                      }))
       .def("__repr__", &similarity_text);
 
   py::class_<Outline>(module, "Outline", R"(Curves that belong together: the outlines of a silhouette, or open lines.
@@ -100,20 +140,15 @@ curve or 2 of an open one, coordinates that are not finite or beyond +-1e15, cur
       .def_property_readonly("curves", &arrays_of, "A list of arrays of the shape (N, 2): copies.")
       .def_property_readonly("closed", &closed_of, "A list that says of each curve whether it is closed.")
       .def_readonly("smoothing", &Outline::smoothing, "In the curves' units; 0: 1.5/1024 of their extent.")
-      .def_property_readonly("length", py::overload_cast<const Outline&>(&matching::length_of),
+      .def_property_readonly("length",
+                             py::cpp_function(py::overload_cast<const Outline&>(&matching::length_of),
+                                              py::call_guard<py::gil_scoped_release>()),
                              "The length of all curves together.")
-      .def_property_readonly("area", &matching::area_of, "What the closed curves enclose, holes taken off.")
-      .def(
-          "mapped",
-          [](Outline outline, const Similarity& map) {
-            for (Curve& curve : outline.curves) {
-              for (matching::Point& p : curve.points) p = map.apply(p);
-            }
-            outline.smoothing *= map.scale();
-            check(outline);
-            return outline;
-          },
-          py::arg("similarity"), "The outline with all its points mapped.")
+      .def_property_readonly("area", py::cpp_function(&matching::area_of, py::call_guard<py::gil_scoped_release>()),
+                             "What the closed curves enclose, holes taken off.")
+      .def("mapped", &mapped, py::arg("similarity"), py::call_guard<py::gil_scoped_release>(),
+           "The outline with all its points mapped.")
+      .def(py::pickle(&state_of, &outline_of_state))
       .def("__repr__", &outline_text);
 
   module.def(

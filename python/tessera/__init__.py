@@ -7,7 +7,7 @@
 
 Points are NumPy arrays of the shape (N, 2), in any unit of length. Values that are of no use raise
 tessera.Error, a ValueError; arguments of another type raise TypeError.
-Functions that compute for long let other threads of Python run.
+Functions that compute for long let other threads of Python run; those that read a Library do not.
 """
 
 from ._tessera import (

@@ -104,6 +104,8 @@ def _piece_of(feature: dict, name: str) -> Piece:
         rings = [numpy.array(ring, dtype=float)[:-1] for ring in feature["geometry"]["coordinates"]]
         if not rings or any(ring.ndim != 2 or ring.shape[1] != 2 for ring in rings):
             raise ValueError("a polygon without rings of [x, y]")
+        if not all(numpy.isfinite(numbers).all() for numbers in ([a, b, x, y], *rings)):
+            raise ValueError("a number that is not finite")
         return Piece(
             index=int(properties["index"]),
             shape=str(properties["shape"]),
@@ -112,5 +114,5 @@ def _piece_of(feature: dict, name: str) -> Piece:
             polygon=rings,
             properties=properties,
         )
-    except (KeyError, TypeError, ValueError, IndexError) as error:
+    except (KeyError, TypeError, ValueError, IndexError, OverflowError) as error:
         raise Error(f"{name}: damaged: {error!r}") from error

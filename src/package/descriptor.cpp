@@ -47,7 +47,10 @@ class PadDescriptor : public Descriptor {
     std::vector<Pad> pads;
     auto at = description.begin();
     const auto take = [&](double count) {
-      if (!(count >= 0 && count <= double(description.end() - at))) throw Error("a description that is none of PADs");
+      if (!(count >= 0 && count <= double(description.end() - at))) {
+        throw Error("a description of PADs: found " + std::to_string(description.size()) +
+                    " numbers that do not make up PADs, allowed: what describe() returned");
+      }
       const auto from = at;
       at += std::ptrdiff_t(count);
       return std::vector<double>(from, at);

@@ -43,7 +43,7 @@ tessera::Outline outer_and_holes(const std::vector<tessera::Curve>& curves) {
 
 void check_compact(const tessera::Outline& outline) {
   const double area = area_moment(outline).area;
-  if (!(area > 0)) throw Error("its holes have a larger area than its outer curve encloses");
+  if (!(area > 0)) throw Error("found holes as large as the outer curve or larger, allowed: smaller ones");
   const double unit = std::sqrt(area);
   const Box box = bounding_box(outline);
   const double extent = std::max(box.width(), box.height());

@@ -18,7 +18,6 @@ constexpr double kPointsOfWidth = 4;
 constexpr int kLeastPoints = 48;
 /// A shorter curve has lost its shape.
 constexpr double kShortestWidths = 6;
-constexpr int kLeastLevelsOfASide = 2;
 
 std::vector<Pad> pads_of_curve(const PreparedCurves& prepared, std::size_t curve, int samples, double sigma,
                                const PadParameters& parameters) {

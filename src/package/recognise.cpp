@@ -1,6 +1,8 @@
 #include "tessera/matching/recognise.h"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 #include <utility>
 
 #include "core/base/rank_pool.h"
@@ -22,12 +24,22 @@ struct KnownOutlines::State {
   std::vector<KnownShapes> lots;           // of kSegmentShapes each
   std::vector<tessera::Outline> outlines;  // shape frames
   std::vector<Similarity> shape_from_own;
-  bool knows_scale = true;
+  /// The unit in which the core's floats count the known outlines' sizes: 1 px of a library's drawings, or the middle of the
+  /// outlines' sizes.
+  double unit = 1;
+  std::string no_scale;  // why no scale may be given; empty where one may
 };
 
 namespace {
 
-constexpr double kLargestScale = 1e15;
+/// Sizes of outlines are 1e-100 to 1e15.
+constexpr double kLargestScale = 1e120;
+/// Known outlines of which the sizes differ by a larger factor have no unit of length that suits floats.
+constexpr double kMostSizeRatio = 1e20;
+/// Prepared units for one unit of the known outlines. Beyond these limits an outline of 1e-10 to 1e10 units is much smaller
+/// than a point of the query, or much larger than the query.
+constexpr double kLeastPreparedUnit = 1e-12;
+constexpr double kMostPreparedUnit = 1e22;
 
 KnownShape known_shape(const std::vector<Outline>& outlines, std::size_t i) {
   try {
@@ -39,7 +51,29 @@ KnownShape known_shape(const std::vector<Outline>& outlines, std::size_t i) {
 
 void check_scale(double scale) {
   if (scale > 1 / kLargestScale && scale < kLargestScale) return;
-  throw Error("scale: found " + number_in_message(scale) + ", allowed: above 1e-15 and below 1e15");
+  throw Error("scale: found " + number_in_message(scale) + ", allowed: above 1e-120 and below 1e120");
+}
+
+/// The sizes of outlines: own units for one unit of the shape's frame.
+struct Sizes {
+  std::vector<double> of_each;
+  double least = 0;
+  double most = 0;
+
+  explicit Sizes(const std::vector<KnownShape>& shapes) {
+    for (const KnownShape& shape : shapes) of_each.push_back(1 / shape.shape_from_own.scale());
+    const auto [smallest, largest] = std::minmax_element(of_each.begin(), of_each.end());
+    least = *smallest;
+    most = *largest;
+  }
+  /// In the middle of the sizes: the factors to the least and to the largest one are the same.
+  double unit() const { return std::sqrt(least) * std::sqrt(most); }
+};
+
+std::string why_no_scale(const Sizes& sizes) {
+  if (sizes.most <= kMostSizeRatio * sizes.least) return "";
+  return "scale: found known outlines of which the largest is " + number_in_message(sizes.most / sizes.least) +
+         " times as large as the smallest, allowed with a scale: 1e20 times";
 }
 
 /// The curves, with the open ones in the other direction.
@@ -68,14 +102,17 @@ KnownOutlines::KnownOutlines(const std::vector<Outline>& outlines) : state_(std:
     if (outlines.empty()) throw Error("no known outlines; allowed: 1 or more");
     std::vector<KnownShape> made(outlines.size());
     parallel_for(made.size(), [&](std::size_t i) { made[i] = known_shape(outlines, i); });
+    const Sizes sizes(made);
+    state_->no_scale = why_no_scale(sizes);
+    if (state_->no_scale.empty()) state_->unit = sizes.unit();
     for (std::size_t begin = 0; begin < made.size(); begin += kSegmentShapes) {
       std::vector<ShapeModel> models;
-      std::vector<float> own_units;
+      std::vector<float> sizes_in_units;  // 0: unknown
       for (std::size_t i = begin; i < std::min<std::size_t>(made.size(), begin + kSegmentShapes); ++i) {
         models.push_back(std::move(made[i].model));
-        own_units.push_back(float(1 / made[i].shape_from_own.scale()));
+        sizes_in_units.push_back(state_->no_scale.empty() ? float(sizes.of_each[i] / state_->unit) : 0);
       }
-      state_->lots.emplace_back(ShapeId(std::uint32_t(begin)), std::move(models), std::move(own_units),
+      state_->lots.emplace_back(ShapeId(std::uint32_t(begin)), std::move(models), std::move(sizes_in_units),
                                 state_->pad.levels);
     }
     for (KnownShape& shape : made) {
@@ -98,7 +135,8 @@ KnownOutlines::KnownOutlines(const Library& library) : state_(std::make_unique<S
       for (Shape& shape : file.read(range.begin, range.end, outlines)) {
         state_->outlines.push_back(std::move(shape.outline));
         state_->shape_from_own.push_back({});
-        state_->knows_scale = state_->knows_scale && shape.drawn_scale_px > 0;
+        if (shape.drawn_scale_px > 0) continue;
+        state_->no_scale = "scale: the library does not know how large its shapes were drawn";
       }
     }
   });
@@ -117,8 +155,10 @@ std::vector<Recognised> KnownOutlines::recognise(const Outline& query, const Rec
     RecognitionSettings core_settings{.query_per_drawn_px = {}, .most = std::min(settings.most, size())};
     if (settings.scale) {
       check_scale(*settings.scale);
-      if (!state_->knows_scale) throw Error("scale: the library does not know how large its shapes were drawn");
-      core_settings.query_per_drawn_px = float(prepared.prepared(*settings.scale));
+      if (!state_->no_scale.empty()) throw Error(state_->no_scale);
+      const double unit = prepared.prepared(*settings.scale * state_->unit);
+      if (!(unit > kLeastPreparedUnit && unit < kMostPreparedUnit)) return std::vector<Recognised>{};
+      core_settings.query_per_drawn_px = float(unit);
     }
     const OutlineOf outline_of = [&](ShapeId id) { return state_->outlines[index_of(id)]; };
     std::vector<Recognition> best;

@@ -18,11 +18,36 @@ prefix=$folder/elsewhere/tessera
 library=$prefix/lib/libtessera-matching.so
 [[ -e $library ]] || fail "no libtessera-matching.so"
 
+headers=("$prefix"/include/tessera/matching/*.h)
+# declared NAME: whether a public header declares this function, class, or member of a class with TESSERA_MATCHING_API.
+# What belongs to a class within a class is not public.
+declared() {
+  local in_namespace=${1#tessera::matching::}
+  local class=${in_namespace%%::*} member=${in_namespace#*::}
+  [[ $in_namespace != "$1" ]] || return 1
+  if [[ $in_namespace == *::* ]]; then
+    sed -n "/^class TESSERA_MATCHING_API $class\b/,/^};/p" "${headers[@]}" | grep -qE "(^|[^A-Za-z_~:])$member\("
+  else
+    grep -qE "^class TESSERA_MATCHING_API $class\b|^TESSERA_MATCHING_API .*\b$class\(" "${headers[@]}"
+  fi
+}
+# undeclared: the names in the output of nm -DC that no public header declares. Each line: address, kind, name with the
+# version. The version itself is an absolute symbol.
+undeclared() {
+  local name
+  sed -E 's/^[0-9a-f]+ . //; s/^(typeinfo for|typeinfo name for|vtable for) //; s/@@.*//; s/\[abi:[a-z0-9]+\]//; s/\(.*//' |
+    sort -u | while read -r name; do
+    [[ $name == TESSERA_MATCHING ]] || declared "$name" || echo "$name"
+  done
+}
 nm -DC --defined-only "$library" >output || fail "nm"
-# Each line: address, kind, name with the version. The version itself is an absolute symbol.
-foreign=$(sed -E 's/^[0-9a-f]+ . //; s/^(typeinfo for|typeinfo name for|vtable for) //' output |
-  grep -vE '^(tessera::matching::[A-Za-z]|TESSERA_MATCHING$)')
+foreign=$(undeclared <output)
 [[ -z $foreign ]] || fail "exported, but of no public header: $foreign"
+# The test would find a function of the program, a helper of the library, private state, and a class that is not exported.
+for helper in 'tessera::matching::prepared_curves(int)' 'tessera::matching::Library::State::~State()' \
+  'tessera::matching::Error::own(int)' 'typeinfo for tessera::matching::Match' 'tessera::make_shape(int)'; do
+  [[ -n $(undeclared <<<"0000000000001234 T $helper@@TESSERA_MATCHING") ]] || fail "$helper would pass as public"
+done
 grep -q ' tessera::matching::match(' output || fail "match() is not exported"
 readelf -d "$library" >output
 grep -qiE 'R(UN)?PATH' output && fail "the library looks for others in fixed folders"

@@ -2,8 +2,10 @@
 
 Environment: PYTHONPATH, TESSERA_DUCKS (docs/matching), TESSERA_LIBRARY (of bean, corner, drop, leaf, star), TESSERA_RESULT."""
 
+import copy
 import gc
 import os
+import pickle
 import shutil
 import tempfile
 import threading
@@ -34,6 +36,31 @@ def similarity(scale, rotation_rad, tx, ty):
 
 
 SQUARE = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], dtype=float)
+
+
+ANGLES = np.linspace(0, 2 * np.pi, 4000, endpoint=False)
+
+
+def longest_wait(work):
+    """The longest time that this thread waits for the interpreter while another one works: a part of that one's time."""
+    done = threading.Event()
+
+    def work_to_the_end():
+        try:
+            work()
+        finally:
+            done.set()
+
+    thread = threading.Thread(target=work_to_the_end)
+    begin = time.monotonic()
+    thread.start()  # waits until the other thread has begun: for long, where that one keeps the lock
+    longest = time.monotonic() - begin
+    while not done.is_set():
+        before = time.monotonic()
+        time.sleep(0.001)
+        longest = max(longest, time.monotonic() - before)
+    thread.join()
+    return longest / (time.monotonic() - begin)
 
 
 class Outlines(unittest.TestCase):
@@ -78,6 +105,10 @@ class Outlines(unittest.TestCase):
             (np.zeros((2, 2, 2, 2)), "curve 0: found an array of the shape (2, 2, 2)"),
             ("a text", "curve 0: found str, which is no array of numbers"),
             ([SQUARE, "text"], "curve 1: found str, which is no array of numbers"),
+            ([[1, 2], [3]], "curve 0: found list, which is no array of numbers; allowed: an array of the shape (N, 2)"),
+            ([[[1, 2], [3]]], "curve 0: found list, which is no array of numbers; allowed: an array of the shape (N, 2)"),
+            ([[[1, 2], [3]], SQUARE], "curve 0: found list, which is no array of numbers"),
+            ([SQUARE, [[1, 2], [3]]], "curve 1: found list, which is no array of numbers"),
             (None, "curves: found NoneType"),
             (5, "curves: found int"),
             (million_and_more, "4194305 points"),
@@ -91,6 +122,30 @@ class Outlines(unittest.TestCase):
             tessera.Outline(SQUARE, smoothing=-1)
         with self.assertRaises(TypeError):
             tessera.Outline(SQUARE, smoothing="much")
+
+
+    def test_copies_and_pickles(self):
+        frame = tessera.Outline([SQUARE * 10, SQUARE * 4 + 3], smoothing=0.5)
+        lines = tessera.Outline(SQUARE, closed=False)
+        for outline in (frame, lines, frame.mapped(similarity(3, 1, 2, 5))):
+            for same in (copy.copy(outline), copy.deepcopy(outline), pickle.loads(pickle.dumps(outline))):
+                self.assertEqual((same.closed, same.smoothing), (outline.closed, outline.smoothing))
+                self.assertEqual(len(same.curves), len(outline.curves))
+                for curve, own in zip(same.curves, outline.curves):
+                    np.testing.assert_array_equal(curve, own)
+        pose = similarity(3, 1, 2, 5)
+        same = copy.deepcopy(pose)
+        self.assertEqual((same.a, same.b, same.tx, same.ty), (pose.a, pose.b, pose.tx, pose.ty))
+        for state, message in ((([SQUARE], [True, True], 0.0), "found 1 curves and 2 values of closed"),
+                               (([SQUARE * np.nan], [True], 0.0), "curve 0: point 0: found the coordinate nan")):
+            with self.assertRaisesRegex(tessera.Error, message):
+                tessera.Outline.__new__(tessera.Outline).__setstate__(state)
+
+    def test_other_threads_go_on(self):
+        # Many curves with many points: each is looked for in each other one.
+        ring = np.stack([np.cos(ANGLES), np.sin(ANGLES)], axis=1)
+        rings = [ring * (2 + k / 1000) for k in range(300)]
+        self.assertLess(longest_wait(lambda: tessera.Outline(rings)), 0.5)
 
 
 class Pads(unittest.TestCase):
@@ -133,6 +188,8 @@ class Matches(unittest.TestCase):
         self.assertAlmostEqual(match.runs[0].of_b.end - match.runs[0].of_b.start, b.length, delta=0.05 * b.length)
         self.assertFalse(match.runs[0].reversed)
         self.assertIn("score", repr(match))
+        self.assertRegex(repr(match.runs[0]),
+                         r"^<tessera.MatchedRun: A's curve 0, [0-9.e-]+ to [0-9.e+]+, B's curve 0, [0-9.e-]+ to [0-9.e+]+>$")
 
     def test_a_million_points(self):
         match, = tessera.match(tessera.Outline(blob(2, 1_000_000)), tessera.Outline(blob(2)))
@@ -140,23 +197,7 @@ class Matches(unittest.TestCase):
 
     def test_other_threads_go_on(self):
         a, b = (tessera.Outline(blob(seed)) for seed in (3, 4))
-        done = threading.Event()
-
-        def work():
-            for _ in range(3):
-                tessera.match(a, b)
-            done.set()
-
-        thread = threading.Thread(target=work)
-        begin = time.monotonic()
-        thread.start()
-        longest = 0
-        while not done.is_set():
-            before = time.monotonic()
-            time.sleep(0.001)
-            longest = max(longest, time.monotonic() - before)
-        thread.join()
-        self.assertLess(longest, 0.7 * (time.monotonic() - begin))
+        self.assertLess(longest_wait(lambda: [tessera.match(a, b) for _ in range(3)]), 0.7)
 
     def test_drawings(self):
         a, b = (tessera.read_drawing(os.path.join(DUCKS, name)) for name in ("duck.svg", "duck-4.svg"))
@@ -169,6 +210,7 @@ class Libraries(unittest.TestCase):
     def test_contents(self):
         library = tessera.Library(LIBRARY)
         self.assertEqual(len(library), 5)
+        self.assertEqual(repr(library), "<tessera.Library: shapes: 5>")
         self.assertEqual(sorted(library.names), ["bean", "corner", "drop", "leaf", "star"])
         star = library.outline(library.names.index("star"))
         self.assertAlmostEqual(star.area, 1, delta=1e-3)
@@ -192,6 +234,7 @@ class Libraries(unittest.TestCase):
         library = tessera.Library(LIBRARY)
         known = tessera.KnownOutlines(library)
         self.assertEqual(len(known), 5)
+        self.assertEqual(repr(known), "<tessera.KnownOutlines: outlines: 5>")
         for shape in range(5):
             query = library.outline(shape).mapped(similarity(200, 1, 5, 6))
             found = known.recognise(query, most=2)
@@ -240,6 +283,8 @@ class Descriptors(unittest.TestCase):
         self.assertEqual(list(matrix.argmin(axis=1)), [0, 1, 2, 3])
         self.assertEqual(tessera.distance_matrix(tessera.pad_descriptor(), known).shape, (6, 6))
         self.assertEqual(tessera.pad_descriptor().name(), "pad")
+        pad = tessera.pad_descriptor()
+        self.assertEqual(pad.distance(pad.describe(known[0]), pad.describe(known[0])), 0)
 
     def test_one_in_python(self):
         angle = np.linspace(0, 2 * np.pi, 1000, endpoint=False)
@@ -269,7 +314,8 @@ class Descriptors(unittest.TestCase):
 
         for descriptor, error, message in ((Unfinished(), NotImplementedError, "describe"), (Failing(), KeyError, "mine"),
                                            (Wordy(), tessera.Error, "what describe.. returned: found str"),
-                                           (Undecided(), tessera.Error, "returned no number")):
+                                           (Undecided(), tessera.Error,
+                                            "what distance.. returned: found NoneType, allowed: a number")):
             with self.assertRaisesRegex(error, message):
                 tessera.distance_matrix(descriptor, outlines)
 
@@ -292,12 +338,20 @@ class Results(unittest.TestCase):
             self.assertAlmostEqual(tessera.Outline(piece.polygon).area, piece.scale_px**2, delta=0.01 * piece.scale_px**2)
 
     def test_what_is_missing_or_damaged_is_named(self):
+        def feature(index, number):
+            return (f'{{"features": [{{"properties": {{"index": {index}, "shape": "a", "mirrored": false, "canvas_from_shape": '
+                    f'[1, 0, 0, 0]}}, "geometry": {{"coordinates": [[[0, 0], [{number}, 0], [0, 1], [0, 0]]]}}}}]}}')
+
         with self.assertRaisesRegex(tessera.Error, "none/manifest.json: not found; allowed: the folder of a result"):
             tessera.read_result("none")
         with tempfile.TemporaryDirectory() as folder:
             for file, content, message in (("pieces.geojson", "{}", "no list of features"),
                                            ("pieces.geojson", '{"features": [{"properties": {}}]}', "piece 0: damaged"),
                                            ("pieces.geojson", "[" * 100000, "damaged"),
+                                           ("pieces.geojson", feature("1e999", 1), "piece 0: damaged: OverflowError"),
+                                           ("pieces.geojson", feature("Infinity", 1), "piece 0: damaged: OverflowError"),
+                                           ("pieces.geojson", feature("0", "1" + "0" * 400), "piece 0: damaged: OverflowError"),
+                                           ("pieces.geojson", feature("0", "1e999"), "piece 0: damaged: .*not finite"),
                                            ("manifest.json", "[1]", "found list, allowed: an object"),
                                            ("job.toml", "a =", "damaged"), ("card.json", "{", "damaged"),
                                            ("manifest.json", b"\xff\xfe", "damaged")):

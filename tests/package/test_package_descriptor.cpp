@@ -51,6 +51,21 @@ TEST(PackageDescriptor, PadTellsShapesApart) {
   }
 }
 
+TEST(PackageDescriptor, WhatPadCannotTell) {
+  const std::unique_ptr<matching::Descriptor> pad = matching::make_pad_descriptor();
+  const auto distance = [&](const Outline& query, const Outline& known) {
+    return distance_matrix(*pad, {query}, {known})(0, 0);
+  };
+  const Outline square = matching::make_outline({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+  EXPECT_NEAR(distance(test::circle(1), test::circle(5)), 0, 1e-3);  // size does not count
+  EXPECT_NEAR(distance(test::circle(1), square), 0.06, 0.02);
+  EXPECT_NEAR(distance(square, test::circle(1)), 0.19, 0.02);
+  const Outline line{{{{{0, 0}, {1, 0}}, false}}};
+  EXPECT_DOUBLE_EQ(distance(line, line), 2);
+  EXPECT_DOUBLE_EQ(distance(line, square), 2);
+  EXPECT_DOUBLE_EQ(distance(square, line), 2);
+}
+
 TEST(PackageDescriptor, BadInput) {
   const std::unique_ptr<matching::Descriptor> pad = matching::make_pad_descriptor();
   const Outline good = test::circle(1);
@@ -58,8 +73,11 @@ TEST(PackageDescriptor, BadInput) {
               distance_matrix(*pad, {good}, {good, {}});
             }),
             "known outline 1: an outline without curves; allowed: 1 or more");
-  EXPECT_EQ(error_of([&] { pad->distance({1, 2}, {}); }), "a description that is none of PADs");
-  EXPECT_EQ(error_of([&] { pad->distance({1e300, 2, 1}, {}); }), "a description that is none of PADs");
+  EXPECT_EQ(error_of([&] {
+              pad->distance({1, 2}, {});
+            }),
+            "a description of PADs: found 2 numbers that do not make up PADs, allowed: what describe() returned");
+  EXPECT_EQ(error_of([&] { pad->distance({1e300, 2, 1}, {}); }).substr(0, 37), "a description of PADs: found 3 number");
   EXPECT_EQ(error_of([] { matching::make_pad_descriptor({.levels = 9}); }), "levels: found 9, allowed: 2 to 6");
   EXPECT_TRUE(distance_matrix(*pad, {}, {good}).values.empty());
   // What a user's own descriptor throws comes back as it is.

@@ -82,6 +82,39 @@ TEST(PackageRecognise, AKnownScaleExcludesOthers) {
   EXPECT_TRUE(other.empty() || other[0].similarity < 0.7);
 }
 
+TEST(PackageRecognise, AKnownScaleHelpsInEveryUnit) {
+  const std::vector<Outline> outlines = random_outlines(4);
+  const double similarity = KnownOutlines(outlines).recognise(outlines[2], {.most = 1, .scale = 1}).at(0).similarity;
+  for (const double known_unit : {1e-98, 1e-42, 1e-40, 1.0, 1e12}) {
+    std::vector<Outline> known;
+    for (const Outline& outline : outlines) known.push_back(test::mapped(outline, {known_unit, 0, 0, 0}));
+    const KnownOutlines index(known);
+    for (const double query_unit : {1e-98, 1e-40, 1.0, 1e12}) {
+      const Outline query = test::mapped(outlines[2], {query_unit, 0, 0, 0});
+      const double scale = query_unit / known_unit;
+      const std::vector<Recognised> found = index.recognise(query, {.most = 1, .scale = scale});
+      ASSERT_EQ(found.size(), 1u) << known_unit << " " << query_unit;
+      EXPECT_EQ(found[0].known, 2u);
+      EXPECT_NEAR(found[0].similarity, similarity, 0.01) << known_unit << " " << query_unit;
+      EXPECT_NEAR(found[0].query_from_known.scale() / scale, 1, 0.02);
+      for (const double wrong : {1e-30, 1e-5, 1e5, 1e30}) {
+        if (scale * wrong > 1e119 || scale * wrong < 1e-119) continue;
+        EXPECT_TRUE(index.recognise(query, {.most = 1, .scale = scale * wrong}).empty()) << scale << " " << wrong;
+      }
+    }
+  }
+}
+
+TEST(PackageRecognise, AScaleNeedsKnownOutlinesOfSimilarSizes) {
+  const Outline small = test::random_outline(1), large = test::mapped(test::random_outline(2), {1e8, 0, 0, 0});
+  EXPECT_EQ(KnownOutlines({small, large}).recognise(large, {.most = 1, .scale = 1}).at(0).known, 1u);
+  EXPECT_EQ(KnownOutlines({small, large}).recognise(small, {.most = 1, .scale = 1}).at(0).known, 0u);
+  const KnownOutlines known({test::mapped(small, {1e-15, 0, 0, 0}), large});
+  EXPECT_EQ(known.recognise(large, {.most = 1}).at(0).known, 1u);
+  const std::string said = error_of([&] { known.recognise(large, {.most = 1, .scale = 1}); });
+  EXPECT_NE(said.find("allowed with a scale: 1e20 times"), std::string::npos) << said;
+}
+
 TEST(PackageRecognise, OfSeveralCurvesTheLargestWithItsHolesIsKnown) {
   Outline ring = test::circle(100);
   Outline hole = test::mapped(test::random_outline(3), test::similarity(30, 0, 0, 0));
@@ -106,6 +139,12 @@ TEST(PackageRecognise, WhatCannotBeKnownIsNamed) {
   EXPECT_EQ(fault(matching::make_outline({{{0, 0}, {1000, 0}, {1000, 1}, {0, 1}}})).substr(0, 19),
             "outline 1: too thin");
   EXPECT_EQ(fault(matching::make_outline({{{0, 0}, {1, 0}, {2, 1e-30}}})).substr(0, 19), "outline 1: too thin");
+  Outline hollow = test::circle(1);
+  for (const double radius : {0.9, 0.8}) {
+    matching::Curve& hole = hollow.curves.emplace_back(test::circle(radius).curves[0]);
+    std::reverse(hole.points.begin(), hole.points.end());
+  }
+  EXPECT_EQ(fault(hollow), "outline 1: found holes as large as the outer curve or larger, allowed: smaller ones");
   Outline comb;
   comb.curves.emplace_back();
   for (int i = 0; i < 2000; ++i) comb.curves[0].points.push_back({double(i), i % 2 ? 1000.0 : 0.0});

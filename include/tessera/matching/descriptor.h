@@ -32,7 +32,8 @@ class TESSERA_MATCHING_API Descriptor {
 };
 
 /// PADs at the samples of pads_of(). The distance is the mean, over the query's PADs, of that to the nearest PAD that is known
-/// (pad_distance()); PADs that cannot be compared count 2. Throws Error where a setting is out of its range.
+/// (pad_distance()); PADs that cannot be compared count 2. So an open curve differs from itself by more than 0, and a straight
+/// line by 2; a query without PADs differs by 2 from everything. Throws Error where a setting is out of its range.
 TESSERA_MATCHING_API std::unique_ptr<Descriptor> make_pad_descriptor(const PadSettings& settings = {});
 
 /// A table of numbers, row by row.

@@ -17,7 +17,9 @@ namespace tessera::matching {
 struct RecogniseSettings {
   std::size_t most = 10;  ///< outlines that are told
   /// Query units for one unit of the known outlines, or for one px of a library's drawings, where it is known: other sizes are
-  /// then not looked for. It helps where little of an outline is seen.
+  /// then not looked for. It helps where little of an outline is seen. Above 1e-120 and below 1e120. It is refused with an Error
+  /// where the largest known outline is more than 1e20 times as large as the smallest, and where the library does not know
+  /// how large its shapes were drawn.
   std::optional<double> scale = {};
 };
 
