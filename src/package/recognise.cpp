@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/base/rank_pool.h"
-#include "core/pad/pad_index.h"
 #include "package/forked_process.h"
 #include "package/hdf5_turn.h"
 #include "package/known_shape.h"
@@ -21,7 +20,7 @@ namespace tessera::matching {
 
 struct KnownOutlines::State {
   PadParameters pad;
-  std::vector<KnownShapes> lots;           // of kSegmentShapes each
+  std::vector<KnownShapes> lots;           // lots_of() the outlines
   std::vector<tessera::Outline> outlines;  // shape frames
   std::vector<Similarity> shape_from_own;
   /// The unit in which the core's floats count the known outlines' sizes: 1 px of a library's drawings, or the middle of the
@@ -105,15 +104,14 @@ KnownOutlines::KnownOutlines(const std::vector<Outline>& outlines) : state_(std:
     const Sizes sizes(made);
     state_->no_scale = why_no_scale(sizes);
     if (state_->no_scale.empty()) state_->unit = sizes.unit();
-    for (std::size_t begin = 0; begin < made.size(); begin += kSegmentShapes) {
+    for (const ShapeRange& lot : lots_of(made.size(), shapes_of_lot(made.size()))) {
       std::vector<ShapeModel> models;
       std::vector<float> sizes_in_units;  // 0: unknown
-      for (std::size_t i = begin; i < std::min<std::size_t>(made.size(), begin + kSegmentShapes); ++i) {
+      for (std::size_t i = lot.begin; i < lot.end; ++i) {
         models.push_back(std::move(made[i].model));
         sizes_in_units.push_back(state_->no_scale.empty() ? float(sizes.of_each[i] / state_->unit) : 0);
       }
-      state_->lots.emplace_back(ShapeId(std::uint32_t(begin)), std::move(models), std::move(sizes_in_units),
-                                state_->pad.levels);
+      state_->lots.emplace_back(ShapeId(lot.begin), std::move(models), std::move(sizes_in_units), state_->pad.levels);
     }
     for (KnownShape& shape : made) {
       state_->outlines.push_back(std::move(shape.outline));
@@ -128,8 +126,7 @@ KnownOutlines::KnownOutlines(const Library& library) : state_(std::make_unique<S
     const Hdf5Turn turn;
     const LibraryFile& file = library.state_->file;
     state_->pad = file.pad_parameters();
-    for (std::size_t lot = 0; lot < number_of_lots(file, kSegmentShapes); ++lot) {
-      const ShapeRange range = lot_of(file, lot, kSegmentShapes);
+    for (const ShapeRange& range : lots_of(file.size(), shapes_of_lot(file.size()))) {
       state_->lots.push_back(read_lot(file, range));
       const LibraryParts outlines{.outline = true, .field = false, .levels = 0, .artwork = false};
       for (Shape& shape : file.read(range.begin, range.end, outlines)) {

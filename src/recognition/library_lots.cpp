@@ -6,13 +6,17 @@
 
 namespace tessera {
 
-ShapeRange lot_of(const ShapeLibrary& library, std::size_t lot, std::uint32_t lot_shapes) {
-  const std::size_t begin = lot * lot_shapes;
-  return {std::uint32_t(begin), std::uint32_t(std::min(library.size(), begin + lot_shapes))};
+std::uint32_t shapes_of_lot(std::size_t library_shapes) {
+  constexpr std::size_t kLeast = 2048, kMost = 16384, kLots = 8;
+  return std::uint32_t(std::clamp((library_shapes + kLots - 1) / kLots, kLeast, kMost));
 }
 
-std::size_t number_of_lots(const ShapeLibrary& library, std::uint32_t lot_shapes) {
-  return (library.size() + lot_shapes - 1) / lot_shapes;
+std::vector<ShapeRange> lots_of(std::size_t library_shapes, std::uint32_t lot_shapes) {
+  std::vector<ShapeRange> lots;
+  for (std::size_t begin = 0; begin < library_shapes; begin += lot_shapes) {
+    lots.push_back({std::uint32_t(begin), std::uint32_t(std::min(library_shapes, begin + lot_shapes))});
+  }
+  return lots;
 }
 
 KnownShapes read_lot(const ShapeLibrary& library, const ShapeRange& range) {

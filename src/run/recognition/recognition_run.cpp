@@ -9,6 +9,7 @@
 #include "files/atomic_file.h"
 #include "library/storage/library_file.h"
 #include "recognition/drawn_curves.h"
+#include "recognition/library_lots.h"
 #include "run/recognition/recognition_files.h"
 #include "run/recognition/recognition_search.h"
 #include "terminal/exit_codes.h"
@@ -62,6 +63,7 @@ RecognitionQuestion question_of(const RecognizeArguments& arguments, const std::
   question.library = arguments.library;
   question.library_digest = library.content_digest();
   question.most = arguments.most;
+  question.lot_shapes = shapes_of_lot(library.size());
   if (arguments.scale) question.query_per_drawn_px = float(*arguments.scale);
   for (const DrawnCurves& query : queries) question.queries.push_back({query.curves, query.pixel});
   return question;

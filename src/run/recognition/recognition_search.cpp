@@ -43,15 +43,15 @@ Recognitions recognised_here(const comm::Communicator& ranks, const RecognitionQ
         .outline;
   };
   Recognitions best(queries.size());
-  const std::size_t lots = number_of_lots(library, question.lot_shapes);
-  for (std::size_t lot = std::size_t(ranks.rank()); lot < lots; lot += std::size_t(ranks.size())) {
-    progress(lot, lots);
-    const KnownShapes shapes = read_lot(library, lot_of(library, lot, question.lot_shapes));
+  const std::vector<ShapeRange> lots = lots_of(library.size(), question.lot_shapes);
+  for (std::size_t lot = std::size_t(ranks.rank()); lot < lots.size(); lot += std::size_t(ranks.size())) {
+    progress(lot, lots.size());
+    const KnownShapes shapes = read_lot(library, lots[lot]);
     parallel_for(queries.size(), [&](std::size_t q) {
       keep_best(best[q], recognised(queries[q], shapes, settings, outline_of), settings.most);
     });
   }
-  progress(lots, lots);
+  progress(lots.size(), lots.size());
   return best;
 }
 
