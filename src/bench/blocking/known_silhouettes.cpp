@@ -6,12 +6,10 @@
 #include "core/base/rank_pool.h"
 #include "core/shape/outline.h"
 #include "core/shape/shape_builder.h"
+#include "recognition/library_lots.h"
 
 namespace tessera::bench {
 namespace {
-
-/// Smoothing levels whose PADs are compared. The coarsest one has lost what tells shapes of a class apart.
-const std::vector<int> kComparedLevels = {1, 2, 3, 4};
 
 std::optional<KnownSilhouette> known_silhouette(const cv::Mat& mask, std::size_t silhouette, bool mirrored) {
   cv::Mat seen;
@@ -22,7 +20,7 @@ std::optional<KnownSilhouette> known_silhouette(const cv::Mat& mask, std::size_t
   }
   std::optional<Shape> shape = shape_of_mask(seen);
   if (!shape) return std::nullopt;
-  ShapeModel model = make_shape_model(*shape, {}, {}, kComparedLevels);
+  ShapeModel model = make_shape_model(*shape, {}, {}, kSearchedLevels);
   return KnownSilhouette{silhouette, mirrored, std::move(shape->outline), shape->artwork.unit_px, std::move(model)};
 }
 

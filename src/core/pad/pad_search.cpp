@@ -137,12 +137,10 @@ namespace {
 /// The nearest hits so far, at most `most` of them.
 class Nearest {
  public:
-  Nearest(float reach, std::size_t most) : reach_(reach), most_(most) {}
+  Nearest(float reach, std::size_t most) : below_reach_(std::nextafter(reach, 0.f)), most_(most) {}
 
-  /// Whether a hit at this distance may still be one of the nearest.
-  bool may_take(float distance) const {
-    return distance < reach_ && (hits_.size() < most_ || distance <= hits_.front().distance);
-  }
+  /// Hits that are farther away are none of the nearest; some at this distance may be.
+  float farthest() const { return hits_.size() < most_ ? below_reach_ : hits_.front().distance; }
   void take(const PadHit& hit) {
     if (hits_.size() == most_) {
       if (!(hit < hits_.front())) return;
@@ -158,10 +156,17 @@ class Nearest {
   }
 
  private:
-  float reach_;
+  float below_reach_;
   std::size_t most_;
   std::vector<PadHit> hits_;
 };
+
+/// A loop without jumps, as few blocks have any.
+bool any_within(const std::array<float, kIndexFanOut>& distances, float limit) {
+  int within = 0;
+  for (const float distance : distances) within |= distance <= limit;
+  return within != 0;
+}
 
 struct NearBlock {
   float distance;
@@ -187,15 +192,20 @@ std::vector<PadHit> PadSearch::nearest(const PadTarget& target, float reach, std
       }
     }
   }
-  std::sort(near.begin(), near.end(), [](const NearBlock& a, const NearBlock& b) {
-    return a.distance != b.distance ? a.distance < b.distance : a.block < b.block;
-  });
+  // The nearest block is on top. Few are looked at, so that to sort them all would take longer.
+  const auto farther = [](const NearBlock& a, const NearBlock& b) {
+    return a.distance != b.distance ? a.distance > b.distance : a.block > b.block;
+  };
+  std::make_heap(near.begin(), near.end(), farther);
   Nearest hits(reach, most);
-  for (const NearBlock& block : near) {
-    if (!hits.may_take(block.distance)) break;
+  for (; !near.empty(); near.pop_back()) {
+    std::pop_heap(near.begin(), near.end(), farther);
+    const NearBlock& block = near.back();
+    if (block.distance > hits.farthest()) break;
     measure(pads_[block.block], target, distance);
+    if (!any_within(distance, hits.farthest())) continue;
     for (std::size_t i = 0; i < kIndexFanOut; ++i) {
-      if (!hits.may_take(distance[i])) continue;
+      if (distance[i] > hits.farthest()) continue;
       const std::uint32_t place = order_[std::size_t(block.block) * kIndexFanOut + i];
       if (wanted(place)) hits.take({distance[i], place});
     }
