@@ -21,7 +21,7 @@ namespace {
   const std::string message = std::generic_category().message(reason);
   if (reason == EMFILE || reason == ENFILE || reason == ENOMEM)
     throw EnvironmentError("cannot read " + path + ": " + message);
-  throw InputError(path + ": not a readable file: " + message);
+  throw InputError(path + ": not a readable file: " + message + ", allowed: a file that is there and may be read");
 }
 
 [[noreturn]] void throw_found(const std::string& path, const std::string& found) {

@@ -21,6 +21,7 @@
 #include "job/quality_word.h"
 #include "job/wishes_file.h"
 #include "text/number_text.h"
+#include "text/text_encoding.h"
 
 namespace tessera {
 namespace {
@@ -35,12 +36,11 @@ constexpr std::size_t kMostZones = 1000;  // so many take seconds on the largest
 constexpr std::size_t kMaxKeyLevels = 8192;
 constexpr std::size_t kMaxNestedValues = 256;  // inline tables and arrays in each other, by toml++'s own limit
 
-std::string read_bytes(const std::string& path) {
+std::string read_text(const std::string& path) {
   std::error_code error;
   if (fs::status(path, error).type() == fs::file_type::not_found) throw InputError("job file " + path + ": not found");
   try {
-    const std::vector<std::uint8_t> bytes = read_regular_file(path, kMaxJobBytes);
-    return {bytes.begin(), bytes.end()};
+    return utf8_text(read_regular_file(path, kMaxJobBytes), path);
   } catch (const InputError& problem) {
     throw InputError(std::string("job file ") + problem.what());
   }
@@ -340,7 +340,7 @@ Job read_job(const std::string& text, const std::string& path, const std::vector
 }  // namespace
 
 Job load_job(const std::string& path, const std::vector<std::string>& overrides) {
-  Job job = read_job(read_bytes(path), path, overrides);
+  Job job = read_job(read_text(path), path, overrides);
   // Here, so that every rank has the same, and a result does not need the palette's file.
   if (const std::vector<std::string> colours = load_library_colours(job); !colours.empty())
     job.library_colours = colours;

@@ -14,6 +14,7 @@
 #include "files/regular_file.h"
 #include "job/job_entry.h"
 #include "text/nearest_name.h"
+#include "text/text_encoding.h"
 
 namespace tessera {
 namespace {
@@ -93,8 +94,8 @@ std::vector<std::string> distinct(const std::vector<std::string>& colours) {
 }
 
 std::vector<std::string> colours_of_file(const std::string& path) {
-  const std::vector<std::uint8_t> bytes = read_regular_file(path, kMostPaletteBytes);
-  const std::vector<std::string> colours = distinct(colours_in({bytes.begin(), bytes.end()}, path));
+  const std::string text = utf8_text(read_regular_file(path, kMostPaletteBytes), path);
+  const std::vector<std::string> colours = distinct(colours_in(text, path));
   if (colours.empty()) throw InputError(path + ": no colours in it");
   if (colours.size() > kMostColours) {
     throw InputError(path + ": " + std::to_string(colours.size()) +

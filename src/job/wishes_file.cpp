@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <sstream>
 #include <utility>
 
 #include "core/base/count_text.h"
@@ -12,6 +11,7 @@
 #include "job/job_entry.h"
 #include "text/csv_text.h"
 #include "text/nearest_name.h"
+#include "text/text_encoding.h"
 #include "text/utf8_text.h"
 
 namespace tessera {
@@ -38,14 +38,17 @@ class WishesFile {
         table_(*find_job_table("shapes")) {}
 
   void add_to(Job& job) const {
-    const std::vector<CsvRow> rows = read();
+    const std::string text = read_text();
+    const bool decimal_commas = csv_separator(text) != ',';
+    const std::vector<CsvRow> rows = rows_of(text);
     if (rows.empty()) throw InputError(shown_ + ": empty; needed: a first row with the names of the columns");
     check_header(rows.front());
     for (std::size_t i = 1; i < rows.size(); ++i) {
       if (says_nothing(rows[i])) continue;
       check_width(rows[i], rows.front());
       add_row(
-          table_, row_of(rows[i], rows.front()), [&](const toml::node&) { return place(rows[i]); }, job);
+          table_, row_of(rows[i], rows.front(), decimal_commas), [&](const toml::node&) { return place(rows[i]); },
+          job);
       job.wishes_places.push_back(place(rows[i]));
     }
   }
@@ -53,9 +56,7 @@ class WishesFile {
  private:
   std::string place(const CsvRow& row) const { return shown_ + ":" + std::to_string(row.line); }
 
-  std::vector<CsvRow> read() const {
-    const std::string text = read_text();
-    check_is_utf8(text);
+  std::vector<CsvRow> rows_of(const std::string& text) const {
     try {
       return read_csv(text);
     } catch (const InputError& error) {
@@ -63,29 +64,15 @@ class WishesFile {
     }
   }
 
-  std::string read_text() const {
+  std::string read_text() const { return utf8_text(read_bytes(), shown_); }
+
+  std::vector<std::uint8_t> read_bytes() const {
     try {
-      const std::vector<std::uint8_t> bytes = read_regular_file(path_, kMostWishesBytes);
-      return {bytes.begin(), bytes.end()};
+      return read_regular_file(path_, kMostWishesBytes);
     } catch (const InputError& error) {
       const std::string what = error.what();
       throw InputError(shown_ + (what.starts_with(path_) ? what.substr(path_.size()) : ": " + what) +
                        "; allowed: a CSV file, its columns those of [[shapes]]");
-    }
-  }
-
-  /// Spreadsheets save in other encodings, too.
-  void check_is_utf8(const std::string& text) const {
-    constexpr const char* kSaveAsUtf8 = "; allowed: UTF-8; save the table as CSV in UTF-8";
-    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff") || text.find('\0') != text.npos) {
-      throw InputError(shown_ + ": found UTF-16, or no text" + kSaveAsUtf8);
-    }
-    std::istringstream lines(text);
-    std::string line;
-    for (std::size_t number = 1; std::getline(lines, line); ++number) {
-      if (is_utf8(line)) continue;
-      throw InputError(shown_ + ":" + std::to_string(number) + ": found \"" + printable(printable_utf8(line)) +
-                       "\", which is not UTF-8 but another encoding, such as Latin-1" + kSaveAsUtf8);
     }
   }
 
@@ -104,9 +91,10 @@ class WishesFile {
   void check_header(const CsvRow& header) const {
     for (const std::string& cell : header.cells) {
       if (cell.find_first_of(";\t") == std::string::npos) continue;
-      throw InputError(place(header) + ": found \"" + printable(printable_utf8(cell)) +
-                       "\", allowed: columns with commas between them; write the table as CSV with commas, not with "
-                       "semicolons or tabulators, and its numbers with points");
+      throw InputError(
+          place(header) + ": found \"" + printable(printable_utf8(cell)) +
+          "\" beside commas, allowed: columns with commas between them, or all with semicolons, or all with "
+          "tabulators");
     }
     for (std::size_t i = 0; i < header.cells.size(); ++i) check_column(header, i);
     if (std::find(header.cells.begin(), header.cells.end(), "names") == header.cells.end()) {
@@ -143,25 +131,33 @@ class WishesFile {
   }
 
   /// An empty cell says nothing.
-  toml::table row_of(const CsvRow& row, const CsvRow& header) const {
+  toml::table row_of(const CsvRow& row, const CsvRow& header, bool decimal_commas) const {
     toml::table values;
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
-      const std::string cell = checked_cell(row, i, header);
+      std::string cell = checked_cell(row, i, header);
       if (cell.empty()) continue;
       const std::string& name = header.cells[i];
-      check_points(row, name, cell);
+      if (const std::string with_point = with_decimal_point(name, cell); !with_point.empty()) {
+        if (!decimal_commas) refuse_decimal_comma(row, name, cell, with_point);
+        cell = with_point;
+      }
       value_of(*column_of(name), cell).get("value")->visit([&](auto& value) { values.insert(name, std::move(value)); });
     }
     return values;
   }
 
-  /// "0,5" is how spreadsheets write a half in some languages.
-  void check_points(const CsvRow& row, const std::string& column, const std::string& cell) const {
+  /// "0.5" of "0,5", as spreadsheets write a half in some languages; empty where the cell is no such number.
+  std::string with_decimal_point(const std::string& column, const std::string& cell) const {
     const std::size_t comma = cell.find(',');
-    if (is_text(column_of(column)->kind) || comma == cell.npos) return;
+    if (is_text(column_of(column)->kind) || comma == cell.npos) return "";
     std::string with_point = cell;
     with_point[comma] = '.';
-    if (with_point.find_first_not_of("+-.0123456789") != cell.npos) return;
+    return with_point.find_first_not_of("+-.0123456789") == cell.npos ? with_point : "";
+  }
+
+  /// Beside cells with commas between them a comma may also separate the numbers of a list.
+  [[noreturn]] void refuse_decimal_comma(const CsvRow& row, const std::string& column, const std::string& cell,
+                                         const std::string& with_point) const {
     throw InputError(place(row) + ": [[shapes]] " + column + ": found \"" + printable(cell) +
                      "\", allowed: a number with a point, " + printable(with_point) + ", or a list in brackets, [" +
                      printable(cell) + "]");

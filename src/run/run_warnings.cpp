@@ -57,6 +57,7 @@ void warn_of_problem(const CollageArguments& arguments, const CollageInput& inpu
   const Job& job = problem.job();
   journal.warn(replaced_result_warning(input.earlier, job));
   journal.warn(idle_keys_warning_of(arguments, job));
+  if (!arguments.refined) journal.warn(decimal_comma_warning(job));
   journal.warn(unable_library_warning_of(arguments, problem));
   journal.warn(outline_alone_warning_of(arguments, problem));
   if (!arguments.refined) journal.warn(standing_warning_of(problem));  // a result's pieces lie as it put them

@@ -10,11 +10,12 @@
 namespace tessera {
 namespace {
 
-constexpr char kByteOrderMark[] = "\xef\xbb\xbf";
-
 class CsvReader {
  public:
-  explicit CsvReader(const std::string& text) : text_(text), at_(text.starts_with(kByteOrderMark) ? 3 : 0) {}
+  CsvReader(const std::string& text, char separator)
+      : text_(text),
+        separator_(separator),
+        ends_of_cell_{separator, '\r', '\n'} {}
 
   std::vector<CsvRow> rows() {
     std::vector<CsvRow> rows;
@@ -28,7 +29,7 @@ class CsvReader {
  private:
   CsvRow next_row() {
     CsvRow row{line_, {cell()}};
-    while (at_ < text_.size() && text_[at_] == ',') {
+    while (at_ < text_.size() && text_[at_] == separator_) {
       ++at_;
       row.cells.push_back(cell());
     }
@@ -39,7 +40,7 @@ class CsvReader {
   std::string cell() {
     if (at_ < text_.size() && text_[at_] == '"') return quoted_cell();
     const std::size_t begin = at_;
-    at_ = std::min(text_.size(), text_.find_first_of(",\r\n", at_));
+    at_ = std::min(text_.size(), text_.find_first_of(ends_of_cell_, at_));
     return text_.substr(begin, at_ - begin);
   }
 
@@ -52,7 +53,7 @@ class CsvReader {
       if (text_[at_] == '\n') ++line_;
       cell += text_[at_];
     }
-    if (at_ < text_.size() && text_[at_] != ',' && text_[at_] != '\r' && text_[at_] != '\n') {
+    if (at_ < text_.size() && ends_of_cell_.find(text_[at_]) == std::string::npos) {
       throw InputError(std::to_string(line_) +
                        ": text behind a closing quote \"; a quote within quotes is written \"\"");
     }
@@ -66,7 +67,9 @@ class CsvReader {
   }
 
   const std::string& text_;
-  std::size_t at_;
+  const char separator_;
+  const std::string ends_of_cell_;
+  std::size_t at_ = 0;
   std::size_t line_ = 1;
 };
 
@@ -102,6 +105,18 @@ std::string csv_text_cell(const std::string& text) {
   return cell.find_first_of(",;\"") == std::string::npos ? cell : quoted(cell);
 }
 
-std::vector<CsvRow> read_csv(const std::string& text) { return CsvReader(text).rows(); }
+char csv_separator(const std::string& text) {
+  bool quoted = false;
+  char other = ',';
+  for (const char c : text) {
+    if (c == '"') quoted = !quoted;
+    if (quoted) continue;
+    if (c == ',' || c == '\n' || c == '\r') return c == ',' ? ',' : other;
+    if (other == ',' && (c == ';' || c == '\t')) other = c;
+  }
+  return other;
+}
+
+std::vector<CsvRow> read_csv(const std::string& text) { return CsvReader(text, csv_separator(text)).rows(); }
 
 }  // namespace tessera

@@ -1,4 +1,4 @@
-// Tables as texts with commas (RFC 4180), as spreadsheets and scripts write them.
+// Tables as texts with commas (RFC 4180) or semicolons, as spreadsheets and scripts write them.
 #pragma once
 
 #include <cstddef>
@@ -12,9 +12,13 @@ struct CsvRow {
   std::vector<std::string> cells;
 };
 
-/// The rows of the text but for empty lines. A byte order mark and either kind of line end are taken; quotes may hold
-/// commas, line ends and doubled quotes. Throws InputError "LINE: ..." where quotes are not closed or something stands
-/// beside them.
+/// What separates the cells of the first row: a comma, or a semicolon or tabulator where there is no comma, as spreadsheets
+/// write tables where the decimal point is a comma.
+char csv_separator(const std::string& text);
+
+/// The rows of the text but for empty lines, their cells separated by csv_separator(). Either kind of line end is taken;
+/// quotes may hold separators, line ends and doubled quotes. Throws InputError "LINE: ..." where quotes are not closed
+/// or something stands beside them.
 std::vector<CsvRow> read_csv(const std::string& text);
 
 /// A cell for a text that comes from elsewhere: escaped (printable_utf8), in quotes where it holds a separator, and no

@@ -109,6 +109,22 @@ TEST(PlaceAdvice, OnlyWhatDecidesIsNamed) {
   EXPECT_EQ(where_sizes_stand(WrittenKeys(job), wishes, {{ShapeId{0}}, {0, 1}}), sky + " or " + pieces);
 }
 
+TEST(CollageWarnings, SizesThatDoNotRiseMayHaveDecimalCommas) {
+  const auto warning = [](const std::string& text) {
+    return decimal_comma_warning(job_from_toml("[library]\nfile = 'x.h5'\n" + text, "job.toml"));
+  };
+  EXPECT_EQ(
+      warning("[pieces]\nscale_px = [30,5, 60,5]\n"),
+      "pieces.scale_px = [30, 5, 60, 5] is 4 sizes, one after the other; where a decimal comma was meant, write a "
+      "point: 30.5, not 30,5");
+  EXPECT_EQ(warning("[pieces]\nscale_px = [20, 30, 60]\n"), "");
+  EXPECT_EQ(warning("[pieces]\nscale_px = [30, 60]\n"), "");
+  EXPECT_EQ(warning("[pieces]\nscale_px = [[60, 90], [20, 30], [10, 15]]\n"), "") << "intervals come in any order";
+  const std::string row = "[[shapes]]\nnames = 'owl'\nscale_px = ";
+  EXPECT_EQ(warning(row + "30\n" + row + "[40,5, 50]\n").substr(0, 52),
+            "[[shapes]] 2: scale_px = [40, 5, 50] is 3 sizes, one");
+}
+
 TEST(CollageWarnings, KeysThatMeanNothingAreTold) {
   Job job;
   EXPECT_EQ(idle_keys_warning(job), "");

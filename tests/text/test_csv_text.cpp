@@ -40,6 +40,16 @@ TEST(CsvTextCell, control_characters_are_escaped) {
   EXPECT_EQ(csv_text_cell("a\n=1\x1b[2J"), "a_=1_[2J");
 }
 
+TEST(CsvSeparator, IsWhatTheFirstRowHas) {
+  EXPECT_EQ(csv_separator("names,weight\na;b"), ',');
+  EXPECT_EQ(csv_separator("names;weight\na,b;1"), ';');
+  EXPECT_EQ(csv_separator("names\tweight\n"), '\t');
+  EXPECT_EQ(csv_separator("names;scale_px,weight"), ',') << "a comma decides";
+  EXPECT_EQ(csv_separator("\"a,b\";c"), ';') << "not one in quotes";
+  EXPECT_EQ(csv_separator("names\na;b"), ',');
+  EXPECT_EQ(csv_separator(""), ',');
+}
+
 /// Where a spreadsheet divides the line at commas, and where it does so at semicolons.
 RC_GTEST_PROP(CsvTextCell, is_one_cell_that_is_no_formula, ()) {
   const auto text = *rc::gen::container<std::string>(rc::gen::element('a', ' ', ',', ';', '"', '=', '-', '\n', '\t'));

@@ -16,6 +16,7 @@
 #include "products/nesting/layout/search_outline.h"
 #include "products/nesting/nest_instance.h"
 #include "products/nesting/unknown_units.h"
+#include "text/text_encoding.h"
 #include "text/utf8_text.h"
 
 namespace tessera {
@@ -213,8 +214,8 @@ NestInput read_nest_input(const std::string& path) {
   if (fs::is_directory(path, ignored)) {
     add_folder(path, input, units);
   } else if (const Kind kind = kind_of(path); kind == Kind::instance) {
-    const std::vector<std::uint8_t> bytes = read_regular_file(path, kMostFileBytes);
-    input = nest_instance({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, printable_utf8(path));
+    const std::string shown = printable_utf8(path);
+    input = nest_instance(utf8_text(read_regular_file(path, kMostFileBytes), shown), shown);
     input.unit = "1 mm";
   } else if (kind == Kind::library) {
     add_library(path, input);

@@ -11,6 +11,7 @@
 #include "core/collage/standing_check.h"
 #include "job/canvas/canvas_enclosure.h"
 #include "job/job_keys.h"
+#include "job/job_tables.h"
 #include "job/job_value.h"
 #include "master/relaxing.h"
 #include "master/replacing.h"
@@ -183,6 +184,43 @@ std::string idle_keys_warning(const Job& job) {
   warnings.push_back(idle_shift_warning(job));
   warnings.push_back(idle_light_warning(job));
   warnings.push_back(idle_deform_warning(job));
+  return joined_warnings(warnings);
+}
+
+namespace {
+
+/// "30, 5, 60" where these intervals are single sizes, three or more, that do not rise; else empty.
+std::string sizes_that_do_not_rise(const std::vector<double>& intervals) {
+  std::vector<double> sizes;
+  std::string text;
+  for (std::size_t i = 0; i + 1 < intervals.size(); i += 2) {
+    if (intervals[i] != intervals[i + 1]) return "";
+    sizes.push_back(intervals[i]);
+    text += (text.empty() ? "" : ", ") + significant(intervals[i], 6);
+  }
+  return sizes.size() >= 3 && !std::is_sorted(sizes.begin(), sizes.end()) ? text : "";
+}
+
+/// Empty where `intervals` are no such sizes.
+std::string decimal_comma_text(const std::string& place, const std::vector<double>& intervals) {
+  const std::string sizes = sizes_that_do_not_rise(intervals);
+  if (sizes.empty()) return "";
+  return place + "scale_px = [" + sizes + "] is " + count_text(intervals.size() / 2, "size") +
+         ", one after the other; where a decimal comma was meant, write a point: 30.5, not 30,5";
+}
+
+}  // namespace
+
+std::string decimal_comma_warning(const Job& job) {
+  std::vector<std::string> warnings = {
+      decimal_comma_text("pieces.", find_job_key("pieces", "scale_px")->get(job).numbers)};
+  std::size_t number = 0;
+  for (const JobRow& row : rows_of(job, "shapes")) {
+    ++number;
+    const auto sizes = row.find("scale_px");
+    if (sizes == row.end()) continue;
+    warnings.push_back(decimal_comma_text("[[shapes]] " + std::to_string(number) + ": ", sizes->second.numbers));
+  }
   return joined_warnings(warnings);
 }
 

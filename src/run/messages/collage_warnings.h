@@ -53,6 +53,10 @@ std::string idle_shift_warning(const Job& job);
 /// The same of output.background_light.
 std::string idle_light_warning(const Job& job);
 
+/// Where scale_px of [pieces] or of a row of [[shapes]] is a list of three sizes or more that does not rise: 30,5 may have
+/// been meant as 30.5.
+std::string decimal_comma_warning(const Job& job);
+
 /// Where the pieces are to show an image and will not: `one_colour`, nearly all shapes are of the same colour and drawn
 /// in it; or they are few.
 std::string unable_library_warning(const ColourSpec& colour, std::size_t shapes, bool one_colour);
