@@ -100,6 +100,7 @@ std::variant<ArtworkShape, SkipReason> shape_from_artwork(std::span<const std::u
                       .other_area_fraction = outline.other_area_fraction,
                       .loses_parts = traced.loses_parts,
                       .loses_text = silhouette.loses_text,
+                      .loses_pictures = silhouette.loses_pictures,
                       .hollowness = outline.hollowness,
                       .style = silhouette.style};
 }

@@ -19,6 +19,7 @@ struct ArtworkShape {
   float other_area_fraction = 0;  // see TracedOutline
   bool loses_parts = false;       // see SolidCoverage
   bool loses_text = false;        // not drawn, as this machine has no font
+  bool loses_pictures = false;    // the file has more of them than its first
   float hollowness = 1;           // see TracedOutline
   StyleFeatures style = {};       // what the drawing looks like
 };

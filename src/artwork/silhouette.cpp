@@ -173,6 +173,7 @@ Silhouette make_silhouette(std::span<const std::uint8_t> bytes, const std::strin
   silhouette.loose_parts = judgement.loose_parts;
   silhouette.loses_parts = judgement.loses_parts;
   silhouette.loses_text = page->loses_text();
+  silhouette.loses_pictures = page->loses_pictures();
   silhouette.drawn_px =
       float(std::max(page->natural_size().width, page->natural_size().height) / drawing.longest_side_px);
   silhouette.colour = colour_of(thumbnail);

@@ -33,11 +33,12 @@ struct Silhouette {
   Grid<float> alpha;    // 0..1, of the part of the page that is drawn on
   Grid<float> body;     // the same, but for soft shadows and translucent parts (solid_coverage.h); empty: it is alpha
   int loose_parts = 0;  // see SolidCoverage (solid_coverage.h)
-  bool loses_parts = false;  // the same
-  bool loses_text = false;   // see ArtworkPage
-  Vec2 origin_px;            // upper left corner of alpha's upper left pixel
-  float source_px = 0;       // size of a pixel of the source; 0 for vectors
-  float drawn_px = 0;        // of the page's own px (1/96 inch of an SVG) for one of the raster
+  bool loses_parts = false;     // the same
+  bool loses_text = false;      // see ArtworkPage
+  bool loses_pictures = false;  // the same
+  Vec2 origin_px;               // upper left corner of alpha's upper left pixel
+  float source_px = 0;          // size of a pixel of the source; 0 for vectors
+  float drawn_px = 0;           // of the page's own px (1/96 inch of an SVG) for one of the raster
   ArtworkColour colour;
   StyleFeatures style;
   ColourRaster colours;                     // of the part of the page that is drawn on, coarse

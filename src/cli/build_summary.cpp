@@ -74,6 +74,10 @@ std::string build_summary(const LibraryBuildReport& report) {
     text += "text is not drawn, as fontconfig finds no font here, in " + std::to_string(report.textless.size()) + ": " +
             first_names(report.textless) + "\n  install a font to have it: fonts-dejavu-core\n";
   }
+  if (!report.first_pictures.empty()) {
+    text += "the first picture alone, of an animation or of several pages, is in the library of " +
+            std::to_string(report.first_pictures.size()) + ": " + first_names(report.first_pictures) + "\n";
+  }
   if (!report.faint.empty()) {
     text += "parts that are too faint (an opacity below 0.08) or too thin are not in the silhouettes of " +
             std::to_string(report.faint.size()) + ": " + first_names(report.faint) + "\n";

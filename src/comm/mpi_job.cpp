@@ -10,6 +10,7 @@
 #include <string>
 
 #include "comm/mpi_communicator.h"
+#include "comm/refused_copies.h"
 #include "comm/stop_signals.h"
 #include "comm/watchdog.h"
 
@@ -63,6 +64,7 @@ void watch(std::optional<Watchdog>& watchdog, const RankProgram& program, double
 }  // namespace
 
 int run_mpi_job(int& argc, char**& argv, const RankProgram& program, const MpiPatience& patience) {
+  do_without_refused_copies();
   std::optional<Watchdog> leaving;  // outlives MPI
   std::optional<Watchdog> starting;
   watch(starting, program, patience.start_s, kEnvironmentExitCode, "start MPI",

@@ -49,6 +49,9 @@ std::string left_out_list(const LibraryBuildReport& report) {
   for (const std::string& path : report.textless) {
     text += line("trimmed", path, "text is not drawn, as fontconfig finds no font here; install one to have it");
   }
+  for (const std::string& path : report.first_pictures) {
+    text += line("trimmed", path, "an animation, or a file of several pages: its first picture alone is the shape");
+  }
   for (const std::string& path : report.faint) {
     text +=
         line("trimmed", path,

@@ -98,6 +98,7 @@ class Builder {
       if (!add(path, std::move(artwork.shape), artwork.style)) return;
       if (artwork.other_components > 0) report_.trimmed.push_back(path);
       if (artwork.loses_text) report_.textless.push_back(path);
+      if (artwork.loses_pictures) report_.first_pictures.push_back(path);
       if (artwork.loses_parts) report_.faint.push_back(path);
       if (artwork.hollowness >= kHollow && !settings_.tracing.rules.fill_holes) report_.hollow.push_back(path);
     } catch (const InputError& error) {

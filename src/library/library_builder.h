@@ -35,10 +35,11 @@ struct LibraryBuildReport {
   std::size_t shapes = 0;
   std::vector<UnusedFile> skipped;
   std::vector<Merged> merged;
-  std::vector<std::string> trimmed;   // paths of shapes: parts that do not touch the largest one were left out
-  std::vector<std::string> textless;  // paths of shapes: their text was not drawn, as this machine has no font
-  std::vector<std::string> faint;     // paths of shapes: parts that are too faint or too thin were left out
-  std::vector<std::string> hollow;    // paths of shapes that TracingRules::fill_holes would help
+  std::vector<std::string> trimmed;         // paths of shapes: parts that do not touch the largest one were left out
+  std::vector<std::string> first_pictures;  // paths of shapes: of the file's first picture, as it has more
+  std::vector<std::string> textless;        // paths of shapes: their text was not drawn, as this machine has no font
+  std::vector<std::string> faint;           // paths of shapes: parts that are too faint or too thin were left out
+  std::vector<std::string> hollow;          // paths of shapes that TracingRules::fill_holes would help
 };
 
 struct ShapeLoader {

@@ -202,7 +202,7 @@ TEST(ImageReaders, ATiffIsTurnedAsItSays) {
     EXPECT_TRUE(same(turned_upright(pattern(CV_8UC3), orientation), seen)) << orientation;
     for (const int tile_px : {0, 16}) {
       const Bytes bytes = test::tiff_of(pattern(CV_8UC3), {.tile_px = tile_px, .orientation = orientation});
-      EXPECT_TRUE(same(test::decoded(bytes), seen)) << orientation;
+      EXPECT_TRUE(same(upright_pixels(decode_image(bytes, "picture", PixelBits::as_stored)), seen)) << orientation;
     }
   }
 }
@@ -217,6 +217,23 @@ TEST(Orientation, OfDamagedExifDataIsUpright) {
     odd[18] = std::uint8_t(value);
     EXPECT_EQ(exif_orientation(odd), 1) << value;
   }
+}
+
+/// Wherever the file ends, and whatever the lengths in it say.
+TEST(Orientation, IsFoundInFilesThatEndAnywhere) {
+  for (const char* extension : {".jpg", ".png", ".webp"}) {
+    const Bytes whole = test::encoded_with_orientation(pattern(CV_8UC3), extension, 6);
+    EXPECT_EQ(orientation_in_file(whole), 6) << extension;
+    for (std::size_t bytes = 0; bytes < whole.size(); ++bytes) {
+      const int found = orientation_in_file({whole.data(), bytes});
+      EXPECT_TRUE(found == 1 || found == 6) << extension << " " << bytes;
+      Bytes forged = whole;
+      forged[bytes] ^= 0xff;
+      const int in_forged = orientation_in_file(forged);
+      EXPECT_TRUE(in_forged >= 1 && in_forged <= 8) << extension << " " << bytes;
+    }
+  }
+  EXPECT_EQ(orientation_in_file(test::encoded(pattern(CV_8UC3), ".jpg")), 1);
 }
 
 TEST(BmpReader, RunsSkipsAndPixelsAsTheyAre) {

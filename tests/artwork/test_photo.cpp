@@ -6,6 +6,8 @@
 
 #include "artwork/drawers/drawers.h"
 #include "artwork/images/photo.h"
+#include "artwork/images/raster_page.h"
+#include "artwork/images/whole_picture.h"
 #include "core/base/error.h"
 #include "support/artwork_samples.h"
 
@@ -20,14 +22,6 @@ cv::Mat blue_and_green() {
   cv::Mat picture(40, 60, CV_8UC3, cv::Scalar(200, 40, 40));
   picture.colRange(30, 60) = cv::Scalar(40, 200, 40);
   return picture;
-}
-
-/// The JPEG with EXIF data that say how the camera was held.
-Bytes with_orientation(Bytes jpeg, std::uint8_t orientation) {
-  const Bytes exif = {0xff, 0xe1, 0, 34,   'E', 'x', 'i', 'f', 0, 0, 'M', 'M',         0, 42, 0, 0, 0, 8,
-                      0,    1,    1, 0x12, 0,   3,   0,   0,   0, 1, 0,   orientation, 0, 0,  0, 0, 0, 0};
-  jpeg.insert(jpeg.begin() + 2, exif.begin(), exif.end());
-  return jpeg;
 }
 
 bool is_near(const cv::Vec4b& pixel, const cv::Vec4b& expected) {
@@ -48,11 +42,62 @@ TEST(Photo, IsReadInEveryFormat) {
   }
 }
 
+constexpr const char* kTurnedFormats[] = {".jpg", ".png", ".webp", ".tiff"};
+
 TEST(Photo, IsTurnedAsItsExifDataSay) {
-  const cv::Mat turned = photo_picture(with_orientation(encoded(blue_and_green(), ".jpg"), 6), "photo");
-  ASSERT_EQ(turned.size(), cv::Size(40, 60));
-  EXPECT_TRUE(is_near(turned.at<cv::Vec4b>(10, 20), kBlue));
-  EXPECT_TRUE(is_near(turned.at<cv::Vec4b>(50, 20), kGreen));
+  for (const char* extension : kTurnedFormats) {
+    const cv::Mat turned = photo_picture(test::encoded_with_orientation(blue_and_green(), extension, 6), "photo");
+    ASSERT_EQ(turned.size(), cv::Size(40, 60)) << extension;
+    EXPECT_TRUE(is_near(turned.at<cv::Vec4b>(10, 20), kBlue)) << extension;
+    EXPECT_TRUE(is_near(turned.at<cv::Vec4b>(50, 20), kGreen)) << extension;
+  }
+}
+
+/// As a shape's drawing, a canvas or a zone, whose background is cut out: a disc on the left of a page that lies down.
+TEST(RasterPage, IsTurnedAsItsExifDataSay) {
+  cv::Mat stored(40, 60, CV_8UC3, cv::Scalar::all(255));
+  cv::circle(stored, {20, 20}, 12, cv::Scalar(200, 40, 40), cv::FILLED);
+  for (const char* extension : kTurnedFormats) {
+    const Bytes bytes = test::encoded_with_orientation(stored, extension, 6);
+    const auto page = open_raster_page(bytes, "disc", Background::cut_out);
+    EXPECT_EQ(page->natural_size(), cv::Size2d(40, 60)) << extension;
+    const cv::Mat drawn = page->draw(60, {0, 0, 40, 60});
+    EXPECT_EQ(drawn.at<cv::Vec4b>(20, 20)[3], 255) << extension;
+    EXPECT_EQ(drawn.at<cv::Vec4b>(45, 20)[3], 0) << extension;
+  }
+}
+
+TEST(RasterPage, OfAnAnimationOrOfPagesIsTheFirstPicture) {
+  cv::Mat first(40, 60, CV_8UC3, cv::Scalar::all(255));
+  cv::circle(first, {20, 20}, 12, cv::Scalar(200, 40, 40), cv::FILLED);
+  const cv::Mat second(40, 60, CV_8UC3, cv::Scalar(40, 200, 40));
+  const auto page = open_raster_page(test::animated_webp({first, second}), "disc", Background::cut_out);
+  EXPECT_TRUE(page->loses_pictures());
+  EXPECT_EQ(page->draw(60, {0, 0, 60, 40}).at<cv::Vec4b>(20, 20), cv::Vec4b(200, 40, 40, 255));
+  EXPECT_FALSE(open_raster_page(test::webp_of(first), "disc", Background::cut_out)->loses_pictures());
+  const Bytes pages = test::tiff_of_pages({first, second});
+  EXPECT_TRUE(open_raster_page(pages, "disc", Background::cut_out)->loses_pictures());
+  EXPECT_FALSE(open_raster_page(test::tiff_of(first), "disc", Background::cut_out)->loses_pictures());
+}
+
+TEST(WholePicture, IsTurnedWithItsAlpha) {
+  cv::Mat stored;
+  cv::cvtColor(blue_and_green(), stored, cv::COLOR_BGR2BGRA);
+  stored.colRange(0, 30).setTo(cv::Scalar(200, 40, 40, 100));
+  for (const char* extension : {".png", ".webp", ".tiff"}) {
+    const cv::Mat turned = whole_picture(test::encoded_with_orientation(stored, extension, 8), "ground", 100);
+    ASSERT_EQ(turned.size(), cv::Size(40, 60)) << extension;
+    EXPECT_EQ(turned.at<cv::Vec4b>(50, 20)[3], 100) << extension;
+    EXPECT_EQ(turned.at<cv::Vec4b>(10, 20)[3], 255) << extension;
+  }
+}
+
+TEST(Labels, AreTurnedAsTheirPhotoIs) {
+  cv::Mat stored(2, 3, CV_8U, cv::Scalar(0));
+  stored.at<std::uint8_t>(0, 0) = 7;
+  const cv::Mat labels = label_picture(test::encoded_with_orientation(stored, ".png", 6), "labels");
+  ASSERT_EQ(labels.size(), cv::Size(2, 3));
+  EXPECT_EQ(labels.at<std::int32_t>(0, 1), 7);
 }
 
 TEST(Photo, SixteenBitsAChannelBecomeEight) {

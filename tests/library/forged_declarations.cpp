@@ -31,7 +31,7 @@ hid_t type_of_way(std::size_t way, const Column& column) {
 /// Such columns may be missing: older libraries have none.
 bool is_new(const Column& column) {
   return column.path == "/shapes/part_digest" || column.path == "/artwork/path_from_library" ||
-         column.path == "/artwork/sha256";
+         column.path == "/artwork/sha256" || column.path == "/artwork/reader";
 }
 
 /// Rows at the end of what offsets lead to are nobody's.

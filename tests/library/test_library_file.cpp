@@ -176,7 +176,7 @@ void remove_new_data_sets(const std::string& path) {
   const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
   H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, access);
-  for (const char* name : {"/shapes/part_digest", "/artwork/path_from_library", "/artwork/sha256"})
+  for (const char* name : {"/shapes/part_digest", "/artwork/path_from_library", "/artwork/sha256", "/artwork/reader"})
     H5Ldelete(file, name, H5P_DEFAULT);
   H5Fclose(file);
   H5Pclose(access);
@@ -219,6 +219,7 @@ TEST(LibraryFile, AnOlderLibraryHasTheSameDigestAndShapes) {
   EXPECT_TRUE(all_equal(read, shapes, 0));
   EXPECT_FALSE(read[0].artwork.sha256.has_value());
   EXPECT_EQ(read[0].artwork.path_beside_library, "");
+  EXPECT_EQ(read[0].artwork.reader, 1) << "it does not say by what it was made";
 }
 
 TEST(LibraryFile, KeepsTheHashAndFindsWhatMovedWithIt) {
@@ -227,12 +228,15 @@ TEST(LibraryFile, KeepsTheHashAndFindsWhatMovedWithIt) {
   auto shapes = random_shapes(14, 2, 5);
   shapes[0].artwork.path = folder.path("old/drawings/duck.svg");
   shapes[0].artwork.sha256.emplace().fill(7);
+  shapes[0].artwork.reader = 1;  // copied from an older library
   write_library(folder.path("old/a.h5"), shapes, {});
   std::filesystem::rename(folder.path("old"), folder.path("new"));
   const auto read = LibraryFile(folder.path("new/a.h5")).read(0, 2, kEverything);
   EXPECT_EQ(read[0].artwork.path, shapes[0].artwork.path);
   EXPECT_EQ(read[0].artwork.path_beside_library, folder.path("new/drawings/duck.svg"));
   EXPECT_EQ(read[0].artwork.sha256, shapes[0].artwork.sha256);
+  EXPECT_EQ(read[0].artwork.reader, 1);
+  EXPECT_EQ(read[1].artwork.reader, kArtworkReader);
   EXPECT_FALSE(read[1].artwork.sha256.has_value());
 }
 

@@ -6,6 +6,7 @@
 
 #include "artwork/images/sha256.h"
 #include "render/pieces/artwork_original.h"
+#include "support/images.h"
 #include "support/scratch_folder.h"
 
 namespace tessera {
@@ -55,6 +56,19 @@ TEST_F(Original, AForeignPathIsNotDrawn) {
   expect("", kOriginalChanged);
   artwork_.sha256.reset();
   expect("", kOriginalUnknown);
+}
+
+/// Its outline was made of the picture as it lies in the file.
+TEST_F(Original, OfAnOlderLibraryIsNotDrawnWhereItIsTurnedNow) {
+  const cv::Mat picture(20, 30, CV_8UC3, cv::Scalar(200, 40, 40));
+  for (const std::uint8_t orientation : {1, 3, 6}) {
+    artwork_.original = test::encoded_with_orientation(picture, ".jpg", orientation);
+    artwork_.reader = 2;
+    EXPECT_EQ(artwork_original(artwork_).reason, "");
+    artwork_.reader = 1;
+    EXPECT_EQ(artwork_original(artwork_).reason, orientation == 1 ? "" : kOriginalReadOtherwise);
+    EXPECT_EQ(artwork_original(artwork_).bytes.empty(), orientation != 1);
+  }
 }
 
 TEST_F(Original, AChangedFileIsNotDrawn) {

@@ -7,6 +7,7 @@
 // clang-format on
 #include <tiffio.h>
 #include <webp/encode.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -31,6 +32,7 @@ struct JpegKind {
   int quality = 95;
   bool progressive = false;
   bool arithmetic = false;
+  Bytes profile = {};
 };
 
 /// `image`: grey, BGR, or CMYK of four channels.
@@ -51,6 +53,7 @@ inline Bytes jpeg_of(const cv::Mat& image, const JpegKind& kind = {}) {
   info.arith_code = kind.arithmetic ? TRUE : FALSE;
   if (kind.progressive) jpeg_simple_progression(&info);
   jpeg_start_compress(&info, TRUE);
+  if (!kind.profile.empty()) jpeg_write_icc_profile(&info, kind.profile.data(), unsigned(kind.profile.size()));
   for (int y = 0; y < image.rows; ++y) {
     auto* row = const_cast<JSAMPLE*>(image.ptr(y));
     jpeg_write_scanlines(&info, &row, 1);
@@ -83,6 +86,7 @@ struct TiffKind {
   int rows_per_strip = 8;
   int tile_px = 0;  // 0: strips
   int orientation = ORIENTATION_TOPLEFT;
+  Bytes profile = {};
 };
 
 /// A file that libtiff writes to.
@@ -120,10 +124,7 @@ class TiffMemory {
   std::size_t at_ = 0;
 };
 
-/// `image`: 8 or 16 bits; grey, BGR or BGRA, stored without saying what the fourth channel is.
-inline Bytes tiff_of(const cv::Mat& image, const TiffKind& kind = {}) {
-  TiffMemory memory;
-  TIFF* tiff = memory.open();
+inline void write_tiff_page(TIFF* tiff, const cv::Mat& image, const TiffKind& kind) {
   cv::Mat rgb = image;
   if (image.channels() == 3) cv::cvtColor(image, rgb, cv::COLOR_BGR2RGB);
   if (image.channels() == 4) cv::cvtColor(image, rgb, cv::COLOR_BGRA2RGBA);
@@ -134,6 +135,8 @@ inline Bytes tiff_of(const cv::Mat& image, const TiffKind& kind = {}) {
   TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, image.channels() == 1 ? PHOTOMETRIC_MINISBLACK : PHOTOMETRIC_RGB);
   TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
   TIFFSetField(tiff, TIFFTAG_ORIENTATION, kind.orientation);
+  if (!kind.profile.empty())
+    TIFFSetField(tiff, TIFFTAG_ICCPROFILE, std::uint32_t(kind.profile.size()), kind.profile.data());
   TIFFSetField(tiff, TIFFTAG_COMPRESSION, kind.compression);
   if (kind.tile_px > 0) {
     TIFFSetField(tiff, TIFFTAG_TILEWIDTH, kind.tile_px);
@@ -150,9 +153,19 @@ inline Bytes tiff_of(const cv::Mat& image, const TiffKind& kind = {}) {
     TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, kind.rows_per_strip);
     for (int y = 0; y < rgb.rows; ++y) TIFFWriteScanline(tiff, rgb.ptr(y), std::uint32_t(y), 0);
   }
+  TIFFWriteDirectory(tiff);
+}
+
+inline Bytes tiff_of_pages(const std::vector<cv::Mat>& pages, const TiffKind& kind = {}) {
+  TiffMemory memory;
+  TIFF* tiff = memory.open();
+  for (const cv::Mat& page : pages) write_tiff_page(tiff, page, kind);
   TIFFClose(tiff);
   return memory.bytes();
 }
+
+/// `image`: 8 or 16 bits; grey, BGR or BGRA, stored without saying what the fourth channel is.
+inline Bytes tiff_of(const cv::Mat& image, const TiffKind& kind = {}) { return tiff_of_pages({image}, kind); }
 
 /// `image`: grey or BGR.
 inline Bytes bmp_of(const cv::Mat& image) {
@@ -196,6 +209,108 @@ inline bool write_image(const std::string& path, const cv::Mat& image) {
   std::ofstream file(path, std::ios::binary);
   file.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
   return bool(file.flush());
+}
+
+/// EXIF data that say nothing but how the camera was held.
+inline Bytes exif_with_orientation(std::uint8_t orientation) {
+  return {'M', 'M', 0, 42, 0, 0, 0, 8, 0, 1, 1, 0x12, 0, 3, 0, 0, 0, 1, 0, orientation, 0, 0, 0, 0, 0, 0};
+}
+
+/// The JPEG with these EXIF data.
+inline Bytes jpeg_with_exif(Bytes jpeg, const Bytes& exif) {
+  Bytes segment = {0xff, 0xe1, 0, std::uint8_t(8 + exif.size()), 'E', 'x', 'i', 'f', 0, 0};
+  segment.insert(segment.end(), exif.begin(), exif.end());
+  jpeg.insert(jpeg.begin() + 2, segment.begin(), segment.end());
+  return jpeg;
+}
+
+/// The PNG with one more chunk behind its first one.
+inline Bytes png_with_chunk(Bytes png, const std::string& name, const Bytes& data) {
+  constexpr std::size_t kFirstChunkEnds = 8 + 12 + 13;
+  const auto append = [](Bytes& to, std::uint32_t number) {
+    for (const int shift : {24, 16, 8, 0}) to.push_back(std::uint8_t(number >> shift));
+  };
+  Bytes chunk;
+  append(chunk, std::uint32_t(data.size()));
+  chunk.insert(chunk.end(), name.begin(), name.end());
+  chunk.insert(chunk.end(), data.begin(), data.end());
+  append(chunk, std::uint32_t(crc32(0, chunk.data() + 4, uInt(chunk.size() - 4))));
+  png.insert(png.begin() + kFirstChunkEnds, chunk.begin(), chunk.end());
+  return png;
+}
+
+inline Bytes png_with_profile(const Bytes& png, const Bytes& profile) {
+  Bytes packed(compressBound(uLong(profile.size())));
+  uLongf size = uLongf(packed.size());
+  compress(packed.data(), &size, profile.data(), uLong(profile.size()));
+  Bytes data = {'a', 0, 0};  // its name, and the kind of compression
+  data.insert(data.end(), packed.begin(), packed.begin() + std::ptrdiff_t(size));
+  return png_with_chunk(png, "iCCP", data);
+}
+
+inline Bytes low_byte_first(std::size_t value, int bytes) {
+  Bytes number;
+  for (int i = 0; i < bytes; ++i) number.push_back(std::uint8_t(value >> 8 * i));
+  return number;
+}
+
+inline Bytes joined(const std::vector<Bytes>& parts) {
+  Bytes all;
+  for (const Bytes& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+inline Bytes riff_chunk(const std::string& name, const Bytes& data) {
+  return joined({Bytes(name.begin(), name.end()), low_byte_first(data.size(), 4), data, Bytes(data.size() % 2, 0)});
+}
+
+/// A WebP in the extended format. `flags`: what its head says is in it.
+inline Bytes extended_webp(std::uint8_t flags, const cv::Size& size, const std::vector<Bytes>& chunks) {
+  const Bytes head = joined({{flags, 0, 0, 0},
+                             low_byte_first(std::size_t(size.width - 1), 3),
+                             low_byte_first(std::size_t(size.height - 1), 3)});
+  return riff_chunk("RIFF", joined({{'W', 'E', 'B', 'P'}, riff_chunk("VP8X", head), joined(chunks)}));
+}
+
+/// The one chunk of a WebP with nothing but pixels.
+inline Bytes pixels_of_webp(const Bytes& webp) { return Bytes(webp.begin() + 12, webp.end()); }
+
+/// Pictures of one size, one after the other.
+inline Bytes animated_webp(const std::vector<cv::Mat>& pictures) {
+  constexpr std::uint8_t kAnimation = 2;
+  std::vector<Bytes> chunks = {riff_chunk("ANIM", Bytes(6, 0))};
+  for (const cv::Mat& picture : pictures) {
+    chunks.push_back(riff_chunk("ANMF", joined({Bytes(6, 0),
+                                                low_byte_first(std::size_t(picture.cols - 1), 3),
+                                                low_byte_first(std::size_t(picture.rows - 1), 3),
+                                                {100, 0, 0, 0},
+                                                pixels_of_webp(webp_of(picture))})));
+  }
+  return extended_webp(kAnimation, pictures.front().size(), chunks);
+}
+
+/// The picture in the format of this name, lying as a camera that was held in this way stores it.
+inline Bytes encoded_with_orientation(const cv::Mat& image, const std::string& extension, std::uint8_t orientation) {
+  const Bytes exif = exif_with_orientation(orientation);
+  if (extension == ".jpg") return jpeg_with_exif(encoded(image, extension), exif);
+  if (extension == ".png") return png_with_chunk(encoded(image, extension), "eXIf", exif);
+  if (extension == ".webp") {
+    constexpr std::uint8_t kExif = 8;
+    return extended_webp(kExif, image.size(), {pixels_of_webp(encoded(image, extension)), riff_chunk("EXIF", exif)});
+  }
+  return tiff_of(image, {.orientation = orientation});
+}
+
+/// The picture in the format of this name, with a profile of its colours.
+inline Bytes encoded_with_profile(const cv::Mat& image, const std::string& extension, const Bytes& profile) {
+  if (extension == ".jpg") return jpeg_of(image, {.quality = 95, .profile = profile});
+  if (extension == ".png") return png_with_profile(encoded(image, extension), profile);
+  if (extension == ".webp") {
+    constexpr std::uint8_t kProfile = 0x20;
+    return extended_webp(kProfile, image.size(),
+                         {riff_chunk("ICCP", profile), pixels_of_webp(encoded(image, extension))});
+  }
+  return tiff_of(image, {.profile = profile});
 }
 
 /// As it is stored.

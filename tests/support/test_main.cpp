@@ -1,4 +1,6 @@
 // main() of the test programs. A program holds many files of tests; --file=test_pad runs those of test_pad.cpp alone.
+// --long: of the file those whose suite's name begins with Long, which else are left out: more seeds of a test that takes
+// long.
 // --suites=a,b: the headers a.h and b.h hold tests, too. A test in any other header would belong to no entry of ctest
 // and run nowhere, so that the program refuses to run any file.
 #include <gtest/gtest.h>
@@ -23,11 +25,13 @@ void each_test(Visit visit) {
 
 std::string file_of(const testing::TestInfo& test) { return std::filesystem::path(test.file()).stem().string(); }
 
-/// GoogleTest's filter for the tests of this file; empty where it has none.
-std::string filter_of(std::string_view file) {
+/// GoogleTest's filter for the long tests of this file, or for all others; empty where it has none.
+std::string filter_of(std::string_view file, bool are_long) {
   std::string filter;
   each_test([&](const testing::TestSuite& suite, const testing::TestInfo& test) {
-    if (file_of(test) == file) filter += (filter.empty() ? "" : ":") + std::string(suite.name()) + "." + test.name();
+    const bool is_long = std::string_view(suite.name()).substr(0, 4) == "Long";
+    if (file_of(test) == file && is_long == are_long)
+      filter += (filter.empty() ? "" : ":") + std::string(suite.name()) + "." + test.name();
   });
   return filter;
 }
@@ -58,22 +62,27 @@ int refuse(const std::string& what) {
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  bool whole = true;
+  std::optional<std::string> only_file;
+  bool are_long = false;
   std::string suites;
   for (int i = 1; i < argc; ++i) {
     if (const auto file = value_of(argv[i], "--file=")) {
-      const std::string filter = filter_of(*file);
-      if (filter.empty()) return refuse("this program has no tests in " + *file);
-      testing::GTEST_FLAG(filter) = filter;
-      whole = false;
+      only_file = file;
+    } else if (std::string_view(argv[i]) == "--long") {
+      are_long = true;
     } else if (const auto named = value_of(argv[i], "--suites=")) {
       suites = *named;
     } else {
       return refuse(std::string("unknown argument ") + argv[i]);
     }
   }
+  if (only_file) {
+    const std::string filter = filter_of(*only_file, are_long);
+    if (filter.empty()) return refuse("this program has no such tests in " + *only_file);
+    testing::GTEST_FLAG(filter) = filter;
+  }
   const std::optional<std::string> unnamed = unnamed_suite(suites);
-  if (unnamed && !whole) {
+  if (unnamed && only_file) {
     return refuse(*unnamed + ".h holds tests, but its CMakeLists.txt does not name it: tessera_tests(... SUITES)");
   }
   return RUN_ALL_TESTS();

@@ -18,6 +18,8 @@ class ArtworkPage {
   virtual float source_px(int longest_side_px) const = 0;
   /// Text that is not drawn, as this machine has no font.
   virtual bool loses_text() const { return false; }
+  /// The file has more pictures than the one that is drawn, its first: an animation, pages.
+  virtual bool loses_pictures() const { return false; }
   /// The page drawn with this longest side, cut to `window` (px of that drawing, within page_size_px): CV_8UC4,
   /// premultiplied BGRA.
   virtual cv::Mat draw(int longest_side_px, const cv::Rect& window) const = 0;

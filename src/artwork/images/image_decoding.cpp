@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "artwork/images/colour_profile.h"
+#include "artwork/images/formats/orientation.h"
 #include "artwork/images/image_header.h"
 #include "artwork/images/looks_like_svg.h"
 #include "artwork/images/unread_format.h"
@@ -39,10 +41,19 @@ DecodedImage decoded(std::span<const std::uint8_t> bytes, const ReadingRules& ru
 
 DecodedImage decode_image(std::span<const std::uint8_t> bytes, const std::string& path, PixelBits bits) {
   try {
-    return decoded(bytes, {.bits = bits, .most_pixels = kMaxImagePixels});
+    DecodedImage image = decoded(bytes, {.bits = bits, .most_pixels = kMaxImagePixels});
+    if (image_format(bytes) != ImageFormat::tiff) image.orientation = orientation_in_file(bytes);
+    return image;
   } catch (const UnreadableImage& error) {
     throw InputError(path + ": " + error.what());
   }
+}
+
+cv::Mat upright_pixels(const DecodedImage& image) { return turned_upright(image.pixels, image.orientation); }
+
+cv::Mat seen_pixels(DecodedImage image) {
+  make_srgb(image.pixels, image.profile);
+  return upright_pixels(image);
 }
 
 }  // namespace tessera

@@ -1,8 +1,8 @@
 #include "artwork/images/photo.h"
 
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
-#include "artwork/images/formats/orientation.h"
 #include "artwork/images/image_decoding.h"
 #include "artwork/images/reduced_picture.h"
 #include "core/base/error.h"
@@ -12,10 +12,9 @@ namespace tessera {
 namespace {
 
 /// As it was seen; grey, or BGR without the file's alpha.
-cv::Mat opaque_pixels(const DecodedImage& image) {
-  cv::Mat opaque = image.pixels;
-  if (image.pixels.channels() == 4) cv::cvtColor(image.pixels, opaque, cv::COLOR_BGRA2BGR);
-  return turned_upright(opaque, image.orientation);
+cv::Mat opaque_pixels(DecodedImage image) {
+  if (image.pixels.channels() == 4) cv::cvtColor(image.pixels, image.pixels, cv::COLOR_BGRA2BGR);
+  return seen_pixels(std::move(image));
 }
 
 }  // namespace
@@ -28,7 +27,7 @@ cv::Mat photo_picture(std::span<const std::uint8_t> bytes, const std::string& pa
 }
 
 cv::Mat label_picture(std::span<const std::uint8_t> bytes, const std::string& path) {
-  const cv::Mat image = decode_image(bytes, path, PixelBits::as_stored).pixels;
+  const cv::Mat image = upright_pixels(decode_image(bytes, path, PixelBits::as_stored));
   if (image.channels() != 1 || (image.depth() != CV_8U && image.depth() != CV_16U))
     throw InputError(path + ": a map of labels has one channel (grey) of 8 or 16 bits");
   cv::Mat labels;

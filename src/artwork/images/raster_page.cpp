@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
 #include "artwork/images/alpha.h"
 #include "artwork/images/image_decoding.h"
@@ -48,11 +49,13 @@ cv::Mat with_silhouette(const cv::Mat& image, const std::string& path, Backgroun
 
 class RasterPage : public ArtworkPage {
  public:
-  RasterPage(cv::Mat premultiplied_bgra, cv::Size natural_size)
+  RasterPage(cv::Mat premultiplied_bgra, cv::Size natural_size, bool loses_pictures)
       : image_(std::move(premultiplied_bgra)),
-        natural_size_(natural_size) {}
+        natural_size_(natural_size),
+        loses_pictures_(loses_pictures) {}
 
   cv::Size2d natural_size() const override { return natural_size_; }
+  bool loses_pictures() const override { return loses_pictures_; }
   int finest_side_px() const override { return std::clamp(longest_side(), kLeastFinestSide_px, kMostFinestSide_px); }
   float source_px(int longest_side_px) const override { return float(longest_side_px) / float(longest_side()); }
 
@@ -68,16 +71,23 @@ class RasterPage : public ArtworkPage {
 
   cv::Mat image_;  // may have fewer pixels than the file
   cv::Size natural_size_;
+  bool loses_pictures_;
 };
 
 }  // namespace
 
 std::unique_ptr<ArtworkPage> open_raster_page(std::span<const std::uint8_t> bytes, const std::string& path,
                                               Background background) {
-  cv::Mat image = decode_image(bytes, path, PixelBits::as_stored).pixels;
-  const cv::Size natural_size = image.size();
-  image = reduced_picture(image, kMostWorkedPixels);
-  return std::make_unique<RasterPage>(premultiplied(with_silhouette(image, path, background)), natural_size);
+  DecodedImage image = decode_image(bytes, path, PixelBits::as_stored);
+  const cv::Size stored = image.pixels.size();
+  image.pixels =
+      reduced_picture(image.pixels, kMostWorkedPixels);  // before it is turned, which takes its memory once more
+  const bool lay_down = image.orientation >= 5;
+  const bool loses_pictures = image.has_others;
+  const cv::Mat upright = seen_pixels(std::move(image));
+  const cv::Size natural_size = lay_down ? cv::Size(stored.height, stored.width) : stored;
+  return std::make_unique<RasterPage>(premultiplied(with_silhouette(upright, path, background)), natural_size,
+                                      loses_pictures);
 }
 
 }  // namespace tessera

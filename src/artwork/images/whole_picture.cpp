@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
 #include "artwork/images/image_decoding.h"
 #include "artwork/images/photo.h"
@@ -11,7 +12,8 @@
 namespace tessera {
 
 cv::Mat whole_picture(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px) {
-  cv::Mat picture = decode_image(bytes, path, PixelBits::as_stored).pixels;
+  DecodedImage image = decode_image(bytes, path, PixelBits::as_stored);
+  cv::Mat& picture = image.pixels;
   if (std::max(picture.cols, picture.rows) > longest_side_px) {
     throw InputError(cv::format("%s: %d x %d pixels, allowed: %d px each way", path.c_str(), picture.cols, picture.rows,
                                 longest_side_px));
@@ -20,7 +22,8 @@ cv::Mat whole_picture(std::span<const std::uint8_t> bytes, const std::string& pa
     picture.release();
     return photo_picture(bytes, path, kMostWorkedPixels);
   }
-  return reduced_picture(picture, kMostWorkedPixels);
+  picture = reduced_picture(picture, kMostWorkedPixels);  // before it is turned, which takes its memory once more
+  return seen_pixels(std::move(image));
 }
 
 }  // namespace tessera

@@ -15,8 +15,9 @@ struct ShapeHeader {
   std::int32_t skip_reason = kNone;
   std::int32_t other_components = 0;
   float other_area_fraction = 0;
-  std::int32_t loses_parts = 0;  // 1: it does
-  std::int32_t loses_text = 0;   // 1: it does
+  std::int32_t loses_parts = 0;     // 1: it does
+  std::int32_t loses_text = 0;      // 1: it does
+  std::int32_t loses_pictures = 0;  // 1: it does
   float hollowness = 1;
   StyleFeatures style;
 
@@ -36,6 +37,7 @@ std::vector<std::uint8_t> encode_shape_answer(const ShapeOrReason& answer) {
     header.other_area_fraction = artwork.other_area_fraction;
     header.loses_parts = artwork.loses_parts;
     header.loses_text = artwork.loses_text;
+    header.loses_pictures = artwork.loses_pictures;
     header.hollowness = artwork.hollowness;
     header.style = artwork.style;
     shape = encode_shape(artwork.shape);
@@ -62,6 +64,7 @@ ShapeOrReason decode_shape_answer(std::span<const std::uint8_t> bytes) {
                       .other_area_fraction = header.other_area_fraction,
                       .loses_parts = header.loses_parts != 0,
                       .loses_text = header.loses_text != 0,
+                      .loses_pictures = header.loses_pictures != 0,
                       .hollowness = header.hollowness,
                       .style = header.style};
 }

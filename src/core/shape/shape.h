@@ -79,12 +79,17 @@ struct LevelCurve {
 
 using Sha256 = std::array<std::uint8_t, 32>;
 
+/// Counted up where drawings are read in another way than before, so that one made anew from its original would not
+/// fit its outline. 1: images lay as they are stored; 2: they are turned as their EXIF data say.
+inline constexpr int kArtworkReader = 2;
+
 /// What the picture needs of the original drawing. Artwork frame: px of the raster the outline was traced from
 /// (`width_px` x `height_px`, y down, origin at the upper left corner of the upper left pixel).
 struct Artwork {
   std::string path;                 // absolute path at build time
   std::string path_beside_library;  // where it lies if it was moved together with the library; may be empty
   std::optional<Sha256> sha256;     // of the file at build time; none in libraries of older versions
+  int reader = kArtworkReader;      // that the shape was made by
   int width_px = 0;
   int height_px = 0;
   bool mirrored = false;                    // the shape is the drawing's mirror image: its x runs against the drawing's

@@ -234,12 +234,13 @@ ArtworkReader::ArtworkReader(hid_t file, const layout::Columns& columns, const s
       unit_(file, columns.artwork_unit),
       thumbnail_(file, columns.first_thumbnail_byte, columns.thumbnail_bytes, layout::kMaxThumbnailBytes),
       beside_(ColumnReader::if_present(file, columns.artwork_beside)),
-      sha256_(ColumnReader::if_present(file, columns.artwork_sha256)) {}
+      sha256_(ColumnReader::if_present(file, columns.artwork_sha256)),
+      reader_(ColumnReader::if_present(file, columns.artwork_reader)) {}
 
 std::vector<const ColumnReader*> ArtworkReader::columns() const {
   std::vector<const ColumnReader*> all{&path_, &size_, &centroid_, &unit_};
   for (const ColumnReader* column : thumbnail_.columns()) all.push_back(column);
-  for (const auto* column : {&beside_, &sha256_}) {
+  for (const auto* column : {&beside_, &sha256_, &reader_}) {
     if (*column) all.push_back(&**column);
   }
   return all;
@@ -285,6 +286,13 @@ void ArtworkReader::read_files(const ShapeBatch& range) const {
     for (std::size_t i = 0; i < range.count(); ++i) {
       if (sha256[i] != Sha256{}) range.shapes[i].artwork.sha256 = sha256[i];
     }
+  }
+  constexpr std::int32_t kFirstReader = 1;  // of libraries that do not say it
+  const auto reader =
+      reader_ ? reader_->read<std::int32_t>(range.begin, range.end) : std::vector(range.count(), kFirstReader);
+  for (std::size_t i = 0; i < range.count(); ++i) {
+    if (reader[i] < kFirstReader || reader[i] > kArtworkReader) out_of_range(*reader_);
+    range.shapes[i].artwork.reader = reader[i];
   }
 }
 

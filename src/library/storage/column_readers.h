@@ -100,7 +100,7 @@ class ArtworkReader {
   std::filesystem::path folder_;
   ColumnReader path_, size_, centroid_, unit_;
   BytesReader thumbnail_;
-  std::optional<ColumnReader> beside_, sha256_;
+  std::optional<ColumnReader> beside_, sha256_, reader_;
 };
 
 }  // namespace tessera

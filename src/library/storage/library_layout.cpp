@@ -111,6 +111,13 @@ Columns library_columns(int pad_levels) {
                          {kSha256Bytes},
                          kNone,
                          "of the artwork's file when the library was built; zeros: unknown"},
+      .artwork_reader =
+          {"/artwork/reader",
+           Element::int32,
+           0,
+           {},
+           kNone,
+           "the way of reading drawings that the shape was made by: 1 as stored, 2 turned as EXIF data say"},
       .variant_of = {"/shapes/variant_of",
                      Element::int32,
                      0,

@@ -81,7 +81,8 @@ struct Columns {
   Column first_thumbnail_byte, thumbnail_bytes, first_original_byte, original_bytes;
   std::vector<LevelColumns> levels;  // one for each of kSmoothingLevels
   // Libraries of older versions lack these.
-  Column part_digest, artwork_beside, artwork_sha256, variant_of, colour_spread, drawn_scale, colour_grid, style;
+  Column part_digest, artwork_beside, artwork_sha256, artwork_reader, variant_of, colour_spread, drawn_scale,
+      colour_grid, style;
 };
 
 /// The group of smoothing level k.

@@ -145,6 +145,7 @@ class ArtworkWriter {
         path_(file, columns.artwork_path),
         beside_(file, columns.artwork_beside),
         sha256_(file, columns.artwork_sha256),
+        reader_(file, columns.artwork_reader),
         size_(file, columns.artwork_size),
         centroid_(file, columns.artwork_centroid),
         unit_(file, columns.artwork_unit),
@@ -157,6 +158,8 @@ class ArtworkWriter {
     // Of a copied shape the artwork may lie where its library was moved to.
     beside_.append(path_from_library(artwork.path_beside_library.empty() ? artwork.path : artwork.path_beside_library));
     sha256_.append(artwork.sha256.value_or(Sha256{}).data(), 1);
+    const auto reader = std::int32_t(artwork.reader);
+    reader_.append(&reader, 1);
     size_.append(size, 1);
     centroid_.append(&artwork.centroid_px, 1);
     unit_.append(&artwork.unit_px, 1);
@@ -174,7 +177,7 @@ class ArtworkWriter {
 
   std::filesystem::path folder_;
   TextWriter path_, beside_;
-  ColumnWriter sha256_, size_, centroid_, unit_;
+  ColumnWriter sha256_, reader_, size_, centroid_, unit_;
   RaggedWriter thumbnail_, original_;
 };
 

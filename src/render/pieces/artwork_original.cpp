@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "artwork/artwork_render.h"
+#include "artwork/images/formats/orientation.h"
 #include "artwork/images/sha256.h"
 #include "core/base/error.h"
 #include "files/regular_file.h"
@@ -24,9 +25,8 @@ ArtworkOriginal original_at(const std::string& path, const Sha256& sha256) {
   }
 }
 
-}  // namespace
-
-ArtworkOriginal artwork_original(const Artwork& artwork) {
+/// The original as a file holds it.
+ArtworkOriginal found_original(const Artwork& artwork) {
   if (!artwork.original.empty()) return {artwork.original, {}};
   if (artwork.path.empty()) return {{}, kOriginalMissing};
   if (!artwork.sha256) return {{}, kOriginalUnknown};
@@ -35,6 +35,20 @@ ArtworkOriginal artwork_original(const Artwork& artwork) {
   ArtworkOriginal second = original_at(artwork.path_beside_library, *artwork.sha256);
   const bool second_says_more = !second.bytes.empty() || first.reason == kOriginalMissing;
   return second_says_more ? second : first;
+}
+
+/// Whether the shape's outline was made before pictures were turned, and this one is.
+bool is_turned_now(const Artwork& artwork, const std::vector<std::uint8_t>& bytes) {
+  constexpr int kTurningReader = 2;
+  return artwork.reader < kTurningReader && orientation_in_file(bytes) != 1;
+}
+
+}  // namespace
+
+ArtworkOriginal artwork_original(const Artwork& artwork) {
+  ArtworkOriginal original = found_original(artwork);
+  if (is_turned_now(artwork, original.bytes)) return {{}, kOriginalReadOtherwise};
+  return original;
 }
 
 Similarity artwork_from_shape(const Artwork& artwork) {

@@ -21,6 +21,10 @@ inline constexpr char kOriginalMissing[] =
 inline constexpr char kOriginalChanged[] = "original changed since the library was built";
 inline constexpr char kOriginalNoFile[] = "original is no regular file, not readable or too large";
 inline constexpr char kOriginalUnknown[] = "library made by an older version: build it again";
+inline constexpr char kOriginalReadOtherwise[] =
+    "original is turned as its EXIF data say, which the older version that made the library did not do; build the "
+    "library "
+    "again";
 
 /// The embedded file, else the one at Artwork::path or at Artwork::path_beside_library, but only one whose SHA-256 is
 /// that of the build: a library may come from anywhere and name any path, but it cannot know the hash of a file that

@@ -5,6 +5,7 @@
 #include <opencv2/core.hpp>
 #include <span>
 #include <stdexcept>
+#include <vector>
 
 namespace tessera {
 
@@ -21,7 +22,10 @@ struct ReadingRules {
 
 struct DecodedImage {
   cv::Mat pixels;       // 8 or 16 bits; grey, BGR or straight BGRA
-  int orientation = 1;  // orientation.h, as EXIF data say; `pixels` are not turned yet
+  int orientation = 1;  // orientation.h; `pixels` are not turned yet
+  /// The ICC profile of the colours, which `pixels` have still; empty where the file has none: sRGB.
+  std::vector<std::uint8_t> profile = {};
+  bool has_others = false;  // pictures in the file, which are not read
 };
 
 /// A picture that cannot be decoded. The message says what is wrong and leaves the path to the caller.
@@ -32,13 +36,14 @@ class UnreadableImage : public std::runtime_error {
 
 // The caller has checked that `bytes` begin as a file of the format does (image_header.h). Every reader throws
 // UnreadableImage where the file is damaged, ends before its last pixel, breaks the rules, or is of a kind of its
-// format that is not read.
+// format that is not read. Of the orientation of PNG, JPEG and WebP they know nothing (orientation_in_file()).
 
 DecodedImage read_png(std::span<const std::uint8_t> bytes, const ReadingRules& rules);
-/// CMYK is taken as Adobe's programs write it: inverted.
+/// CMYK is taken as Adobe's programs write it: inverted; its profile is passed over.
 DecodedImage read_jpeg(std::span<const std::uint8_t> bytes, const ReadingRules& rules);
+/// Of an animation the first picture.
 DecodedImage read_webp(std::span<const std::uint8_t> bytes, const ReadingRules& rules);
-/// The first picture of the file, turned as its orientation says. Tiles, strips and all compressions of libtiff; 10 to
+/// The first picture of the file, with its orientation. Tiles, strips and all compressions of libtiff; 10 to
 /// 14 bits become 16.
 DecodedImage read_tiff(std::span<const std::uint8_t> bytes, const ReadingRules& rules);
 /// All BMPs of 1 to 32 bits a pixel, run-length encoded or not.

@@ -6,16 +6,15 @@
 
 #include <algorithm>
 #include <csetjmp>
-#include <cstring>
+#include <cstdlib>
 #include <vector>
 
 #include "artwork/images/formats/image_readers.h"
-#include "artwork/images/formats/orientation.h"
 
 namespace tessera {
 namespace {
 
-constexpr int kExifMarker = JPEG_APP0 + 1;
+constexpr int kProfileMarker = JPEG_APP0 + 2;
 constexpr int kCmykChannels = 4;
 
 /// libjpeg leaves by longjmp: between setjmp and the call that fails stands nothing that needs a destructor.
@@ -38,8 +37,19 @@ class JpegReader {
     if (setjmp(leave_)) return false;
     jpeg_create_decompress(&info_);
     jpeg_mem_src(&info_, bytes.data(), static_cast<unsigned long>(bytes.size()));
-    jpeg_save_markers(&info_, kExifMarker, 0xffff);
+    jpeg_save_markers(&info_, kProfileMarker, 0xffff);
     jpeg_read_header(&info_, TRUE);
+    return true;
+  }
+
+  /// To be called after read_header(). Stays empty where the file has no whole profile.
+  bool read_profile(std::vector<std::uint8_t>& profile) {
+    JOCTET* data = nullptr;
+    unsigned size = 0;
+    if (setjmp(leave_)) return false;
+    if (!jpeg_read_icc_profile(&info_, &data, &size)) return true;
+    profile.assign(data, data + size);
+    std::free(data);
     return true;
   }
 
@@ -64,17 +74,6 @@ class JpegReader {
   /// the end of the file alone is no loss.
   bool lost_pixels() { return lost_data_ || (ended_early_ && (jpeg_has_multiple_scans(&info_) || info_.arith_code)); }
   bool ended_early() const { return ended_early_; }
-
-  int orientation() const {
-    constexpr char kMark[] = "Exif\0";  // and one more 0
-    for (auto* marker = info_.marker_list; marker; marker = marker->next) {
-      const std::span<const std::uint8_t> data(marker->data, marker->data_length);
-      if (marker->marker == kExifMarker && data.size() > sizeof kMark &&
-          std::equal(kMark, std::end(kMark), data.data()))
-        return exif_orientation(data.subspan(sizeof kMark));
-    }
-    return 1;
-  }
 
  private:
   static JpegReader& of(j_common_ptr info) { return *static_cast<JpegReader*>(info->client_data); }
@@ -118,8 +117,8 @@ DecodedImage read_jpeg(std::span<const std::uint8_t> bytes, const ReadingRules& 
   };
   check(reader.read_header(bytes));
   const int type = reader.is_grey() ? CV_8UC1 : CV_8UC3;
-  DecodedImage image{.pixels = room_for_pixels(reader.width_px(), reader.height_px(), type, rules),
-                     .orientation = reader.orientation()};
+  DecodedImage image{.pixels = room_for_pixels(reader.width_px(), reader.height_px(), type, rules)};
+  if (!reader.is_cmyk()) check(reader.read_profile(image.profile));
   check(reader.start());
   std::vector<std::uint8_t> cmyk(reader.is_cmyk() ? std::size_t(image.pixels.cols) * kCmykChannels : 0);
   for (int y = 0; y < image.pixels.rows; ++y) {

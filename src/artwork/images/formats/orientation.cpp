@@ -1,14 +1,72 @@
 #include "artwork/images/formats/orientation.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include "artwork/images/formats/byte_reader.h"
 
 namespace tessera {
+namespace {
+
+using namespace std::string_view_literals;
+using Bytes = std::span<const std::uint8_t>;
+
+/// What stands at a place, as far as the file goes.
+Bytes part_of(Bytes bytes, std::size_t at, std::size_t count) {
+  at = std::min(at, bytes.size());
+  return bytes.subspan(at, std::min(count, bytes.size() - at));
+}
+
+/// EXIF data of a JPEG stand in a segment before the first scan.
+Bytes exif_of_jpeg(Bytes bytes) {
+  constexpr std::uint32_t kExif = 0xffe1, kFirstScan = 0xffda;
+  const ByteReader reader(bytes, true);
+  for (std::size_t at = 2;;) {
+    while (reader.integer(at, 2) == 0xffffu) ++at;  // fill bytes
+    const auto marker = reader.integer(at, 2), length = reader.integer(at + 2, 2);
+    if (!marker || !length || *marker < 0xff00 || *marker == kFirstScan) return {};
+    if (*marker == kExif && *length > 8 && reader.has(at + 4, "Exif\0\0"sv))
+      return part_of(bytes, at + 10, *length - 8);
+    at += 2 + *length;
+  }
+}
+
+Bytes exif_of_png(Bytes bytes) {
+  const ByteReader reader(bytes, true);
+  for (std::size_t at = 8;;) {
+    const auto length = reader.integer(at, 4);
+    if (!length) return {};
+    if (reader.has(at + 4, "eXIf"sv)) return part_of(bytes, at + 8, *length);
+    at += 12 + std::size_t(*length);
+  }
+}
+
+/// Some programs write the mark of a JPEG's segment before the data.
+Bytes exif_of_webp(Bytes bytes) {
+  const ByteReader reader(bytes, false);
+  for (std::size_t at = 12;;) {
+    const auto length = reader.integer(at + 4, 4);
+    if (!length) return {};
+    if (reader.has(at, "EXIF"sv)) {
+      const std::size_t mark = reader.has(at + 8, "Exif\0\0"sv) ? 6 : 0;
+      return part_of(bytes, at + 8 + mark, *length - std::min<std::size_t>(*length, mark));
+    }
+    at += 8 + std::size_t(*length) + *length % 2;
+  }
+}
+
+}  // namespace
+
+int orientation_in_file(Bytes bytes) {
+  const ByteReader reader(bytes, true);
+  if (reader.has(0, "\xff\xd8\xff"sv)) return exif_orientation(exif_of_jpeg(bytes));
+  if (reader.has(0, "\x89PNG\r\n\x1a\n"sv)) return exif_orientation(exif_of_png(bytes));
+  if (reader.has(0, "RIFF"sv) && reader.has(8, "WEBP"sv)) return exif_orientation(exif_of_webp(bytes));
+  return 1;
+}
 
 int exif_orientation(std::span<const std::uint8_t> exif) {
   constexpr std::uint32_t kOrientationTag = 0x112;
-  using namespace std::string_view_literals;
   const bool big_endian = ByteReader(exif, true).has(0, "MM\0*"sv);
   const ByteReader reader(exif, big_endian);
   if (!big_endian && !reader.has(0, "II*\0"sv)) return 1;

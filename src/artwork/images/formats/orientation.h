@@ -10,6 +10,10 @@ namespace tessera {
 /// `exif`: from its byte order mark ("II" or "MM") on. 1 where nothing is said, or nothing that is known.
 int exif_orientation(std::span<const std::uint8_t> exif);
 
+/// Of a JPEG, PNG or WebP as a whole: where its EXIF data lie is found without a decoder. 1 of all other bytes, and of TIFF,
+/// which its reader looks at.
+int orientation_in_file(std::span<const std::uint8_t> bytes);
+
 /// `picture` as it was seen: mirrored and turned as `orientation` says. What is upright is not copied.
 cv::Mat turned_upright(const cv::Mat& picture, int orientation);
 

@@ -5,8 +5,8 @@
 #include <cstring>
 #include <vector>
 
+#include "artwork/images/formats/gamma_profile.h"
 #include "artwork/images/formats/image_readers.h"
-#include "artwork/images/formats/orientation.h"
 #include "artwork/images/formats/png_errors.h"
 
 namespace tessera {
@@ -53,6 +53,16 @@ class PngReader {
     return true;
   }
 
+  /// Of the rows that choose_rows() asked for; empty where the file says nothing of its colours.
+  std::vector<std::uint8_t> profile() const {
+    png_charp name = nullptr;
+    int compression = 0;
+    png_bytep data = nullptr;
+    png_uint_32 size = 0;
+    if (!png_get_iCCP(png_, info_, &name, &compression, &data, &size)) return profile_of_numbers();
+    return {data, data + size};
+  }
+
   /// OpenCV's type of the rows that choose_rows() asked for.
   int type() const {
     return CV_MAKETYPE(png_get_bit_depth(png_, info_) == 16 ? CV_16U : CV_8U, png_get_channels(png_, info_));
@@ -66,16 +76,20 @@ class PngReader {
     return true;
   }
 
-  int orientation() {
-    png_uint_32 count = 0;
-    png_bytep exif = nullptr;
-    if (!png_get_eXIf_1(png_, info_, &count, &exif)) return 1;
-    return exif_orientation({exif, count});
-  }
-
   bool ended_early() const { return ended_early_; }
 
  private:
+  /// Beside the word that it is sRGB, numbers mean nothing.
+  std::vector<std::uint8_t> profile_of_numbers() const {
+    double gamma = 0;
+    if (png_get_valid(png_, info_, PNG_INFO_sRGB) || !png_get_gAMA(png_, info_, &gamma)) return {};
+    Chromaticities c = kSrgbChromaticities;
+    png_get_cHRM(png_, info_, &c.white[0], &c.white[1], &c.red[0], &c.red[1], &c.green[0], &c.green[1], &c.blue[0],
+                 &c.blue[1]);
+    return is_about_srgb(gamma, c) ? std::vector<std::uint8_t>()
+                                   : gamma_profile(gamma, c, png_get_channels(png_, info_) == 1);
+  }
+
   static void hand_out(png_structp png, png_bytep to, std::size_t count) {
     auto* self = static_cast<PngReader*>(png_get_io_ptr(png));
     if (count > self->rest_.size()) {
@@ -104,12 +118,11 @@ DecodedImage read_png(std::span<const std::uint8_t> bytes, const ReadingRules& r
   check(reader.read_header());
   const double width_px = reader.width_px(), height_px = reader.height_px();
   check(reader.choose_rows(rules.bits));
-  DecodedImage image{.pixels = room_for_pixels(width_px, height_px, reader.type(), rules)};
+  DecodedImage image{.pixels = room_for_pixels(width_px, height_px, reader.type(), rules), .profile = reader.profile()};
   check(reader.row_bytes() == std::size_t(image.pixels.cols) * image.pixels.elemSize());
   std::vector<png_bytep> rows;
   for (int y = 0; y < image.pixels.rows; ++y) rows.push_back(image.pixels.ptr(y));
   check(reader.read_rows(rows.data()));
-  image.orientation = reader.orientation();
   return image;
 }
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "artwork/images/formats/image_readers.h"
-#include "artwork/images/formats/orientation.h"
 
 namespace tessera {
 namespace {
@@ -234,7 +233,16 @@ DecodedImage read_tiff(std::span<const std::uint8_t> bytes, const ReadingRules& 
   } else {
     RgbaReader(tiff.get()).read(layout.blocks.height_px, pixels);
   }
-  return {.pixels = turned_upright(pixels, layout.orientation)};
+  DecodedImage image{.pixels = pixels, .orientation = layout.orientation};
+  std::uint32_t profile_bytes = 0;
+  void* profile = nullptr;
+  if (layout.photometric != PHOTOMETRIC_SEPARATED &&
+      TIFFGetField(tiff.get(), TIFFTAG_ICCPROFILE, &profile_bytes, &profile)) {
+    const auto* begin = static_cast<const std::uint8_t*>(profile);
+    image.profile.assign(begin, begin + profile_bytes);
+  }
+  image.has_others = TIFFLastDirectory(tiff.get()) == 0;
+  return image;
 }
 
 }  // namespace tessera
