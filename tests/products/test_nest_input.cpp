@@ -252,6 +252,69 @@ TEST(NestInstance, RefusesWhatIsOfNoUse) {
             "a.json: item 0: shape: inner: found 3, allowed: a list of contours");
 }
 
+const std::string kItems = R"("items": [{"id": 0, "shape": {"type": "simple_polygon", "data": [[0,0],[3,0],[0,3]]}}])";
+
+std::string bin(const std::string& more = "", const std::string& type = "rectangle") {
+  return R"({"id": 0, "cost": 9, "shape": {"type": ")" + type +
+         R"(", "data": {"x_min": 5, "y_min": 5, "width": 100, "height": 60}})" + more + "}";
+}
+
+TEST(NestInstance, OneKindOfBinIsTheSheet) {
+  const auto input = [](const std::string& bins) {
+    return nest_instance(R"({"bins": )" + bins + ", " + kItems + "}", "a.json");
+  };
+  const NestInput found = input("[" + bin(R"(, "stock": 2, "zones": [])") + "]");
+  ASSERT_TRUE(found.bin.has_value());
+  EXPECT_EQ(found.bin->width, 100);
+  EXPECT_EQ(found.bin->height, 60);
+  EXPECT_EQ(found.bin->stock, 2);
+  EXPECT_EQ(found.strip_height, 0);
+  EXPECT_EQ(input("[" + bin() + "]").bin.value().stock, 0);
+  EXPECT_FALSE(input("[]").bin.has_value());
+  EXPECT_FALSE(input("null").bin.has_value());
+}
+
+TEST(NestInstance, WhatIsNotReadIsRefusedByName) {
+  const auto refused = [](const std::string& material) {
+    return refusal([&] { nest_instance("{" + material + ", " + kItems + "}", "a.json"); });
+  };
+  const auto bins = [&](const std::string& list) { return refused(R"("bins": )" + list); };
+  const std::string one_kind = "; allowed: one kind, a rectangle without zones";
+  EXPECT_EQ(bins("[" + bin() + "," + bin() + "]"),
+            "a.json: bins: found 2 kinds of bins: sheets of several sizes or costs, which are not read" + one_kind);
+  EXPECT_EQ(bins("[" + bin("", "simple_polygon") + "]"),
+            "a.json: bins: shape: found \"simple_polygon\": a sheet of another shape, which is not read" + one_kind);
+  EXPECT_EQ(bins("7"), "a.json: bins: found 7" + one_kind);
+  EXPECT_EQ(bins("[7]"), "a.json: bins: has no \"shape\"");
+  EXPECT_EQ(bins("[" + bin(R"(, "stock": 0)") + "]"),
+            "a.json: bins: stock: found 0, allowed: a whole number from 1 to 1000000000");
+  const std::string zones =
+      "zones: found 1 zone: parts of the material with another quality, which are not read; "
+      "allowed: no zones";
+  EXPECT_EQ(bins("[" + bin(R"(, "zones": [{"quality": 0, "shape": {}}])") + "]"), "a.json: bins: " + zones);
+  EXPECT_EQ(refused(R"("strip_height": 9, "zones": [{}])"), "a.json: " + zones);
+  EXPECT_EQ(refused(R"("strip_height": 9, "bins": [)" + bin() + "]"),
+            "a.json: strip_height and bins: allowed: one of them");
+  const std::string triangle = R"("shape": {"type": "simple_polygon", "data": [[0,0],[3,0],[0,3]]})";
+  const auto item = [&](const std::string& quality) {
+    return refusal([&] { nest_instance(instance("{\"min_quality\": " + quality + ", " + triangle + "}"), "a.json"); });
+  };
+  EXPECT_EQ(
+      item("5"),
+      "a.json: item 0: min_quality: found 5: the piece may lie only where the material is that good, which is not "
+      "read; allowed: no min_quality");
+  EXPECT_EQ(item("null"), "");
+}
+
+TEST(NestInstance, OfTheOlderFormatAreRefusedByName) {
+  const std::string old =
+      ": an instance of an older format of jagua-rs (\"Objects\" are sheets), which is not read; "
+      "allowed: \"items\", and \"strip_height\" or \"bins\", as sparrow and newer versions have them";
+  const auto refused = [](const std::string& text) { return refusal([&] { nest_instance(text, "a.json"); }); };
+  EXPECT_EQ(refused(R"({"Name": "a", "Items": [], "Objects": []})"), "a.json: found \"Items\", \"Objects\"" + old);
+  EXPECT_EQ(refused(R"({"Strip": {"Height": 9}, )" + kItems + "}"), "a.json: found \"Strip\"" + old);
+}
+
 TEST(NestInstance, BoundsHostileOnes) {
   const auto refused = [](const std::string& text) { return refusal([&] { nest_instance(text, "a.json"); }); };
   const std::string deep = std::string(400'000, '[') + std::string(400'000, ']');
