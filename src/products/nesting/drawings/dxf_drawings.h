@@ -17,7 +17,7 @@ struct DxfDrawings {
 };
 
 /// ASCII DXF, R12 or later: LWPOLYLINE, POLYLINE, LINE, ARC, CIRCLE, ELLIPSE and SPLINE of the model, and those of the
-/// blocks that INSERT refers to; README.md says what is left out. Lines, arcs and open polylines whose ends meet within
+/// blocks that INSERT refers to; docs/nesting.md says what is left out. Lines, arcs and open polylines whose ends meet within
 /// 0.01 mm are joined, what is there twice counts once. $INSUNITS says the unit; without one it is mm. A contour inside
 /// another is a hole of it. A drawing that lies far from the origin is moved there. Throws InputError, naming `path` and
 /// the line or the contour.
