@@ -36,7 +36,8 @@ void add_nest_command(CLI::App& app, Command& selected) {
       ->add_option("--strip", arguments->strip_mm,
                    "A strip of that height, as short as it can be; default: the instance's")
       ->type_name("MM");
-  add_list_option(*command, "--sheet", arguments->sheet_mm, "Sheets of that size, as few as are needed",
+  add_list_option(*command, "--sheet", arguments->sheet_mm,
+                  "Sheets of that size, as few as are needed; default: the instance's bin",
                   {.type_name = "W,H", .count = 2});
   add_list_option(*command, "--angles", arguments->angles_deg,
                   "By which pieces may be turned, degrees; default: the instance's, or 0,90,180,270",

@@ -155,6 +155,41 @@ TEST_F(LargeDrawings, InDxfAreRefused) {
   expect_refused("texts.dxf", {begin, "0\nTEXT\n", 8'000'000, ""}, "found no closed shape");
 }
 
+TEST_F(LargeDrawings, OfDxfBlocksAndLayersAreRefused) {
+  const std::string entities = "0\nSECTION\n2\nENTITIES\n", blocks = "0\nSECTION\n2\nBLOCKS\n";
+  const std::string points = "found more than 200000 points in a file; allowed: 200000 or fewer";
+  std::string layers;
+  for (int i = 0; i < 400'000; ++i) layers += "0\nLAYER\n2\n" + std::to_string(i) + "\n62\n-7\n";
+  expect_refused("layers.dxf", {"0\nSECTION\n2\nTABLES\n" + layers, "", 0, ""},
+                 "found more than 100000 layers; allowed: 100000 or fewer");
+  std::string names;
+  for (int i = 0; i < 400'000; ++i) names += "0\nBLOCK\n2\n" + std::to_string(i) + "\n";
+  expect_refused("blocks.dxf", {blocks + names, "", 0, ""}, "found more than 100000 blocks; allowed: 100000 or fewer");
+  expect_refused("inserts.dxf", {entities, "0\nINSERT\n2\nA\n", 3'000'000, ""}, points);
+  expect_refused("knots.dxf", {entities + "0\nSPLINE\n", "40\n1\n", 9'000'000, ""}, points);
+  expect_refused("weights.dxf", {entities + "0\nSPLINE\n", "41\n1\n", 9'000'000, ""}, points);
+  expect_refused("controls.dxf", {entities + "0\nSPLINE\n", "10\n1\n", 9'000'000, ""}, points);
+  expect_refused("kinds.dxf", {blocks, "0\nBLOCK\n2\nA\n0\nA\n0\nB\n0\nC\n", 1'500'000, ""}, "found no closed shape");
+  // Short lines on layers with long names, and splines of many control points and little length, drawn very often.
+  const std::string often = "0\nENDBLK\n0\nENDSEC\n" + entities + "0\nINSERT\n2\nB\n70\n30000\n71\n30000\n";
+  expect_refused(
+      "names.dxf",
+      {"0\nSECTION\n2\nTABLES\n0\nLAYER\n2\nX\n62\n-1\n0\nENDSEC\n" + blocks + "0\nBLOCK\n2\nB\n0\nLINE\n8\n", "n",
+       50'000'000, "\n11\n9\n" + often},
+      "found more than 200000 entities in its blocks");
+  expect_refused("splines.dxf",
+                 {blocks + "0\nBLOCK\n2\nB\n0\nSPLINE\n71\n1\n40\n0\n40\n0\n", "10\n1\n40\n1\n", 150'000, often},
+                 points);
+  // Of the highest degree, and never flat.
+  expect_refused("degrees.dxf",
+                 {entities + "0\nSPLINE\n71\n25\n", "10\n1e9\n40\n1\n10\n-1e9\n20\n1e9\n40\n1\n", 90'000, ""},
+                 "found no closed shape");
+  std::string curve;
+  for (int i = 0; i < 90'026; ++i) curve += "40\n" + std::to_string(i) + "\n";
+  expect_refused("bends.dxf",
+                 {entities + "0\nSPLINE\n71\n25\n" + curve, "10\n1e9\n20\n0\n10\n-1e9\n20\n1e9\n", 45'000, ""}, points);
+}
+
 TEST_F(LargeDrawings, InInstancesAreRefused) {
   const std::string begin = R"({"strip_height": 9, "items": [)";
   const std::string ring = begin + R"({"shape": {"type": "simple_polygon", "data": [)";

@@ -1,4 +1,4 @@
-// What is nested comes from strangers: instances, SVGs, DXFs.
+// What is nested comes from strangers: instances and SVGs. DXFs: test_dxf_drawings.cpp.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -6,7 +6,6 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "products/nesting/drawings/dxf_drawings.h"
 #include "products/nesting/drawings/svg_drawings.h"
 #include "products/nesting/drawings/svg_path_data.h"
 #include "products/nesting/nest_instance.h"
@@ -152,6 +151,23 @@ TEST(SvgDrawings, RefusesWhatIsOfNoUse) {
             "a.svg: circle1: r: found \"1e9\", allowed: a length below 1e9 px, in px, mm, cm, in, pt or pc");
 }
 
+TEST(SvgDrawings, ABadOutlineBesideGoodOnesIsLeftOut) {
+  const SvgDrawings found =
+      svg("<rect id='good' width='30' height='30'/><rect x='5' y='5' width='5' height='5'/>"
+          "<path id='bow' d='M40 0L90 50V0L40 50z'/><circle cx='80' cy='25' r='3'/><path id='two' d='M0 0L4 4z'/>");
+  ASSERT_EQ(found.drawings.size(), 1u) << "the circle lies in the bow, and is none of the pieces";
+  EXPECT_EQ(found.drawings[0].name, "good");
+  EXPECT_EQ(found.drawings[0].holes.size(), 1u);
+  EXPECT_EQ(
+      found.left_out,
+      "left out 2 contours: bow: found a contour that crosses itself; two: found a contour of 2 points, allowed: 3 "
+      "or more");
+  EXPECT_EQ(svg("<rect width='9' height='9'/>").left_out, "");
+  EXPECT_EQ(svg_refusal("<path id='a' d='M0 0L40 40V0L0 40z'/><path id='b' d='M0 0L4 4z'/>"),
+            "a.svg: none of 2 contours is of use: a: found a contour that crosses itself; b: found a contour of 2 "
+            "points, allowed: 3 or more");
+}
+
 TEST(SvgDrawings, BoundsHostileOnes) {
   std::string nested;
   for (int i = 0; i < 5'000; ++i) nested += "<g>";
@@ -181,91 +197,6 @@ TEST(SvgDrawings, BoundsHostileOnes) {
   for (int i = 0; i < 300'000; ++i) zigzag += "l1 1";
   EXPECT_NE(svg_refusal("<path d='" + zigzag + "z'/>").find("found more than 200000 points; allowed: 200000 or fewer"),
             std::string::npos);
-}
-
-std::string dxf(const std::string& entities, const std::string& header = "") {
-  std::string text =
-      "0\nSECTION\n2\nHEADER\n" + header + "0\nENDSEC\n0\nSECTION\n2\nENTITIES\n" + entities + "0\nENDSEC\n0\nEOF\n";
-  return text;
-}
-
-std::string line(double x0, double y0, double x1, double y1) {
-  return "0\nLINE\n8\n0\n10\n" + std::to_string(x0) + "\n20\n" + std::to_string(y0) + "\n11\n" + std::to_string(x1) +
-         "\n21\n" + std::to_string(y1) + "\n";
-}
-
-TEST(DxfDrawings, JoinsLinesAndArcs) {
-  const DxfDrawings found =
-      dxf_drawings(dxf(line(0, 0, 10, 0) + line(0, 10, 0, 0) + line(10, 10, 0, 10) +
-                       "0\nARC\n10\n10\n20\n5\n40\n5\n50\n270\n51\n90\n" + line(40, 40, 50, 50) + "0\nSPLINE\n70\n8\n"),
-                   "a.dxf", "a");
-  ASSERT_EQ(found.drawings.size(), 1u);
-  EXPECT_EQ(found.drawings[0].name, "a");
-  EXPECT_NEAR(area_of(found.drawings[0].outline), 100 + 12.5 * std::acos(-1.0), 0.2);
-  EXPECT_EQ(found.open_chains, 1);
-  EXPECT_EQ(found.unread_entities, 1);
-}
-
-TEST(DxfDrawings, LinesThatAreThereTwiceDoNoHarm) {
-  const std::string box = line(0, 0, 10, 0) + line(10, 0, 10, 10) + line(10, 10, 0, 10) + line(0, 10, 0, 0);
-  const std::string circle = "0\nCIRCLE\n10\n50\n20\n50\n40\n5\n";
-  const DxfDrawings twice =
-      dxf_drawings(dxf(box + line(0, 0, 10, 0) + line(10, 10, 10, 0) + circle + circle), "a.dxf", "a");
-  ASSERT_EQ(twice.drawings.size(), 2u);
-  EXPECT_NEAR(area_of(twice.drawings[0].outline), 100, 1e-9);
-  EXPECT_EQ(twice.open_chains, 0);
-  // Out and back in two lines that are not quite the same.
-  const DxfDrawings thin = dxf_drawings(dxf(line(30, 0, 40, 0) + line(40, 0, 30, 0.001) + box), "a.dxf", "a");
-  EXPECT_EQ(thin.drawings.size(), 1u);
-  EXPECT_EQ(thin.open_chains, 1);
-}
-
-TEST(DxfDrawings, ReadsPolylinesCirclesAndUnits) {
-  const std::string light =
-      "0\nLWPOLYLINE\r\n90\n4\n70\n1\n10\n0\n20\n0\n10\n2\n20\n0\n42\n1\n10\n2\n20\n2\n10\n0\n20\n2\n";
-  const std::string heavy =
-      "0\nPOLYLINE\n66\n1\n70\n1\n10\n0\n20\n0\n0\nVERTEX\n10\n10\n20\n10\n0\nVERTEX\n10\n11\n20\n10\n"
-      "0\nVERTEX\n10\n10\n20\n11\n0\nSEQEND\n";
-  const std::string hole = "0\nCIRCLE\n10\n1\n20\n1\n40\n0.5\n";
-  const DxfDrawings found = dxf_drawings(dxf(light + heavy + hole, "9\n$INSUNITS\n70\n5\n"), "a.dxf", "a");
-  ASSERT_EQ(found.drawings.size(), 2u);
-  EXPECT_NEAR(area_of(found.drawings[0].outline), 100 * (4 + std::acos(-1.0) / 2), 0.5);
-  ASSERT_EQ(found.drawings[0].holes.size(), 1u);
-  EXPECT_NEAR(area_of(found.drawings[0].holes[0]), 25 * std::acos(-1.0), 0.3);
-  EXPECT_NEAR(area_of(found.drawings[1].outline), 50, 1e-6);
-}
-
-TEST(DxfDrawings, KnowsEveryUnit) {
-  const auto header = [](const std::string& unit) { return "9\n$INSUNITS\n70\n" + unit + "\n"; };
-  const std::string box = line(0, 0, 3, 0) + line(3, 0, 3, 1) + line(3, 1, 0, 1) + line(0, 1, 0, 0);
-  for (const auto& [unit, mm] : std::vector<std::pair<std::string, double>>{
-           {"0", 1}, {"1", 25.4}, {"2", 304.8}, {"4", 1}, {"5", 10}, {"6", 1000}, {"10", 914.4}, {"14", 100}}) {
-    const DxfDrawings found = dxf_drawings(dxf(box, header(unit)), "a.dxf", "a");
-    EXPECT_NEAR(area_of(found.drawings.at(0).outline), 3 * mm * mm, 1e-9 * mm * mm) << unit;
-  }
-  for (const std::string unit : {"21", "-1", "1.5"}) {
-    EXPECT_EQ(refusal([&] { dxf_drawings(dxf(box, header(unit)), "a.dxf", "a"); }),
-              "a.dxf: line 8: $INSUNITS: found " + unit + ", allowed: a whole number from 0 to 20");
-  }
-}
-
-TEST(DxfDrawings, RefusesDamage) {
-  const auto refused = [](const std::string& text) { return refusal([&] { dxf_drawings(text, "a.dxf", "a"); }); };
-  EXPECT_EQ(refused(""), "a.dxf: not an ASCII DXF file");
-  EXPECT_EQ(refused("AutoCAD Binary DXF\r\n"),
-            "a.dxf: line 1: found \"AutoCAD Binary DXF\", allowed: the number of a group code");
-  EXPECT_EQ(refused(dxf("0\nCIRCLE\n10\nnan\n20\n1\n40\n1\n")),
-            "a.dxf: line 14: found \"nan\", allowed: a number from -1e12 to 1e12");
-  EXPECT_EQ(refused(dxf("0\nCIRCLE\n10\n1\n20\n1\n40\n1e300\n")),
-            "a.dxf: line 18: found \"1e300\", allowed: a number from -1e12 to 1e12");
-  EXPECT_EQ(refused("0\nSECTION\n2\nENTITIES\n0"), "a.dxf: line 5: ends within a pair of lines");
-  EXPECT_EQ(refused(dxf(line(0, 0, 4, 4) + line(4, 4, 4, 0) + line(4, 0, 0, 4) + line(0, 4, 0, 0))),
-            "a.dxf: contour 1: found a contour that crosses itself");
-  EXPECT_EQ(refused(dxf("0\nCIRCLE\n10\n0\n20\n0\n40\n1e11\n")),
-            "a.dxf: contour 1: found a coordinate that is no number or too large, allowed: 1e6 mm either way");
-  std::string many;
-  for (int i = 0; i < 30'000; ++i) many += line(0, 0, 0, 0);
-  EXPECT_EQ(refused(dxf(many)), "a.dxf: found 30000 lines and arcs, allowed: 20000");
 }
 
 std::string instance(const std::string& item) { return R"({"name": "a", "strip_height": 9, "items": [)" + item + "]}"; }
@@ -319,6 +250,69 @@ TEST(NestInstance, RefusesWhatIsOfNoUse) {
   EXPECT_EQ(nest_instance(instance(R"({"demand": 2.0, )" + triangle + "}"), "a.json").sources.at(0).demand, 2);
   EXPECT_EQ(of(R"({"type": "polygon", "data": {"outer": [[0,0],[9,0],[0,9]], "inner": 3}})"),
             "a.json: item 0: shape: inner: found 3, allowed: a list of contours");
+}
+
+const std::string kItems = R"("items": [{"id": 0, "shape": {"type": "simple_polygon", "data": [[0,0],[3,0],[0,3]]}}])";
+
+std::string bin(const std::string& more = "", const std::string& type = "rectangle") {
+  return R"({"id": 0, "cost": 9, "shape": {"type": ")" + type +
+         R"(", "data": {"x_min": 5, "y_min": 5, "width": 100, "height": 60}})" + more + "}";
+}
+
+TEST(NestInstance, OneKindOfBinIsTheSheet) {
+  const auto input = [](const std::string& bins) {
+    return nest_instance(R"({"bins": )" + bins + ", " + kItems + "}", "a.json");
+  };
+  const NestInput found = input("[" + bin(R"(, "stock": 2, "zones": [])") + "]");
+  ASSERT_TRUE(found.bin.has_value());
+  EXPECT_EQ(found.bin->width, 100);
+  EXPECT_EQ(found.bin->height, 60);
+  EXPECT_EQ(found.bin->stock, 2);
+  EXPECT_EQ(found.strip_height, 0);
+  EXPECT_EQ(input("[" + bin() + "]").bin.value().stock, 0);
+  EXPECT_FALSE(input("[]").bin.has_value());
+  EXPECT_FALSE(input("null").bin.has_value());
+}
+
+TEST(NestInstance, WhatIsNotReadIsRefusedByName) {
+  const auto refused = [](const std::string& material) {
+    return refusal([&] { nest_instance("{" + material + ", " + kItems + "}", "a.json"); });
+  };
+  const auto bins = [&](const std::string& list) { return refused(R"("bins": )" + list); };
+  const std::string one_kind = "; allowed: one kind, a rectangle without zones";
+  EXPECT_EQ(bins("[" + bin() + "," + bin() + "]"),
+            "a.json: bins: found 2 kinds of bins: sheets of several sizes or costs, which are not read" + one_kind);
+  EXPECT_EQ(bins("[" + bin("", "simple_polygon") + "]"),
+            "a.json: bins: shape: found \"simple_polygon\": a sheet of another shape, which is not read" + one_kind);
+  EXPECT_EQ(bins("7"), "a.json: bins: found 7" + one_kind);
+  EXPECT_EQ(bins("[7]"), "a.json: bins: has no \"shape\"");
+  EXPECT_EQ(bins("[" + bin(R"(, "stock": 0)") + "]"),
+            "a.json: bins: stock: found 0, allowed: a whole number from 1 to 1000000000");
+  const std::string zones =
+      "zones: found 1 zone: parts of the material with another quality, which are not read; "
+      "allowed: no zones";
+  EXPECT_EQ(bins("[" + bin(R"(, "zones": [{"quality": 0, "shape": {}}])") + "]"), "a.json: bins: " + zones);
+  EXPECT_EQ(refused(R"("strip_height": 9, "zones": [{}])"), "a.json: " + zones);
+  EXPECT_EQ(refused(R"("strip_height": 9, "bins": [)" + bin() + "]"),
+            "a.json: strip_height and bins: allowed: one of them");
+  const std::string triangle = R"("shape": {"type": "simple_polygon", "data": [[0,0],[3,0],[0,3]]})";
+  const auto item = [&](const std::string& quality) {
+    return refusal([&] { nest_instance(instance("{\"min_quality\": " + quality + ", " + triangle + "}"), "a.json"); });
+  };
+  EXPECT_EQ(
+      item("5"),
+      "a.json: item 0: min_quality: found 5: the piece may lie only where the material is that good, which is not "
+      "read; allowed: no min_quality");
+  EXPECT_EQ(item("null"), "");
+}
+
+TEST(NestInstance, OfTheOlderFormatAreRefusedByName) {
+  const std::string old =
+      ": an instance of an older format of jagua-rs (\"Objects\" are sheets), which is not read; "
+      "allowed: \"items\", and \"strip_height\" or \"bins\", as sparrow and newer versions have them";
+  const auto refused = [](const std::string& text) { return refusal([&] { nest_instance(text, "a.json"); }); };
+  EXPECT_EQ(refused(R"({"Name": "a", "Items": [], "Objects": []})"), "a.json: found \"Items\", \"Objects\"" + old);
+  EXPECT_EQ(refused(R"({"Strip": {"Height": 9}, )" + kItems + "}"), "a.json: found \"Strip\"" + old);
 }
 
 TEST(NestInstance, BoundsHostileOnes) {

@@ -61,15 +61,14 @@ void add_file(const fs::path& path, NestInput& input, UnknownUnits& units) {
     note(found.open_paths, "open path: it encloses nothing", "open paths: they enclose nothing", path, input);
     note(found.unread_elements, "element that is no shape: use, image or text",
          "elements that are no shapes: use, image or text", path, input);
+    if (!found.left_out.empty()) input.notes.push_back(shown_path(path) + ": " + found.left_out);
     if (!found.says_unit) units.add_svg(shown_path(path), found);
     add(std::move(found.drawings), input);
     return;
   }
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   DxfDrawings found = dxf_drawings(text, shown_path(path), printable_utf8(path.stem().string()));
-  note(found.open_chains, "chain of lines that does not close", "chains of lines that do not close", path, input);
-  note(found.unread_entities, "entity that is no line, arc, circle or polyline",
-       "entities that are no lines, arcs, circles or polylines", path, input);
+  for (const std::string& note : found.notes) input.notes.push_back(shown_path(path) + ": " + note);
   if (!found.says_unit) units.add_dxf(shown_path(path), found);
   add(std::move(found.drawings), input);
 }
@@ -199,6 +198,14 @@ void remove_spikes(const std::string& path, NestInput& input) {
   }
 }
 
+/// What was left out may be what is looked for.
+std::string first_notes(const NestInput& input) {
+  constexpr std::size_t kMostNotes = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kMostNotes, input.notes.size()); ++i) text += "; " + input.notes[i];
+  return text;
+}
+
 }  // namespace
 
 std::size_t points_to_cut(const NestInput& input) {
@@ -227,8 +234,9 @@ NestInput read_nest_input(const std::string& path) {
     throw InputError(printable_utf8(path) +
                      ": allowed: an instance (.json), .svg, .svgz, .dxf, a library (.h5), or a folder");
   }
-  if (input.sources.empty())
-    throw InputError(printable_utf8(path) + ": found no closed shape; open lines enclose nothing");
+  if (input.sources.empty()) {
+    throw InputError(printable_utf8(path) + ": found no closed shape; open lines enclose nothing" + first_notes(input));
+  }
   fs::path name = fs::absolute(path).lexically_normal();
   if (!name.has_filename()) name = name.parent_path();
   input.name = printable_utf8(fs::is_directory(path, ignored) ? name.filename().string() : name.stem().string());

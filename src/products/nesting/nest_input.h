@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,10 +21,17 @@ struct NestSource {
   double mm_per_shape = 0;         // of a library's shape: its unit; 0: not of a library
 };
 
+/// The sheets of an instance.
+struct NestBin {
+  double width = 0, height = 0;  // mm
+  int stock = 0;                 // how many there are; 0: the instance does not say it
+};
+
 struct NestInput {
   std::string name;                 // of the file or folder
   std::vector<NestSource> sources;  // of different names
   double strip_height = 0;          // of an instance; 0: none
+  std::optional<NestBin> bin;       // of an instance
   std::string library;              // the file, where the input is one
   std::string unit;                 // what one unit of the input was taken as, for people; empty: it says its own
   std::vector<std::string> notes;   // what was left out, for people

@@ -1,12 +1,13 @@
 #include "products/nesting/nest_instance.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "core/base/too_many.h"
+#include "products/nesting/instance_material.h"
+#include "products/nesting/instance_values.h"
 #include "products/nesting/layout/nesting.h"
 #include "text/json_bounds.h"
 #include "text/utf8_text.h"
@@ -19,36 +20,6 @@ using nlohmann::json;
 constexpr std::size_t kMostAngles = 360;
 /// Each point, of which there may be kMostDrawingPoints, is a list of two numbers.
 constexpr JsonBounds kBounds{.values = 1'000'000, .levels = 32};
-
-/// What is written of a list or an object, however deep, is its kind.
-std::string shown_value(const json& value) {
-  if (value.is_structured()) return value.is_array() ? "a list" : "an object";
-  return cut_utf8(printable_utf8(value.dump(-1, ' ', true, json::error_handler_t::replace)), 40);
-}
-
-const json& member(const json& object, const char* key, const std::string& where) {
-  const auto at = object.is_object() ? object.find(key) : object.end();
-  if (!object.is_object() || at == object.end()) throw InputError(where + ": has no \"" + key + "\"");
-  return *at;
-}
-
-double number_in(const json& value, double least, double most, const std::string& where) {
-  if (value.is_number()) {
-    const double number = value.get<double>();
-    if (number >= least && number <= most) return number;
-  }
-  const std::string allowed = json(least).dump() + " to " + json(most).dump();
-  throw InputError(where + ": found " + shown_value(value) + ", allowed: a number from " + allowed);
-}
-
-int whole_number_in(const json& value, int least, int most, const std::string& where) {
-  if (value.is_number()) {
-    const double number = value.get<double>();
-    if (number >= least && number <= most && number == std::floor(number)) return int(number);
-  }
-  throw InputError(where + ": found " + shown_value(value) + ", allowed: a whole number from " + std::to_string(least) +
-                   " to " + std::to_string(most));
-}
 
 NestRing ring_of(const json& points, const std::string& where) {
   if (!points.is_array() || points.size() > kMostContourPoints + 1) {
@@ -74,13 +45,7 @@ NestDrawing drawing_of(const json& shape, const std::string& where, std::size_t&
   const json& data = member(shape, "data", where + ": shape");
   if (type == "simple_polygon") return {"", ring_of(data, where + ": shape"), {}};
   if (type == "rectangle") {
-    const std::string what = where + ": shape";
-    const auto of = [&](const char* key, double least) {
-      return data.contains(key) ? number_in(data[key], least, kFarthest_mm, what + ": " + key) : 0.0;
-    };
-    const double x = of("x_min", -kFarthest_mm), y = of("y_min", -kFarthest_mm);
-    const double w = number_in(member(data, "width", what), 1e-6, kFarthest_mm, what + ": width");
-    const double h = number_in(member(data, "height", what), 1e-6, kFarthest_mm, what + ": height");
+    const auto [x, y, w, h] = rectangle_of(data, where + ": shape");
     return {"", {{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}}, {}};
   }
   if (type == "polygon") {
@@ -128,19 +93,19 @@ NestInput nest_instance(std::string_view text, const std::string& path) {
   }
   const json instance = json::parse(text, nullptr, false);
   if (instance.is_discarded()) throw InputError(path + ": not a readable JSON file");
+  NestInput input;
+  read_material(instance, path, input);
   const json& items = member(instance, "items", path);
   if (!items.is_array() || items.empty() || items.size() > kMostDrawings) {
     throw InputError(path + ": items: found " +
                      (items.is_array() ? count_text(items.size(), "item") : shown_value(items)) +
                      ", allowed: a list of 1 to " + std::to_string(kMostDrawings));
   }
-  NestInput input;
-  if (instance.contains("strip_height"))
-    input.strip_height = number_in(instance["strip_height"], 1e-3, kFarthest_mm, path + ": strip_height");
   std::size_t points = 0;
   for (const json& item : items) {
     const std::string where = path + ": item " + std::to_string(input.sources.size());
     if (!item.is_object()) throw InputError(where + ": found " + shown_value(item) + ", allowed: an object");
+    check_quality(item, where);
     NestSource& source = input.sources.emplace_back();
     source.drawing = drawing_of(member(item, "shape", where), where, points);
     source.drawing.name = name_of(item, input.sources.size() - 1);

@@ -1,5 +1,5 @@
 // Instances of strip packing as sparrow and jagua-rs have them: JSON with name, items (id, demand, allowed_orientations in
-// degrees, shape) and strip_height; and layouts in the same manner.
+// degrees, shape) and strip_height or a bin; and layouts in the same manner.
 #pragma once
 
 #include <string>

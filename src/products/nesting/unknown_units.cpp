@@ -1,6 +1,7 @@
 #include "products/nesting/unknown_units.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "text/number_text.h"
 
@@ -14,16 +15,20 @@ std::string size_text(double width_mm, double height_mm) {
   return length_text(width_mm) + " x " + length_text(height_mm) + " mm";
 }
 
-/// How much room the drawings take as they lie in their file.
-std::string extent_text(const std::vector<NestDrawing>& drawings) {
-  if (drawings.empty()) return "it has no shape";
+/// How much room the drawings take as they lie in their file; nothing without a drawing.
+std::optional<NestBox> extent_of(const std::vector<NestDrawing>& drawings) {
+  if (drawings.empty()) return std::nullopt;
   NestBox all = box_of(drawings.front().outline);
   for (const NestDrawing& drawing : drawings) {
     const NestBox box = box_of(drawing.outline);
     all.low = {std::min(all.low.x, box.low.x), std::min(all.low.y, box.low.y)};
     all.high = {std::max(all.high.x, box.high.x), std::max(all.high.y, box.high.y)};
   }
-  return "its shapes take " + size_text(all.width(), all.height());
+  return all;
+}
+
+std::string extent_text(const std::optional<NestBox>& extent) {
+  return extent ? "its shapes take " + size_text(extent->width(), extent->height()) : "it has no shape";
 }
 
 }  // namespace
@@ -32,14 +37,20 @@ void UnknownUnits::add_svg(const std::string& path, const SvgDrawings& found) {
   if (svgs_.count++ > 0) return;
   const bool has_page = found.page_width_mm > 0 && found.page_height_mm > 0;
   svgs_.first = path;
-  svgs_.size_mm =
-      has_page ? "its page is " + size_text(found.page_width_mm, found.page_height_mm) : extent_text(found.drawings);
+  svgs_.size_mm = has_page ? "its page is " + size_text(found.page_width_mm, found.page_height_mm)
+                           : extent_text(extent_of(found.drawings));
 }
 
 void UnknownUnits::add_dxf(const std::string& path, const DxfDrawings& found) {
   if (dxfs_.count++ > 0) return;
   dxfs_.first = path;
-  dxfs_.size_mm = extent_text(found.drawings);
+  constexpr double kInch_mm = 25.4;
+  const std::optional<NestBox> extent = extent_of(found.drawings);
+  dxfs_.size_mm = extent_text(extent);
+  if (extent && found.measures_in_inches) {
+    dxfs_.size_mm +=
+        "; $MEASUREMENT = 0 hints at inches: " + size_text(kInch_mm * extent->width(), kInch_mm * extent->height());
+  }
 }
 
 void UnknownUnits::tell(const std::string& path, NestInput& input) const {

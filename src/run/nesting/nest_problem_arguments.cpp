@@ -73,12 +73,20 @@ std::vector<std::pair<std::string, int>> demands_of(const std::vector<std::strin
   return demands;
 }
 
+std::optional<NestBin> sheet_of(const NestArguments& arguments, const NestInput& input) {
+  if (!arguments.sheet_mm.empty()) return NestBin{arguments.sheet_mm[0], arguments.sheet_mm[1], 0};
+  return arguments.strip_mm ? std::nullopt : input.bin;
+}
+
 NestProblem problem_of(const NestArguments& arguments, const NestInput& input) {
   NestProblem problem;
   problem.spacing = arguments.spacing_mm;
-  problem.height =
-      !arguments.sheet_mm.empty() ? arguments.sheet_mm[1] : arguments.strip_mm.value_or(input.strip_height);
-  if (!arguments.sheet_mm.empty()) problem.length = arguments.sheet_mm[0];
+  if (const std::optional<NestBin> sheet = sheet_of(arguments, input)) {
+    problem.length = sheet->width;
+    problem.height = sheet->height;
+  } else {
+    problem.height = arguments.strip_mm.value_or(input.strip_height);
+  }
   if (!(problem.height > 0)) {
     throw InputError(printable_utf8(arguments.input) +
                      ": how large is the material? allowed: --strip H, or --sheet W,H, in mm");

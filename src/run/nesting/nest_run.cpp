@@ -15,6 +15,7 @@
 #include "products/nesting/layout/nest_check.h"
 #include "products/nesting/nest_folder.h"
 #include "run/nesting/nest_chains.h"
+#include "run/nesting/nest_fit.h"
 #include "run/nesting/nest_problem_arguments.h"
 #include "run/nesting/nest_stop.h"
 #include "terminal/exit_codes.h"
@@ -139,9 +140,16 @@ void warn_of_left_over(const NestRun& run) {
                 " found no place: " + cut_utf8(names, 200));
 }
 
+/// What is to be told where the instance has fewer sheets than the layout; empty: it has enough.
+std::string stock_warning(const NestArguments& arguments, const NestRun& run) {
+  const std::optional<NestBin> sheet = sheet_of(arguments, run.input);
+  return sheet ? stock_text(*sheet, run.layout.sheets) : "";
+}
+
 /// `drawn`: so many sheets have their picture. The last line on stderr says how to go on.
 void report(const NestArguments& arguments, const NestRun& run, int drawn) {
   warn_of_left_over(run);
+  if (const std::string stock = stock_warning(arguments, run); !stock.empty()) print_warning(stock);
   if (drawn < run.layout.sheets) {
     print_warning(shown_folder(arguments) + ": drew " + std::to_string(drawn) + " of " +
                   count_text(std::size_t(run.layout.sheets), "layout picture") +
@@ -197,7 +205,8 @@ int write(const NestArguments& arguments, const NestRun& run, NestStop& stop, Ne
   const int drawn = draw(arguments, run, stop, folder);
   report(arguments, run, drawn);
   if (interrupts(run.stopped_by, stop) || drawn < run.layout.sheets) return kUnfinishedExitCode;
-  return left_over(run) > 0 ? kIncompleteExitCode : kDoneExitCode;
+  const bool lacks_something = left_over(run) > 0 || !stock_warning(arguments, run).empty();
+  return lacks_something ? kIncompleteExitCode : kDoneExitCode;
 }
 
 int nest(NestArguments& arguments, comm::Communicator& ranks) {
@@ -211,6 +220,8 @@ int nest(NestArguments& arguments, comm::Communicator& ranks) {
   run.seed = arguments.seed;
   if (arguments.folder.empty()) arguments.folder = "out/" + run.input.name;
   for (const std::string& note : run.input.notes) print_warning(note);
+  const std::string too_large = too_large_text(run.input, run.problem, printable_utf8(arguments.input));
+  if (!too_large.empty()) print_warning(too_large);
   comm::install_stop_handlers();
   NestFolder folder(arguments.folder);
   leave_time_to_write(run, folder, stop);
@@ -222,8 +233,7 @@ int nest(NestArguments& arguments, comm::Communicator& ranks) {
   if (run.stopped_by) ranks.hurry();
   if (!run.layout.pieces.empty()) return write(arguments, run, stop, folder);
   if (run.stopped_by) throw Interrupted{*run.stopped_by};
-  throw InputError(printable_utf8(arguments.input) + ": none of its pieces fits onto " +
-                   (arguments.sheet_mm.empty() ? "the strip" : "the sheet") + " at the angles allowed");
+  throw std::logic_error("nesting: no piece has a place, though some fit");
 }
 
 }  // namespace

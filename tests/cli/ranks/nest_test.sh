@@ -45,6 +45,25 @@ run 0 nest parts.json --effort draft --seed 2 --out out/other --quiet
 ! cmp -s first/layout.json out/other/layout.json || fail "the same layout of another seed"
 run 0 nest parts.json --demand 0=0 --effort draft --out out/second --quiet
 [[ $(grep -o '"item_id": [0-9]*' out/second/layout.json | sort -u) == '"item_id": 1' ]] || fail "another number than the instance's"
+# A bin of jagua-rs is the sheet, as often as it is in stock; the command may say another material.
+cat >bins.json <<'JSON'
+{"bins": [{"id": 0, "cost": 1, "stock": 1, "shape": {"type": "rectangle", "data": {"x_min": 0, "y_min": 0, "width": 30, "height": 12}}}],
+ "items": [{"id": 0, "demand": 4, "shape": {"type": "rectangle", "data": {"x_min": 0, "y_min": 0, "width": 20, "height": 5}}}]}
+JSON
+run 3 nest bins.json --effort draft
+expect_word "warning: the layout takes 2 sheets, and the instance's stock is 1"
+grep -q '^  sheets          2 of 30.000 x 12.000 mm$' output || fail "the bin is not the sheet"
+run 0 nest bins.json --sheet 30,12 --effort draft --quiet
+run 0 nest bins.json --demand 0=2 --effort draft --quiet
+expect_silence "what is in stock is enough"
+run 0 nest bins.json --strip 12 --effort draft
+grep -q '^  length ' output || fail "--strip does not count"
+sed 's/"stock": 1,/"zones": [{"quality": 0}],/' bins.json >zones.json
+for material in '' '--strip 12'; do
+  # shellcheck disable=SC2086 # two words
+  run 2 nest zones.json $material
+  expect_word 'zones.json: bins: zones: found 1 zone: parts of the material with another quality, which are not read'
+done
 echo "ok instance"
 
 cat >plates.svg <<'SVG'
@@ -88,6 +107,8 @@ run 0 nest plates.svg --sheet 60,40 --angles 0 --effort draft --out out/many
 [[ ! -e out/many/layout_1.svg && -s out/many/layout.svg ]] || fail "sheets of an earlier run are left"
 run 3 nest plates.svg --sheet 21,12 --effort draft --out out/small
 expect_word 'warning: 2 of 3 pieces found no place: disc, ring'
+[[ $(grep -m 1 'warning: plates.svg: 2' errors) == *'plates.svg: 2 shapes of 3 do not fit onto the sheet of 21 x 12 mm at the angles allowed: disc (15.9901 x 15.995 mm), ring (20 x 20 mm)' ]] ||
+  fail "pieces that are too large are not named before the search"
 mkdir both && cp plates.svg out/plates/layout.dxf both
 run 0 nest both --strip 60 --effort draft
 grep -q '^  pieces          9 of 9$' output || fail "not all of a folder"
@@ -180,8 +201,9 @@ run 2 nest plates.svg --strip 20 --sheet 20,20
 expect_word '--strip and --sheet: allowed: one of them'
 run 2 nest plates.svg --strip nan
 expect_word '--strip: found nan, allowed: a number from 0.001 to 1e+06 mm'
-run 2 nest plates.svg --strip 5
-expect_word 'plates.svg: none of its pieces fits onto the strip at the angles allowed'
+run 2 nest plates.svg --strip 5 --out out/plates_5
+expect_word 'plates.svg: none of its pieces fits onto the strip of 5 mm at the angles allowed: plate (20 x 10 mm), disc (15.9901 x 15.995 mm), ring (20 x 20 mm)'
+[[ ! -e out/plates_5 ]] || fail "a folder without a layout"
 cat >dot.json <<'JSON'
 {"strip_height": 1e6, "items": [{"id": "dot", "shape": {"type": "simple_polygon", "data": [[0,0],[0.5,0],[0,0.5]]}}]}
 JSON
@@ -215,6 +237,13 @@ run 0 nest plates.svg --strip 50 --effort draft --out ours
 echo '<svg xmlns="http://www.w3.org/2000/svg"><path id="bow" d="M0 0L40 40V0L0 40z"/></svg>' >bow.svg
 run 2 nest bow.svg --strip 50
 expect_word 'bow.svg: bow: found a contour that crosses itself'
+sed 's|</svg>|<rect id="good" x="90" width="9" height="9"/></svg>|' bow.svg >beside.svg
+run 0 nest beside.svg --strip 50 --effort draft
+expect_word 'warning: beside.svg: left out bow: found a contour that crosses itself'
+grep -q '^  pieces          1 of 1$' output || fail "a good outline beside a bad one is not nested"
+printf 'AutoCAD Binary DXF\r\n\x1a\0' >binary.dxf
+run 2 nest binary.dxf --strip 50
+expect_word 'binary.dxf: a binary DXF; save it as ASCII DXF'
 python3 - <<'PYTHON'
 import math
 rings = ["".join("%s%.4f %.4f" % ("ML"[k > 0], math.cos(k * math.tau / 900) * 9, math.sin(k * math.tau / 900) * 9) for k in range(900))

@@ -11,14 +11,16 @@ namespace tessera {
 
 struct DxfDrawings {
   std::vector<NestDrawing> drawings;  // NAME-1, NAME-2, ...
-  int open_chains = 0;                // left out, as are those that enclose nothing
-  int unread_entities = 0;            // of other kinds, left out: splines, blocks, texts
+  std::vector<std::string> notes;     // what was left out or moved, for people: "left out 1 invisible entity"
   bool says_unit = false;             // $INSUNITS names one
+  bool measures_in_inches = false;    // $MEASUREMENT is 0: a hint where no unit is named
 };
 
-/// ASCII DXF, R12 or later: LWPOLYLINE, POLYLINE, LINE, ARC and CIRCLE of the model. Lines, arcs and open polylines whose
-/// ends meet within 0.01 mm are joined, what is there twice counts once. $INSUNITS says the unit; without one it is mm. A contour inside another is a hole
-/// of it. Throws InputError, naming `path` and the line.
+/// ASCII DXF, R12 or later: LWPOLYLINE, POLYLINE, LINE, ARC, CIRCLE, ELLIPSE and SPLINE of the model, and those of the
+/// blocks that INSERT refers to; docs/nesting.md says what is left out. Lines, arcs and open polylines whose ends meet within
+/// 0.01 mm are joined, what is there twice counts once. $INSUNITS says the unit; without one it is mm. A contour inside
+/// another is a hole of it. A drawing that lies far from the origin is moved there. Throws InputError, naming `path` and
+/// the line or the contour.
 DxfDrawings dxf_drawings(std::string_view text, const std::string& path, const std::string& name);
 
 }  // namespace tessera

@@ -10,23 +10,48 @@
 #include "text/utf8_text.h"
 
 namespace tessera {
+namespace {
 
-void check_contour(const NestRing& contour, const std::string& what) {
-  if (contour.size() < 3)
-    throw InputError(what + ": found a contour of " + count_text(contour.size(), "point") + ", allowed: 3 or more");
+bool is_near(const NestRing& ring) {
+  return std::all_of(ring.begin(), ring.end(),
+                     [](NestPoint p) { return std::abs(p.x) <= kFarthest_mm && std::abs(p.y) <= kFarthest_mm; });
+}
+
+}  // namespace
+
+std::string contour_fault(const NestRing& contour) {
+  if (contour.size() < 3) return "found a contour of " + count_text(contour.size(), "point") + ", allowed: 3 or more";
   if (contour.size() > kMostContourPoints) {
-    throw InputError(what + ": found a contour of " + std::to_string(contour.size()) +
-                     " points, allowed: " + std::to_string(kMostContourPoints) + " or fewer");
+    return "found a contour of " + std::to_string(contour.size()) +
+           " points, allowed: " + std::to_string(kMostContourPoints) + " or fewer";
   }
-  for (const NestPoint p : contour) {
-    if (!(std::abs(p.x) <= kFarthest_mm && std::abs(p.y) <= kFarthest_mm))
-      throw InputError(what + ": found a coordinate that is no number or too large, allowed: 1e6 mm either way");
-  }
-  if (crosses_itself(contour)) throw InputError(what + ": found a contour that crosses itself");
+  if (!is_near(contour)) return "found a coordinate that is no number or too large, allowed: 1e6 mm either way";
+  if (crosses_itself(contour)) return "found a contour that crosses itself";
   const NestBox box = box_of(contour);
   const double longest = std::max(box.width(), box.height());
   if (!(std::abs(signed_area(contour)) > 1e-9 * longest * longest && longest > 1e-6))
-    throw InputError(what + ": found a contour that encloses nothing");
+    return "found a contour that encloses nothing";
+  return {};
+}
+
+void check_contour(const NestRing& contour, const std::string& what) {
+  if (const std::string fault = contour_fault(contour); !fault.empty()) throw InputError(what + ": " + fault);
+}
+
+std::string faults_text(const std::vector<NamedContour>& contours, const std::string& path) {
+  constexpr std::size_t kMostBytes = 300;
+  std::size_t count = 0;
+  std::string faults;
+  for (const NamedContour& contour : contours) {
+    if (contour.fault.empty()) continue;
+    if (++count == 1 || faults.size() < kMostBytes) faults += (count > 1 ? "; " : "") + contour.fault;
+  }
+  if (count == 0) return {};
+  if (count == contours.size()) {
+    const std::string all = count > 1 ? "none of " + std::to_string(count) + " contours is of use: " : "";
+    throw InputError(path + ": " + all + cut_utf8(faults, kMostBytes));
+  }
+  return "left out " + (count > 1 ? count_text(count, "contour") + ": " : "") + cut_utf8(faults, kMostBytes);
 }
 
 std::size_t points_of(const NestDrawing& drawing) {
@@ -51,7 +76,7 @@ bool lies_in(const NestRing& inner, const RingRows& outer) {
   return 2 * inside > kLooks;
 }
 
-/// The least of what is no number: check_contour refuses the points.
+/// The least of what is no number: contour_fault finds the points.
 double whole_steps(double wanted, double least, double most) {
   return wanted > least ? std::min(std::ceil(wanted), most) : least;
 }
@@ -68,7 +93,9 @@ std::vector<int> outermost(const std::vector<NamedContour>& contours) {
   std::vector<std::size_t> largest_first;
   for (const NamedContour& contour : contours) {
     largest_first.push_back(areas.size());
-    areas.push_back(std::abs(signed_area(contour.ring)));
+    // One that crosses itself may enclose nothing, as two equal halves of a bow do; what lies in it lies in its box.
+    const NestBox box = box_of(contour.ring);
+    areas.push_back(contour.fault.empty() ? std::abs(signed_area(contour.ring)) : box.width() * box.height());
     rows.emplace_back(contour.ring);
   }
   std::stable_sort(largest_first.begin(), largest_first.end(),
@@ -88,22 +115,26 @@ std::vector<int> outermost(const std::vector<NamedContour>& contours) {
 }  // namespace
 
 std::vector<NestDrawing> drawings_of(std::vector<NamedContour> contours) {
+  // Of these nothing can be said, not even what lies in them.
+  std::erase_if(contours,
+                [](const NamedContour& contour) { return contour.ring.size() < 3 || !is_near(contour.ring); });
   const std::vector<int> outer = outermost(contours);
+  const auto is_piece = [&](std::size_t i) { return outer[i] < 0 && contours[i].fault.empty(); };
   std::map<std::string, int> outlines, named;
-  for (std::size_t i = 0; i < contours.size(); ++i) outlines[contours[i].name] += outer[i] < 0 ? 1 : 0;
+  for (std::size_t i = 0; i < contours.size(); ++i) outlines[contours[i].name] += is_piece(i) ? 1 : 0;
   std::vector<NestDrawing> drawings;
   for (std::size_t i = 0; i < contours.size(); ++i) {
-    if (outer[i] >= 0) continue;
+    if (!is_piece(i)) continue;
     const std::string& name = contours[i].name;
     NestDrawing& drawing = drawings.emplace_back();
     drawing.name = printable_utf8(outlines[name] > 1 ? name + "-" + std::to_string(++named[name]) : name);
     for (std::size_t j = 0; j < contours.size(); ++j) {
-      if (outer[j] == int(i)) drawing.holes.push_back(contours[j].ring);
+      if (outer[j] == int(i) && contours[j].fault.empty()) drawing.holes.push_back(contours[j].ring);
     }
   }
   std::size_t next = 0;
   for (std::size_t i = 0; i < contours.size(); ++i) {
-    if (outer[i] < 0) drawings[next++].outline = std::move(contours[i].ring);
+    if (is_piece(i)) drawings[next++].outline = std::move(contours[i].ring);
   }
   return drawings;
 }

@@ -28,8 +28,11 @@ inline constexpr double kFlatness_mm = 0.01;
 /// Largest coordinate, mm.
 inline constexpr double kFarthest_mm = 1e6;
 
-/// Throws InputError, naming `what`, where the contour is of no use: fewer than three points, coordinates that are no
-/// numbers or too large, no area, sides that cross.
+/// Why the contour is of no use, "found a contour that crosses itself"; empty: it can be nested. It needs three points or
+/// more, coordinates that are numbers and not too large, an area, and sides that do not cross.
+std::string contour_fault(const NestRing& contour);
+
+/// Throws InputError, naming `what`, where the contour is of no use.
 void check_contour(const NestRing& contour, const std::string& what);
 
 /// Longest name of a shape.
@@ -41,9 +44,14 @@ void check_name(const std::string& name, const std::string& what);
 struct NamedContour {
   std::string name;
   NestRing ring;
+  std::string fault;  // for people, where the contour is of no use: "bow: found a contour that crosses itself"
 };
 
-/// Outlines that lie in no other, each with all that lies in it as holes; what lies in those is cut, too, and travels
+/// What is to be told of contours that are of no use, "left out bow: found a contour that crosses itself"; empty: all are
+/// good. Throws InputError, naming `path`, where none is good.
+std::string faults_text(const std::vector<NamedContour>& contours, const std::string& path);
+
+/// Contours that are of no use are left out, and outlines with them that lie in such a contour. Outlines that lie in no other, each with all that lies in it as holes; what lies in those is cut, too, and travels
 /// along. In the order of the outlines. Of several outlines of one name the names are NAME-1, NAME-2 and so on.
 std::vector<NestDrawing> drawings_of(std::vector<NamedContour> contours);
 

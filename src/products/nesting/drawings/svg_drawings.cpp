@@ -195,6 +195,7 @@ class SvgReader {
     }
   }
   SvgDrawings take() {
+    found_.left_out = faults_text(contours_, path_);
     found_.drawings = drawings_of(std::move(contours_));
     if (found_.drawings.size() > kMostDrawings)
       throw InputError(path_ + ": found " + std::to_string(found_.drawings.size()) +
@@ -247,9 +248,10 @@ class SvgReader {
         ++found_.open_paths;
         continue;
       }
-      check_contour(ring, path_ + ": " + printable_utf8(name));
+      std::string fault = contour_fault(ring);
+      if (!fault.empty()) fault = printable_utf8(name) + ": " + fault;
       points_ += ring.size();
-      contours_.push_back({name, std::move(ring)});
+      contours_.push_back({name, std::move(ring), std::move(fault)});
       check_count("points", points_, kMostDrawingPoints);
       check_count("contours", contours_.size(), kMostContours);
     }

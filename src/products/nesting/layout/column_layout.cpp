@@ -24,6 +24,14 @@ ColumnLayout::Boxed ColumnLayout::boxed(int item) const {
   return best;
 }
 
+std::vector<int> ColumnLayout::too_large() const {
+  std::vector<int> items;
+  for (std::size_t item = 0; item < boxes_.size(); ++item) {
+    if (boxes_[item].angle < 0) items.push_back(int(item));
+  }
+  return items;
+}
+
 NestLayout ColumnLayout::all() const {
   NestLayout layout;
   layout.left_over.assign(boxes_.size(), 0);

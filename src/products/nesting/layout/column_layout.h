@@ -17,6 +17,9 @@ class ColumnLayout {
   /// Of all pieces.
   NestLayout all() const;
 
+  /// The items that are too large for the material at all of their angles.
+  std::vector<int> too_large() const;
+
   /// Adds pieces, given by their items, to a layout: on a strip from x = `from` on, on sheets from a new sheet on. What
   /// is too large at all of its angles is left over. `layout.used_length` then is that of the strip, or of the last
   /// sheet.
