@@ -28,6 +28,8 @@ constexpr float kShortestCurve = 6;
 /// PADs are so many widths apart, or farther, where more than so many would be looked up.
 constexpr float kPadSpacing = 1.5f;
 constexpr float kMostPads = 10;
+/// But of each curve so many, as what is seen between bars is many short ones.
+constexpr float kLeastPadsOfCurve = 8;
 /// Levels of inner_levels().
 constexpr int kInnerLevels = 3;
 
@@ -41,9 +43,9 @@ PartialPyramid inner_levels(PartialPyramid pyramid) {
 
 QueryWidth make_width(const std::vector<Curve>& curves, float sigma, float length, const PadParameters& pad) {
   QueryWidth width{sigma, {}};
-  const float spacing = std::max(kPadSpacing * sigma, length / kMostPads);
   for (const Curve& curve : curves) {
     const float own = length_of(curve);
+    const float spacing = std::max(kPadSpacing * sigma, std::min(length / kMostPads, own / kLeastPadsOfCurve));
     if (own < std::max(kShortestCurve * sigma, kShortestShare * length)) continue;
     const int count = int(std::clamp<float>(own * kPointsOfWidth / sigma, kLeastPoints, kMostPoints));
     const int stride = std::max(1, int(spacing * float(count) / own));

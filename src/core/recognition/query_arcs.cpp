@@ -11,6 +11,8 @@ constexpr float kShortestWidths = 6;
 /// Arcs begin this part of their length apart, or farther, where more than so many would be looked up of a length.
 constexpr float kStartSpacing = 1.f / 8;
 constexpr float kMostOfLength = 10;
+/// But that part of the curve at most: between bars many short ones are seen.
+constexpr float kLeastArcsOfCurve = 8;
 
 /// An arc whose points lie within this part of its length beside a line tells nothing: many shapes have a straight side.
 constexpr float kStraight = 0.015f;
@@ -74,7 +76,8 @@ std::vector<QueryArc> query_arcs(const Query& query, float unit, float step) {
     const float longest = curve.closed ? kLongestOfClosed * even.length() : even.length();
     const float first = unit * std::pow(step, std::ceil(std::log(shortest / unit) / std::log(step)));
     for (float length = first; length <= longest; length *= step) {
-      add_arcs(even, curve.closed, length, std::max(kStartSpacing * length, query.length() / kMostOfLength), arcs);
+      const float apart = std::min(query.length() / kMostOfLength, even.length() / kLeastArcsOfCurve);
+      add_arcs(even, curve.closed, length, std::max(kStartSpacing * length, apart), arcs);
     }
   }
   return arcs;
