@@ -39,7 +39,7 @@ std::vector<bool> closed_of(const Outline& outline) {
   return closed;
 }
 
-/// What pickle and copy keep of an outline: the points of its curves, whether each is closed, the smoothing.
+/// The state that pickle and copy keep of an Outline: the points of its curves, whether each is closed, the smoothing.
 using OutlineState = std::tuple<py::list, std::vector<bool>, double>;
 
 OutlineState state_of(const Outline& outline) {

@@ -85,8 +85,8 @@ class Splitter {
   }
 
  private:
-  /// Those before `middle` have no larger byte than the others, of the row that varies most. Among themselves both keep
-  /// their order, so that PADs of equal bytes are told apart by their places.
+  /// Parts the PADs by the row that varies most: none before `middle` has a larger byte there than one behind it. Both
+  /// parts keep their order, so that PADs of equal bytes are told apart by their places.
   void part(std::span<Entry> order, std::size_t middle) const {
     if (middle == 0 || middle >= order.size()) return;
     const std::size_t row = widest_row(order);

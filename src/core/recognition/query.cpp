@@ -28,7 +28,7 @@ constexpr float kShortestCurve = 6;
 /// PADs are so many widths apart, or farther, where more than so many would be looked up.
 constexpr float kPadSpacing = 1.5f;
 constexpr float kMostPads = 10;
-/// But of each curve so many, as what is seen between bars is many short ones.
+/// Each curve has this many PADs at least, however short it is: what is seen between bars is many short curves.
 constexpr float kLeastPadsOfCurve = 8;
 /// Levels of inner_levels().
 constexpr int kInnerLevels = 3;

@@ -11,7 +11,7 @@ constexpr float kShortestWidths = 6;
 /// Arcs begin this part of their length apart, or farther, where more than so many would be looked up of a length.
 constexpr float kStartSpacing = 1.f / 8;
 constexpr float kMostOfLength = 10;
-/// But that part of the curve at most: between bars many short ones are seen.
+/// Starts are no farther apart than this part of their curve: what is seen between bars is many short curves.
 constexpr float kLeastArcsOfCurve = 8;
 
 /// An arc whose points lie within this part of its length beside a line tells nothing: many shapes have a straight side.

@@ -1,4 +1,4 @@
-// What a PNG says of its colours by numbers, as a profile.
+// A PNG may say by numbers (gamma, primaries) what its colours are. These make an ICC profile of such numbers.
 #pragma once
 
 #include <array>

@@ -41,7 +41,7 @@ class UnreadableImage : public std::runtime_error {
 DecodedImage read_png(std::span<const std::uint8_t> bytes, const ReadingRules& rules);
 /// CMYK is taken as Adobe's programs write it: inverted; its profile is passed over.
 DecodedImage read_jpeg(std::span<const std::uint8_t> bytes, const ReadingRules& rules);
-/// Of an animation the first picture.
+/// Reads the first picture of an animation.
 DecodedImage read_webp(std::span<const std::uint8_t> bytes, const ReadingRules& rules);
 /// The first picture of the file, with its orientation. Tiles, strips and all compressions of libtiff; 10 to
 /// 14 bits become 16.

@@ -11,7 +11,7 @@ namespace {
 using namespace std::string_view_literals;
 using Bytes = std::span<const std::uint8_t>;
 
-/// What stands at a place, as far as the file goes.
+/// The `count` bytes from `at` on, or fewer where the file ends before.
 Bytes part_of(Bytes bytes, std::size_t at, std::size_t count) {
   at = std::min(at, bytes.size());
   return bytes.subspan(at, std::min(count, bytes.size() - at));

@@ -10,8 +10,8 @@ namespace tessera {
 /// `exif`: from its byte order mark ("II" or "MM") on. 1 where nothing is said, or nothing that is known.
 int exif_orientation(std::span<const std::uint8_t> exif);
 
-/// Of a JPEG, PNG or WebP as a whole: where its EXIF data lie is found without a decoder. 1 of all other bytes, and of TIFF,
-/// which its reader looks at.
+/// Finds the EXIF data of a JPEG, PNG or WebP without a decoder, and reads the orientation there. `bytes`: the whole file.
+/// 1 for all other bytes, and for TIFF, whose reader looks itself.
 int orientation_in_file(std::span<const std::uint8_t> bytes);
 
 /// `picture` as it was seen: mirrored and turned as `orientation` says. What is upright is not copied.

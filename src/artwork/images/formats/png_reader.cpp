@@ -53,7 +53,7 @@ class PngReader {
     return true;
   }
 
-  /// Of the rows that choose_rows() asked for; empty where the file says nothing of its colours.
+  /// The ICC profile of the rows that choose_rows() asked for; empty where the file says nothing of its colours.
   std::vector<std::uint8_t> profile() const {
     png_charp name = nullptr;
     int compression = 0;

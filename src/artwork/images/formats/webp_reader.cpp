@@ -19,7 +19,7 @@ cv::Mat still_picture(std::span<const std::uint8_t> bytes, const WebPBitstreamFe
   return pixels;
 }
 
-/// As it is shown first, on a clear ground.
+/// The first picture of an animation, on a clear ground.
 cv::Mat first_of_animation(const WebPData& data, const WebPBitstreamFeatures& features, const ReadingRules& rules) {
   check_size(features.width, features.height, rules);
   WebPAnimDecoderOptions options;
