@@ -145,6 +145,16 @@ TEST(QueryArcs, AreNotTakenOfThousandsOfCrumbs) {
   EXPECT_TRUE(query_arcs(Query(curves, {}), 3, 2).empty());
 }
 
+/// What is seen between bars: each of twelve curves is looked up as often as one alone, though it is a small part of all.
+TEST(QueryArcs, BeginAtManyPlacesOfEachOfManyShortCurves) {
+  const std::size_t alone = query_arcs(Query({quarter()}, {}), 3, 2).size();
+  std::vector<Curve> curves(12, quarter());
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    for (Vec2& p : curves[i].points) p.x += 1000 * float(i);
+  }
+  EXPECT_GT(query_arcs(Query(curves, {}), 3, 2).size(), 12 * alone / 2);
+}
+
 TEST(QueryArcs, AreNotStraight) {
   const Curve corner{{{0, 0}, {100, 0}, {100, 80}}, false};
   const std::vector<QueryArc> arcs = query_arcs(Query({corner}, {}), 3, 2);
