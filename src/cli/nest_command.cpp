@@ -48,6 +48,18 @@ void add_nest_command(CLI::App& app, Command& selected) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("NAME=COUNT");
+  command
+      ->add_option("--leave-out", arguments->left_out,
+                   "An element of an SVG that is not cut, by its id, as the rectangle of a bed; what is in it is")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("NAME");
+  command
+      ->add_option(
+          "--dpi", arguments->px_per_inch,
+          "px of an SVG that make an inch: 90 as Inkscape wrote them up to 0.91, 72 as Illustrator; default: 96")
+      ->check(CLI::Range(1.0, 10'000.0))
+      ->type_name("PX");
   command->add_option("--spacing", arguments->spacing_mm, "Least distance between pieces, mm")->capture_default_str();
   command
       ->add_option(

@@ -1,12 +1,12 @@
 // Matching of selectors gives what trying each combination of elements gives.
-#include "artwork/svg/css_matching.h"
+#include "artwork/css/css_matching.h"
 
 #include <gtest/gtest.h>
 
 #include <rapidcheck/gtest.h>
 
-#include "artwork/svg/css_tokens.h"
-#include "artwork/svg/xml_tree.h"
+#include "artwork/css/css_tokens.h"
+#include "artwork/xml/xml_tree.h"
 
 namespace tessera {
 namespace test_css_matching {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "artwork/svg/css_declarations.h"
-#include "artwork/svg/css_tokens.h"
+#include "artwork/css/css_declarations.h"
+#include "artwork/css/css_tokens.h"
 
 namespace tessera {
 namespace test_css_tokens {

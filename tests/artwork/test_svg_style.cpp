@@ -7,8 +7,8 @@
 #include <opencv2/core.hpp>
 
 #include "artwork/artwork_render.h"
-#include "artwork/svg/css_declarations.h"
-#include "artwork/svg/css_tokens.h"
+#include "artwork/css/css_declarations.h"
+#include "artwork/css/css_tokens.h"
 #include "artwork/svg/svg_import.h"
 #include "core/base/error.h"
 #include "style_sheets.h"

@@ -1,4 +1,4 @@
-// What is nested comes from strangers: instances and SVGs. DXFs: test_dxf_drawings.cpp.
+// What is nested comes from strangers: instances. SVGs and DXFs: test_svg_drawings.cpp, test_dxf_drawings.cpp.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -6,18 +6,10 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "products/nesting/drawings/svg_drawings.h"
-#include "products/nesting/drawings/svg_path_data.h"
 #include "products/nesting/nest_instance.h"
 
 namespace tessera {
 namespace test_nest_input {
-
-SvgDrawings svg(const std::string& content,
-                const std::string& page = "width='100mm' height='100mm' viewBox='0 0 100 100'") {
-  const std::string text = "<svg xmlns='http://www.w3.org/2000/svg' " + page + ">" + content + "</svg>";
-  return svg_drawings({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, "a.svg");
-}
 
 std::string refusal(const std::function<void()>& f) {
   try {
@@ -26,177 +18,6 @@ std::string refusal(const std::function<void()>& f) {
     return error.what();
   }
   return "";
-}
-
-std::string svg_refusal(const std::string& content) {
-  return refusal([&] { svg(content); });
-}
-
-double area_of(const NestRing& ring) { return std::abs(signed_area(ring)); }
-
-TEST(SvgDrawings, ReadsAllKindsInMm) {
-  const SvgDrawings found =
-      svg("<rect id='r' width='20' height='10'/><circle id='c' cx='50' cy='50' r='10'/>"
-          "<ellipse id='e' cx='9' cy='9' rx='4' ry='8'/><polygon id='p' points='0,30 10,30 0,40'/>"
-          "<rect id='q' x='60' width='20' height='10' rx='5'/><path id='x' d='M0 60h10v10h-10z'/><path d='M1 1L3 3'/>");
-  ASSERT_EQ(found.drawings.size(), 6u);
-  EXPECT_EQ(found.open_paths, 1);
-  const double pi = std::acos(-1.0);
-  const std::vector<std::pair<std::string, double>> want = {
-      {"r", 200}, {"c", 100 * pi}, {"e", 32 * pi}, {"p", 50}, {"q", 200 - (100 - 25 * pi)}, {"x", 100}};
-  for (std::size_t i = 0; i < want.size(); ++i) {
-    EXPECT_EQ(found.drawings[i].name, want[i].first);
-    EXPECT_NEAR(area_of(found.drawings[i].outline), want[i].second, 0.01 * want[i].second) << want[i].first;
-  }
-}
-
-TEST(SvgDrawings, UnitsAndTransforms) {
-  EXPECT_NEAR(area_of(svg("<rect width='96' height='96'/>", "").drawings.at(0).outline), 25.4 * 25.4, 1e-6);
-  EXPECT_NEAR(
-      area_of(
-          svg("<rect width='1' height='1'/>", "width='20cm' height='20cm' viewBox='0 0 10 10'").drawings.at(0).outline),
-      400, 1e-6);
-  const NestRing ring =
-      svg("<g transform='translate(10,20) rotate(90)'><rect transform='scale(2 3)' width='5' height='1'/></g>")
-          .drawings.at(0)
-          .outline;
-  const NestBox box = box_of(ring);
-  EXPECT_NEAR(box.low.x, 7, 1e-9);
-  EXPECT_NEAR(box.high.x, 10, 1e-9);
-  EXPECT_NEAR(box.low.y, 20, 1e-9);
-  EXPECT_NEAR(box.high.y, 30, 1e-9);
-}
-
-TEST(SvgDrawings, HolesTravelAlongAndPartsAreParted) {
-  const SvgDrawings found = svg("<path id='a' d='M0 0h30v30h-30z m5 5h5v5h-5z M40 0h9v9h-9z'/>");
-  ASSERT_EQ(found.drawings.size(), 2u);
-  EXPECT_EQ(found.drawings[0].name, "a-1");
-  EXPECT_EQ(found.drawings[0].holes.size(), 1u);
-  EXPECT_EQ(found.drawings[1].name, "a-2");
-  EXPECT_TRUE(found.drawings[1].holes.empty());
-}
-
-TEST(SvgDrawings, HolesMayBeElementsOfTheirOwn) {
-  const SvgDrawings found =
-      svg("<circle id='hole' cx='50' cy='50' r='20'/><g id='part'><rect id='plate' width='100' height='100'/>"
-          "<circle cx='50' cy='50' r='5'/></g><rect id='beside' x='100' width='30' height='30'/>"
-          "<rect id='across' x='90' y='95' width='9' height='9'/>");
-  ASSERT_EQ(found.drawings.size(), 3u);
-  EXPECT_EQ(found.drawings[0].name, "plate");
-  EXPECT_EQ(found.drawings[0].holes.size(), 2u);
-  EXPECT_EQ(found.drawings[1].name, "beside");
-  EXPECT_TRUE(found.drawings[1].holes.empty());
-  EXPECT_EQ(found.drawings[2].name, "across");
-}
-
-TEST(SvgDrawings, NothingVanishesWithoutAWord) {
-  const SvgDrawings found =
-      svg("<switch><foreignObject requiredExtensions='x'/><g><rect id='a' width='30' height='30'/></g>"
-          "<rect id='not' x='40' width='9' height='9'/></switch><polyline id='b' points='60,0 70,0 70,10 60,0'/>"
-          "<polyline points='0,0 10,0 10,10'/><line x2='9'/><use href='#a'/><image/><text>x</text>");
-  ASSERT_EQ(found.drawings.size(), 2u);
-  EXPECT_EQ(found.drawings[0].name, "a");
-  EXPECT_EQ(found.drawings[1].name, "b");
-  EXPECT_EQ(found.open_paths, 2);
-  EXPECT_EQ(found.unread_elements, 3);
-}
-
-TEST(SvgPath, NumbersThatOverflowAreRefused) {
-  EXPECT_NE(svg_refusal("<g transform='scale(1e200)'><g transform='scale(1e200)'><circle id='c' r='9'/></g></g>"), "");
-  EXPECT_NE(svg_refusal("<path id='p' transform='scale(1e200)' d='M0 0C1e300 0 -1e300 9 1e300 9z'/>"), "");
-}
-
-TEST(SvgDrawings, WhatIsNotDrawnIsNotRead) {
-  EXPECT_TRUE(svg("<defs><rect width='9' height='9'/></defs><clipPath><rect width='9' height='9'/></clipPath>"
-                  "<g display='none'><rect width='9' height='9'/></g><rect style='display: none' width='9' height='9'/>"
-                  "<rect width='0' height='9'/><text>x</text>")
-                  .drawings.empty());
-}
-
-TEST(SvgPath, KnowsEveryCommand) {
-  const auto area = [](const std::string& d) { return area_of(svg_subpaths(d, {}).at(0).points); };
-  EXPECT_NEAR(area("M0,0L10 0l0 10H0Z"), 100, 1e-9);
-  EXPECT_NEAR(area("m0 0 10 0 0 10-10 0z"), 100, 1e-9);
-  EXPECT_NEAR(area("M0 0V10h10v-10z"), 100, 1e-9);
-  EXPECT_NEAR(area("M0 0C0 10 10 10 10 0z"), 60, 0.1);
-  EXPECT_NEAR(area("M0 0c0 10 10 10 10 0s10-10 10 0z"), 0, 0.2);
-  EXPECT_NEAR(area("M0 0Q5 10 10 0z"), 100.0 / 3, 0.1);
-  EXPECT_NEAR(area("M0 0q5 10 10 0t10 0z"), 0, 0.2);
-  EXPECT_NEAR(area("M0 0A5 5 0 0 1 10 0z"), 12.5 * std::acos(-1.0), 0.2);
-  EXPECT_NEAR(area("M0 0a5 5 0 1010 0z"), 12.5 * std::acos(-1.0), 0.2);   // flags without separators
-  EXPECT_NEAR(area("M0 0a1 1 0 01 10 0z"), 12.5 * std::acos(-1.0), 0.2);  // too small: enlarged
-  EXPECT_NEAR(area("M.5.5l1e1 0 0-1e1z"), 50, 1e-9);
-  EXPECT_EQ(svg_subpaths("M0 0h1v1zM5 5h1v1zl3 3 0 4z", {}).size(), 3u);
-}
-
-TEST(SvgDrawings, RefusesWhatIsOfNoUse) {
-  EXPECT_EQ(svg_refusal("<path id='bow' d='M0 0L40 40V0L0 40z'/>"), "a.svg: bow: found a contour that crosses itself");
-  EXPECT_EQ(svg_refusal("<path id='flat' d='M0 0L40 40L80 80z'/>"),
-            "a.svg: flat: found a contour that encloses nothing");
-  EXPECT_EQ(svg_refusal("<path id='two' d='M0 0L40 40z'/>"),
-            "a.svg: two: found a contour of 2 points, allowed: 3 or more");
-  EXPECT_EQ(svg_refusal("<path id='far' d='M0 0H1e9V9z'/>"),
-            "a.svg: far: found a coordinate that is no number or too large, allowed: 1e6 mm either way");
-  for (const std::string d :
-       {"M0 0Lnan 3z", "M0 0L1e999 3z", "M0 0L", "L3 3", "M0 0X3", "3 4", "M0 0A1 1 0 2 1 4 4z", "M0 0zz5"})
-    EXPECT_NE(svg_refusal("<path id='bad' d='" + d + "'/>").find("a.svg: bad: found"), std::string::npos) << d;
-  EXPECT_NE(svg_refusal("<rect width='9' height='9' transform='rotate(x)'/>").find("a.svg: rect1: found"),
-            std::string::npos);
-  EXPECT_NE(svg_refusal("<rect width='9' height='9' transform='turn(3)'/>").find("transform: found turn"),
-            std::string::npos);
-  EXPECT_EQ(svg_refusal("<rect").substr(0, 39), "a.svg: not a readable SVG file: line 1:");
-  EXPECT_EQ(refusal([] { svg("", "viewBox='0 0 0 9'"); }),
-            "a.svg: viewBox: found \"0 0 0 9\", allowed: four numbers, the last two above 0");
-  EXPECT_EQ(svg_refusal("<circle r='1e9'/>"),
-            "a.svg: circle1: r: found \"1e9\", allowed: a length below 1e9 px, in px, mm, cm, in, pt or pc");
-}
-
-TEST(SvgDrawings, ABadOutlineBesideGoodOnesIsLeftOut) {
-  const SvgDrawings found =
-      svg("<rect id='good' width='30' height='30'/><rect x='5' y='5' width='5' height='5'/>"
-          "<path id='bow' d='M40 0L90 50V0L40 50z'/><circle cx='80' cy='25' r='3'/><path id='two' d='M0 0L4 4z'/>");
-  ASSERT_EQ(found.drawings.size(), 1u) << "the circle lies in the bow, and is none of the pieces";
-  EXPECT_EQ(found.drawings[0].name, "good");
-  EXPECT_EQ(found.drawings[0].holes.size(), 1u);
-  EXPECT_EQ(
-      found.left_out,
-      "left out 2 contours: bow: found a contour that crosses itself; two: found a contour of 2 points, allowed: 3 "
-      "or more");
-  EXPECT_EQ(svg("<rect width='9' height='9'/>").left_out, "");
-  EXPECT_EQ(svg_refusal("<path id='a' d='M0 0L40 40V0L0 40z'/><path id='b' d='M0 0L4 4z'/>"),
-            "a.svg: none of 2 contours is of use: a: found a contour that crosses itself; b: found a contour of 2 "
-            "points, allowed: 3 or more");
-}
-
-TEST(SvgDrawings, BoundsHostileOnes) {
-  std::string nested;
-  for (int i = 0; i < 5'000; ++i) nested += "<g>";
-  EXPECT_EQ(svg_refusal(nested), "a.svg: found 251 levels of elements in each other, allowed: 250");
-  std::string bomb = "<!DOCTYPE svg [<!ENTITY a '0123456789'>";
-  for (char c = 'b'; c < 'l'; ++c) {
-    bomb += "<!ENTITY " + std::string(1, c) + " '";
-    for (int i = 0; i < 10; ++i) bomb += "&" + std::string(1, char(c - 1)) + ";";
-    bomb += "'>";
-  }
-  bomb += "]><svg xmlns='http://www.w3.org/2000/svg'><path d='&k;'/></svg>";
-  EXPECT_NE(refusal([&] {
-              svg_drawings({reinterpret_cast<const std::uint8_t*>(bomb.data()), bomb.size()}, "b.svg");
-            }),
-            "");
-  const auto of_entity = [](const std::string& attribute) {
-    const std::string text = "<!DOCTYPE svg [<!ENTITY a '" + std::string(1'000'000, ' ') +
-                             "'><!ATTLIST path d CDATA 'M0 0z'>]><svg xmlns='http://www.w3.org/2000/svg'>"
-                             "<rect id='&lt;r&gt;' width='9' height='9'/><path " +
-                             attribute + "='M0 0h9v9z&a;&a;&a;'/></svg>";
-    return refusal([&] { svg_drawings({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, "e.svg"); });
-  };
-  EXPECT_EQ(of_entity("d"), "e.svg: path2: d: found an entity, allowed: what it stands for");
-  EXPECT_EQ(of_entity("style"), "e.svg: style: found an entity, allowed: what it stands for");
-  EXPECT_EQ(of_entity("requiredExtensions"), "");  // as drawing programs write them
-  std::string zigzag = "M0 0";
-  for (int i = 0; i < 300'000; ++i) zigzag += "l1 1";
-  EXPECT_NE(svg_refusal("<path d='" + zigzag + "z'/>").find("found more than 200000 points; allowed: 200000 or fewer"),
-            std::string::npos);
 }
 
 std::string instance(const std::string& item) { return R"({"name": "a", "strip_height": 9, "items": [)" + item + "]}"; }
@@ -213,7 +34,7 @@ TEST(NestInstance, ReadsWhatSparrowReads) {
   EXPECT_EQ(input.sources[0].drawing.outline.size(), 3u);
   EXPECT_EQ(input.sources[0].demand, 3);
   EXPECT_EQ(input.sources[0].angles_deg, (std::vector<double>{0, 180}));
-  EXPECT_EQ(area_of(input.sources[1].drawing.outline), 8);
+  EXPECT_EQ(std::abs(signed_area(input.sources[1].drawing.outline)), 8);
   EXPECT_TRUE(input.sources[1].angles_deg.empty());
 }
 

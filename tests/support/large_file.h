@@ -48,7 +48,8 @@ struct LargeText {
 #ifdef __SANITIZE_ADDRESS__
 inline constexpr std::size_t kMostOfReader_bytes = std::size_t(2) << 30;
 #else
-inline constexpr std::size_t kMostOfReader_bytes = std::size_t(512) << 20;
+/// A drawer has 512 MiB beyond what it starts with.
+inline constexpr std::size_t kMostOfReader_bytes = std::size_t(640) << 20;
 #endif
 
 /// `read` refuses the file, or takes it where `said` is empty: in seconds, with little memory, by one line that names

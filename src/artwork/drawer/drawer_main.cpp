@@ -56,6 +56,7 @@ void answer_next_request() {
   DrawingRequest request{.kind = header.kind,
                          .longest_side_px = header.longest_side_px,
                          .width_pt = header.width_pt,
+                         .px_per_inch = header.px_per_inch,
                          .tracing = {.pad = {.levels = header.pad_levels, .delta_tau = header.pad_delta_tau},
                                      .rules = {.edge_opacity = header.edge_opacity,
                                                .keep_rectangles = header.keep_rectangles != 0,

@@ -13,6 +13,8 @@
 #include "artwork/images/png_picture.h"
 #include "artwork/images/whole_picture.h"
 #include "artwork/open_artwork_page.h"
+#include "artwork/outlines/svg_outlines.h"
+#include "artwork/protocol/outlines_codec.h"
 #include "artwork/protocol/shape_answer.h"
 #include "artwork/protocol/warp_codec.h"
 #include "artwork/svg/svg_import.h"
@@ -64,7 +66,7 @@ std::string_view without_path(std::string_view message, const std::string& path)
 }  // namespace
 
 DrawingAnswer answer_of(const DrawingRequest& request) {
-  const auto& [kind, longest_side_px, width_pt, tracing, path, scope_id, warp, bytes] = request;
+  const auto& [kind, longest_side_px, width_pt, px_per_inch, tracing, path, scope_id, warp, bytes] = request;
   switch (kind) {
     case DrawingKind::page: return image_answer(render_artwork(bytes, path, longest_side_px));
     case DrawingKind::uncut_page: return image_answer(render_artwork(bytes, path, longest_side_px, Background::kept));
@@ -77,6 +79,7 @@ DrawingAnswer answer_of(const DrawingRequest& request) {
     case DrawingKind::shape: return bytes_answer(encode_shape_answer(shape_from_artwork(bytes, path, tracing)));
     case DrawingKind::pdf: return bytes_answer(pdf_of_svg(bytes, path, width_pt, true));
     case DrawingKind::plain_pdf: return bytes_answer(pdf_of_svg(bytes, path, width_pt, false));
+    case DrawingKind::outlines: return bytes_answer(encode_outlines(svg_outlines(bytes, path, px_per_inch)));
     case DrawingKind::photo: return image_answer(photo_picture(bytes, path));
     case DrawingKind::labels: return image_answer(label_picture(bytes, path));
   }

@@ -17,6 +17,8 @@
 #include "artwork/artwork_render.h"
 #include "artwork/drawers/drawer_process.h"
 #include "artwork/images/image_decoding.h"
+#include "artwork/outlines/svg_outlines.h"
+#include "artwork/protocol/outlines_codec.h"
 #include "artwork/protocol/shape_answer.h"
 #include "artwork/protocol/warp_codec.h"
 #include "core/base/error.h"
@@ -254,6 +256,16 @@ std::string Drawers::warped_svg(std::span<const std::uint8_t> bytes, const std::
   DrawingRequest request{.kind = DrawingKind::warped_svg, .path = path, .scope_id = scope_id, .bytes = bytes};
   request.warp = encode_warp(page_warp);
   return text_of(crew_->draw(request).bytes());
+}
+
+SvgOutlines Drawers::svg_outlines(std::span<const std::uint8_t> bytes, const std::string& path, double px_per_inch) {
+  const DrawingAnswer answer =
+      crew_->draw({.kind = DrawingKind::outlines, .px_per_inch = px_per_inch, .path = path, .bytes = bytes});
+  try {
+    return decode_outlines(answer.bytes());
+  } catch (const std::runtime_error&) {
+    throw_garbled(path);
+  }
 }
 
 std::variant<ArtworkShape, SkipReason> Drawers::shape(std::span<const std::uint8_t> bytes, const std::string& path,

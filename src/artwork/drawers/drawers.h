@@ -20,6 +20,8 @@
 
 namespace tessera {
 
+struct SvgOutlines;  // artwork/outlines/svg_outlines.h
+
 struct DrawerSettings {
   int processes = 1;                                       // how many drawings are made at a time
   double seconds_per_drawing = 20;                         // of CPU time; of wall-clock time three times as much
@@ -75,6 +77,9 @@ class Drawers {
   /// See photo.h: CV_8UC4, opaque; CV_32SC1.
   cv::Mat photo(std::span<const std::uint8_t> bytes, const std::string& path);
   cv::Mat labels(std::span<const std::uint8_t> bytes, const std::string& path);
+
+  /// See svg_outlines.h.
+  SvgOutlines svg_outlines(std::span<const std::uint8_t> bytes, const std::string& path, double px_per_inch);
 
   /// See artwork_shape.h. Shape::name and Artwork::path follow from `path`.
   std::variant<ArtworkShape, SkipReason> shape(std::span<const std::uint8_t> bytes, const std::string& path,

@@ -19,7 +19,8 @@ std::size_t most_result_bytes(const DrawingRequest& request) {
     case DrawingKind::whole: return 4 * side_px * side_px;
     case DrawingKind::natural_size: return 2 * sizeof(double);
     case DrawingKind::svg_import:
-    case DrawingKind::warped_svg: return 64 * kMebibyte;
+    case DrawingKind::warped_svg:
+    case DrawingKind::outlines: return 64 * kMebibyte;
     case DrawingKind::shape: return 16 * kMebibyte;
     case DrawingKind::pdf:
     case DrawingKind::plain_pdf: return 512 * kMebibyte;
@@ -46,6 +47,7 @@ RequestHeader header_of(const DrawingRequest& request) {
   return {.kind = request.kind,
           .longest_side_px = request.longest_side_px,
           .width_pt = request.width_pt,
+          .px_per_inch = request.px_per_inch,
           .pad_levels = request.tracing.pad.levels,
           .pad_delta_tau = request.tracing.pad.delta_tau,
           .edge_opacity = request.tracing.rules.edge_opacity,

@@ -51,13 +51,15 @@ enum class DrawingKind : std::uint32_t {
   labels,
   whole,
   warped_svg,
-  uncut_page
+  uncut_page,
+  outlines
 };
 
 struct DrawingRequest {
   DrawingKind kind = DrawingKind::page;
   int longest_side_px = 0;                   // of page, uncut_page, png and whole
   double width_pt = 0;                       // of the PDFs
+  double px_per_inch = 0;                    // of outlines
   TracingSettings tracing = {};              // of shape
   std::string path = {};                     // stands in messages; a shape's name
   std::string scope_id = {};                 // of svg_import and warped_svg
@@ -70,6 +72,7 @@ struct RequestHeader {
   DrawingKind kind;
   std::int32_t longest_side_px;
   double width_pt;
+  double px_per_inch;
   std::int32_t pad_levels;
   float pad_delta_tau;
   float edge_opacity;

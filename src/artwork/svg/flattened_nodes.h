@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "artwork/svg/path_steps.h"
-#include "artwork/svg/xml_tree.h"
+#include "artwork/xml/xml_tree.h"
 
 namespace tessera {
 

@@ -5,14 +5,13 @@
 #include <optional>
 #include <string_view>
 
+#include "artwork/css/css_variables.h"
 #include "artwork/svg/fonts.h"
 #include "core/base/error.h"
+#include "files/write_all.h"
 
 namespace tessera {
 namespace {
-
-/// CSS's px; librsvg's own default is 90.
-constexpr double kPixelsPerInch = 96;
 
 /// Takes the error over and throws it as one line.
 [[noreturn]] void throw_input_error(const std::string& path, const std::string& what, GError* error) {
@@ -23,21 +22,31 @@ constexpr double kPixelsPerInch = 96;
   throw InputError(message);
 }
 
-void hide_text(RsvgHandle* handle) {
-  constexpr std::string_view kStyle = "text{display:none!important}";
-  rsvg_handle_set_stylesheet(handle, reinterpret_cast<const guint8*>(kStyle.data()), kStyle.size(), nullptr);
+/// What the file says of its page.
+struct Dimensions {
+  gboolean has_width = FALSE, has_height = FALSE, has_view_box = FALSE;
+  RsvgLength width{}, height{};
+  RsvgRectangle view_box{};
+};
+
+Dimensions dimensions_of(RsvgHandle* handle) {
+  Dimensions page;
+  rsvg_handle_get_intrinsic_dimensions(handle, &page.has_width, &page.width, &page.has_height, &page.height,
+                                       &page.has_view_box, &page.view_box);
+  return page;
+}
+
+bool is_length(const RsvgLength& length) {
+  return length.unit == RSVG_UNIT_CM || length.unit == RSVG_UNIT_MM || length.unit == RSVG_UNIT_IN ||
+         length.unit == RSVG_UNIT_PT || length.unit == RSVG_UNIT_PC;
 }
 
 /// From width and height, else from the viewBox.
 std::optional<cv::Size2d> size_of_page(RsvgHandle* handle) {
   double width = 0, height = 0;
   if (rsvg_handle_get_intrinsic_size_in_pixels(handle, &width, &height)) return cv::Size2d(width, height);
-  gboolean has_width, has_height, has_view_box;
-  RsvgLength ignored_width, ignored_height;
-  RsvgRectangle view_box;
-  rsvg_handle_get_intrinsic_dimensions(handle, &has_width, &ignored_width, &has_height, &ignored_height, &has_view_box,
-                                       &view_box);
-  if (has_view_box) return cv::Size2d(view_box.width, view_box.height);
+  const Dimensions page = dimensions_of(handle);
+  if (page.has_view_box) return cv::Size2d(page.view_box.width, page.view_box.height);
   return std::nullopt;
 }
 
@@ -51,21 +60,43 @@ cv::Size2d reach_of_drawing(RsvgHandle* handle) {
 
 }  // namespace
 
-SvgDocument::SvgDocument(std::span<const std::uint8_t> svg, const std::string& path, RsvgHandleFlags flags)
+SvgDocument::SvgDocument(std::span<const std::uint8_t> svg, const std::string& path, RsvgHandleFlags flags,
+                         double px_per_inch)
     : path_(path) {
+  const std::optional<std::string> resolved = with_css_variables(svg, path);
+  if (resolved) svg = bytes_of(*resolved);
   GError* error = nullptr;
   const GObjectPtr<GInputStream> stream(g_memory_input_stream_new_from_data(svg.data(), gssize(svg.size()), nullptr));
   handle_.reset(rsvg_handle_new_from_stream_sync(stream.get(), nullptr, flags, nullptr, &error));
   if (!handle_) throw_input_error(path, "not a readable SVG file", error);
-  rsvg_handle_set_dpi(handle_.get(), kPixelsPerInch);
+  rsvg_handle_set_dpi(handle_.get(), px_per_inch);
   loses_text_ = tessera::loses_text(svg);
-  if (!has_fonts()) hide_text(handle_.get());
+  if (!has_fonts()) set_style("text{display:none!important}");
   const std::optional<cv::Size2d> size = size_of_page(handle_.get());
   sized_ = size.has_value();
   size_ = size ? *size : reach_of_drawing(handle_.get());
+  if (!size && !(size_.width > 0 && size_.height > 0)) size_ = {1, 1};  // nothing is drawn on it
   const bool has_area =
       std::isfinite(size_.width) && std::isfinite(size_.height) && size_.width > 0 && size_.height > 0;
   if (!has_area) throw InputError(path + ": the page has no area");
+}
+
+bool SvgDocument::says_unit() const {
+  const Dimensions page = dimensions_of(handle_.get());
+  return (page.has_width && is_length(page.width)) || (page.has_height && is_length(page.height));
+}
+
+bool SvgDocument::depends_on_px() const { return !says_unit() || !dimensions_of(handle_.get()).has_view_box; }
+
+void SvgDocument::set_style(const std::string& css) {
+  rsvg_handle_set_stylesheet(handle_.get(), reinterpret_cast<const guint8*>(css.data()), css.size(), nullptr);
+}
+
+bool SvgDocument::draws_element(const std::string& id) const {
+  const RsvgRectangle viewport{0, 0, size_.width, size_.height};
+  RsvgRectangle ink{};
+  return rsvg_handle_get_geometry_for_layer(handle_.get(), ("#" + id).c_str(), &viewport, &ink, nullptr, nullptr) &&
+         ink.width > 0 && ink.height > 0;
 }
 
 void SvgDocument::draw(cairo_t* cairo, double scale) const {

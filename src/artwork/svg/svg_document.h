@@ -10,6 +10,8 @@
 #include <span>
 #include <string>
 
+#include "artwork/svg/svg_page.h"
+
 namespace tessera {
 
 struct Unref {
@@ -21,12 +23,23 @@ using GObjectPtr = std::unique_ptr<T, Unref>;
 class SvgDocument {
  public:
   /// Parses it from memory without a base address (svg_page.h). Throws InputError where it is no SVG or has no area.
-  SvgDocument(std::span<const std::uint8_t> svg, const std::string& path, RsvgHandleFlags flags);
+  SvgDocument(std::span<const std::uint8_t> svg, const std::string& path, RsvgHandleFlags flags,
+              double px_per_inch = kCssPxPerInch);
 
-  /// The page's size in px of 1/96 inch.
+  /// The page's size in px.
   cv::Size2d size() const { return size_; }
+  /// The file says it; else it is as large as its drawing.
+  bool has_size() const { return sized_; }
+  /// Its width or height has a unit of length that is no px.
+  bool says_unit() const;
+  /// How large the drawing is depends on how large px are.
+  bool depends_on_px() const;
   /// Text that is not drawn, as this machine has no font.
   bool loses_text() const { return loses_text_; }
+  /// A style sheet that goes before the document's own, but for what that calls important.
+  void set_style(const std::string& css);
+  /// Whether the element, or what is in it, covers any place.
+  bool draws_element(const std::string& id) const;
   /// Draws the page at (0, 0), `scale` times as large. Throws InputError where librsvg cannot.
   void draw(cairo_t* cairo, double scale) const;
   /// Draws one element with what is in it, as if the page had the size `page`. Throws InputError where librsvg cannot.

@@ -10,11 +10,13 @@
 #include <string_view>
 #include <vector>
 
+#include "artwork/css/css_variables.h"
+#include "artwork/css/svg_style.h"
 #include "artwork/svg/svg_page.h"
-#include "artwork/svg/svg_style.h"
-#include "artwork/svg/xml_tree.h"
+#include "artwork/xml/xml_tree.h"
 #include "core/base/error.h"
 #include "files/gunzip.h"
+#include "files/write_all.h"
 #include "text/number_text.h"
 #include "text/xml_writer.h"
 
@@ -35,16 +37,6 @@ const std::set<std::string_view> kElements = {
     "feFuncB", "feFuncG", "feFuncR", "feGaussianBlur", "feImage", "feMerge", "feMergeNode", "feMorphology",  //
     "feOffset", "fePointLight", "feSpecularLighting", "feSpotLight", "feTile", "feTurbulence"};
 // clang-format on
-
-XmlDocPtr parse(std::span<const std::uint8_t> bytes, const std::string& path) {
-  const XmlContextPtr context = new_xml_context();
-  context->sax->entityDecl = declare_internal_entity;
-  constexpr int kOptions =
-      XML_PARSE_NONET | XML_PARSE_NOENT | XML_PARSE_NOCDATA | XML_PARSE_NOERROR | XML_PARSE_NOWARNING;
-  XmlDocPtr doc = read_xml(*context, bytes, kOptions);
-  if (!doc) throw InputError(path + ": not a well-formed SVG file");
-  return doc;
-}
 
 bool is_svg_element(const xmlNode* node) {
   return node->type == XML_ELEMENT_NODE && is_in_svg_namespace(node) && kElements.contains(name_of(node));
@@ -94,7 +86,7 @@ class Importer {
         path_(path),
         scope_id_(scope_id),
         prefix_(scope_id + "-"),
-        style_(root, path, prefix_),
+        style_(root, path, [this](CssTokens content) { return local_css_declarations(content, prefix_); }),
         page_(page_size) {}
 
   std::string import() {
@@ -197,9 +189,10 @@ std::string import_svg(std::span<const std::uint8_t> bytes, const std::string& p
                        cv::Size2d page_size) {
   std::vector<std::uint8_t> unpacked;
   if (is_gzip(bytes)) bytes = unpacked = gunzip(bytes, path, kMaxSvgBytes);
-  const XmlDocPtr doc = parse(bytes, path);
+  const std::optional<std::string> resolved = with_css_variables(bytes, path);
+  if (resolved) bytes = bytes_of(*resolved);
+  const XmlDocPtr doc = parsed_foreign_svg(bytes, path);
   const xmlNode* root = xmlDocGetRootElement(doc.get());
-  if (!root || !is_svg_element(root) || view(root->name) != "svg") throw InputError(path + ": not an SVG file");
   return Importer(root, path, scope_id, page_size).import();
 }
 

@@ -19,6 +19,9 @@
 
 namespace tessera {
 
+/// CSS's px of an inch.
+inline constexpr double kCssPxPerInch = 96;
+
 inline constexpr std::size_t kMaxSvgBytes = 64u << 20;
 
 /// Throws InputError where it is no SVG, is damaged or breaks a limit.

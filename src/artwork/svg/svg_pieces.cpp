@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "artwork/svg/xml_tree.h"
+#include "artwork/xml/xml_tree.h"
 #include "core/base/error.h"
 
 namespace tessera {

@@ -18,8 +18,8 @@
 #include "artwork/svg/flattened_nodes.h"
 #include "artwork/svg/flattened_svg.h"
 #include "artwork/svg/path_steps.h"
-#include "artwork/svg/xml_tree.h"
 #include "artwork/warping/warping_limits.h"
+#include "artwork/xml/xml_tree.h"
 #include "core/deform/warp.h"
 #include "text/xml_writer.h"
 

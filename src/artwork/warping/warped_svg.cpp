@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "artwork/svg/flattened_svg.h"
-#include "artwork/svg/xml_tree.h"
 #include "artwork/warping/svg_warper.h"
+#include "artwork/xml/xml_tree.h"
 #include "core/base/error.h"
 
 namespace tessera {

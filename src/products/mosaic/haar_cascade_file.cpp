@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "artwork/svg/xml_tree.h"
+#include "artwork/xml/xml_tree.h"
 #include "core/base/error.h"
 #include "files/regular_file.h"
 

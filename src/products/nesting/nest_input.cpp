@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "artwork/drawers/drawers.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "core/base/too_many.h"
@@ -42,36 +43,66 @@ Kind kind_of(const fs::path& path) {
 
 std::string shown_path(const fs::path& path) { return printable_utf8(path.string()); }
 
-void add(std::vector<NestDrawing> drawings, NestInput& input) {
-  for (NestDrawing& drawing : drawings) {
-    NestSource& source = input.sources.emplace_back();
-    source.drawing = std::move(drawing);
-  }
-}
+/// Reads files, one after the other.
+class FileReader {
+ public:
+  FileReader(const NestReading& reading, NestInput& input)
+      : reading_(reading),
+        input_(input),
+        not_found_(reading.left_out.begin(), reading.left_out.end()) {}
 
-/// `one`, `several`: what was left out and why, in the singular and in the plural.
-void note(int count, const char* one, const char* several, const fs::path& path, NestInput& input) {
-  if (count > 0) input.notes.push_back(shown_path(path) + ": left out " + count_text(std::size_t(count), one, several));
-}
-
-void add_file(const fs::path& path, NestInput& input, UnknownUnits& units) {
-  const std::vector<std::uint8_t> bytes = read_regular_file(path.string(), kMostFileBytes);
-  if (kind_of(path) == Kind::svg) {
-    SvgDrawings found = svg_drawings(bytes, shown_path(path));
-    note(found.open_paths, "open path: it encloses nothing", "open paths: they enclose nothing", path, input);
-    note(found.unread_elements, "element that is no shape: use, image or text",
-         "elements that are no shapes: use, image or text", path, input);
-    if (!found.left_out.empty()) input.notes.push_back(shown_path(path) + ": " + found.left_out);
-    if (!found.says_unit) units.add_svg(shown_path(path), found);
-    add(std::move(found.drawings), input);
-    return;
+  void add(const fs::path& path) {
+    const std::vector<std::uint8_t> bytes = read_regular_file(path.string(), kMostFileBytes);
+    const std::string shown = shown_path(path);
+    if (kind_of(path) == Kind::svg)
+      add_svg(bytes, shown);
+    else
+      add_dxf(bytes, shown, printable_utf8(path.stem().string()));
   }
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  DxfDrawings found = dxf_drawings(text, shown_path(path), printable_utf8(path.stem().string()));
-  for (const std::string& note : found.notes) input.notes.push_back(shown_path(path) + ": " + note);
-  if (!found.says_unit) units.add_dxf(shown_path(path), found);
-  add(std::move(found.drawings), input);
-}
+
+  /// After the last file. Throws InputError where an element that is to be left out was nowhere.
+  void end(const std::string& path) const {
+    if (!not_found_.empty()) {
+      const std::string example = input_.sources.empty() ? "" : ", as " + input_.sources.front().drawing.name;
+      throw InputError("--leave-out " + printable_utf8(*not_found_.begin()) +
+                       ": fits no element; allowed: the id of an outline" + example);
+    }
+    units_.tell(path, input_);
+  }
+
+ private:
+  void add_svg(std::span<const std::uint8_t> bytes, const std::string& shown) {
+    const double px_per_inch = reading_.px_per_inch.value_or(kCssPxPerInch);
+    const SvgOutlines outlines = drawers_.svg_outlines(bytes, shown, px_per_inch);
+    SvgDrawings found = svg_drawings(outlines, shown, reading_.left_out);
+    for (const SvgOutline& outline : outlines.outlines) not_found_.erase(outline.name);
+    add_notes(found.notes, shown);
+    if (!reading_.px_per_inch) units_.add_svg(shown, outlines, found.drawings);
+    add_drawings(std::move(found.drawings));
+  }
+
+  void add_dxf(std::span<const std::uint8_t> bytes, const std::string& shown, const std::string& stem) {
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    DxfDrawings found = dxf_drawings(text, shown, stem);
+    add_notes(found.notes, shown);
+    if (!found.says_unit) units_.add_dxf(shown, found);
+    add_drawings(std::move(found.drawings));
+  }
+
+  void add_notes(const std::vector<std::string>& notes, const std::string& shown) {
+    for (const std::string& note : notes) input_.notes.push_back(shown + ": " + note);
+  }
+
+  void add_drawings(std::vector<NestDrawing> drawings) {
+    for (NestDrawing& drawing : drawings) input_.sources.emplace_back().drawing = std::move(drawing);
+  }
+
+  const NestReading& reading_;
+  NestInput& input_;
+  UnknownUnits units_;
+  std::set<std::string> not_found_;  // of the elements to be left out
+  Drawers drawers_{{.processes = 1}};
+};
 
 struct FolderFiles {
   std::vector<fs::path> drawings;
@@ -122,7 +153,7 @@ std::string joined(const std::set<std::string>& names) {
   return cut_utf8(text, kMostBytes);
 }
 
-void add_folder(const fs::path& folder, NestInput& input, UnknownUnits& units) {
+void add_folder(const fs::path& folder, FileReader& reader, NestInput& input) {
   const auto [files, others] = drawings_in(folder);
   if (!others.empty()) {
     input.notes.push_back(
@@ -133,7 +164,7 @@ void add_folder(const fs::path& folder, NestInput& input, UnknownUnits& units) {
   std::size_t points = 0;
   for (const fs::path& file : files) {
     const std::size_t before = input.sources.size();
-    add_file(file, input, units);
+    reader.add(file);
     name_by_file(file, before, input);
     if (input.sources.size() > kMostDrawings) {
       throw InputError(shown_path(folder) + ": found " + std::to_string(input.sources.size()) +
@@ -193,6 +224,7 @@ void remove_spikes(const std::string& path, NestInput& input) {
     NestRing outline = without_spikes(source.drawing.outline);
     if (outline.size() == source.drawing.outline.size()) continue;
     source.drawing.outline = std::move(outline);
+    if (!source.drawing.curves.empty()) source.drawing.curves.front().clear();
     input.notes.push_back(printable_utf8(path) + ": " + source.drawing.name +
                           ": left out sides that go out and straight back: they enclose nothing");
   }
@@ -214,12 +246,12 @@ std::size_t points_to_cut(const NestInput& input) {
   return points;
 }
 
-NestInput read_nest_input(const std::string& path) {
+NestInput read_nest_input(const std::string& path, const NestReading& reading) {
   NestInput input;
-  UnknownUnits units;
+  FileReader reader(reading, input);
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) {
-    add_folder(path, input, units);
+    add_folder(path, reader, input);
   } else if (const Kind kind = kind_of(path); kind == Kind::instance) {
     const std::string shown = printable_utf8(path);
     input = nest_instance(utf8_text(read_regular_file(path, kMostFileBytes), shown), shown);
@@ -228,7 +260,7 @@ NestInput read_nest_input(const std::string& path) {
     add_library(path, input);
     input.unit = "1/96 inch";
   } else if (kind != Kind::other) {
-    add_file(path, input, units);
+    reader.add(path);
     answer_to_file(path, input);
   } else {
     throw InputError(printable_utf8(path) +
@@ -243,7 +275,7 @@ NestInput read_nest_input(const std::string& path) {
   for (std::size_t i = 0; i < input.sources.size(); ++i) input.sources[i].number = int(i);
   make_names_unique(input);
   remove_spikes(path, input);
-  units.tell(printable_utf8(path), input);
+  reader.end(printable_utf8(path));
   return input;
 }
 

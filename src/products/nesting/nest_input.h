@@ -40,8 +40,15 @@ struct NestInput {
 /// How many points all pieces have together.
 std::size_t points_to_cut(const NestInput& input);
 
-/// An instance (.json), an SVG (.svg, .svgz), a DXF, a library (.h5), or a folder of SVGs and DXFs. Throws InputError.
-NestInput read_nest_input(const std::string& path);
+/// How an input is read.
+struct NestReading {
+  std::optional<double> px_per_inch;  // of SVGs; nothing: CSS's 96
+  std::vector<std::string> left_out;  // names of an SVG's elements that are not cut
+};
+
+/// An instance (.json), an SVG (.svg, .svgz), a DXF, a library (.h5), or a folder of SVGs and DXFs. SVGs are
+/// drawn in a process with limits (drawers.h). Throws InputError.
+NestInput read_nest_input(const std::string& path, const NestReading& reading = {});
 
 /// Sets the number of pieces of each name, by patterns with * and ?, the last that fits; 0 leaves it out. A pattern that
 /// fits no name is looked for among the other names. Throws InputError where it fits none of these, either.

@@ -25,9 +25,26 @@ std::string id_of(std::size_t number, const std::string& name) {
   return id;
 }
 
+std::string path_data(const PathSteps& curve) {
+  std::string d;
+  for (const PathStep& step : curve) {
+    d += step.command;
+    for (int k = 0; k < points_of(step); ++k) {
+      const cv::Point2d p = step.points[std::size_t(k)];
+      d += (k > 0 ? " " : "") + fixed(p.x, kDecimals) + "," + fixed(p.y, kDecimals);
+    }
+  }
+  return d;
+}
+
 std::string path_data(const NestCut& cut) {
   std::string d;
-  for (const NestRing& ring : cut.contours) {
+  for (std::size_t contour = 0; contour < cut.contours.size(); ++contour) {
+    if (!cut.curves[contour].empty()) {
+      d += path_data(cut.curves[contour]);
+      continue;
+    }
+    const NestRing& ring = cut.contours[contour];
     for (std::size_t i = 0; i < ring.size(); ++i)
       d += (i == 0 ? "M" : "L") + fixed(ring[i].x, kDecimals) + "," + fixed(ring[i].y, kDecimals);
     d += "Z";
@@ -97,6 +114,14 @@ NestSheet nest_sheet(const NestRun& run, int sheet) {
     cut.source = piece.item;
     cut.id = id_of(i + 1, drawing.name);
     const auto add = [&](const NestRing& ring) {
+      PathSteps curve = drawing.curve(cut.contours.size());
+      for (PathStep& step : curve) {
+        for (cv::Point2d& p : step.points) {
+          const NestPoint there = placed(turn, piece, {p.x, p.y});
+          p = {there.x, there.y};
+        }
+      }
+      cut.curves.push_back(std::move(curve));
       NestRing& contour = cut.contours.emplace_back();
       for (const NestPoint p : ring) contour.push_back(placed(turn, piece, p));
     };

@@ -14,6 +14,7 @@ struct NestCut {
   int source = 0;
   std::string id;  // unique on the sheet, fit for XML
   std::vector<NestRing> contours;
+  std::vector<PathSteps> curves;  // that the contours stand for; empty: it is a polygon
 };
 
 struct NestSheet {
@@ -24,9 +25,9 @@ struct NestSheet {
 
 NestSheet nest_sheet(const NestRun& run, int sheet);
 
-/// One path a piece, in mm.
+/// One path a piece, in mm, with the curves of the input.
 std::string sheet_svg(const NestSheet& sheet);
-/// R12, mm, y up: one closed polyline a contour.
+/// R12, mm, y up: one closed polyline a contour, curves as polygons.
 std::string sheet_dxf(const NestSheet& sheet);
 /// For people: pieces of one item in one colour.
 std::vector<std::uint8_t> sheet_png(const NestSheet& sheet);

@@ -31,14 +31,28 @@ std::string extent_text(const std::optional<NestBox>& extent) {
   return extent ? "its shapes take " + size_text(extent->width(), extent->height()) : "it has no shape";
 }
 
+/// "" where the program that wrote the file took CSS's px, or px do not matter.
+std::string own_px_text(const SvgOutlines& outlines, const std::optional<NestBox>& extent) {
+  if (!(outlines.program_px_per_inch > 0) || !extent) return "";
+  const double larger = kCssPxPerInch / outlines.program_px_per_inch;
+  const std::string px = fixed(outlines.program_px_per_inch, 0);
+  return "written by " + outlines.program + ", which had " + px + " px an inch: its shapes take " +
+         size_text(larger * extent->width(), larger * extent->height()) + " then, and " +
+         size_text(extent->width(), extent->height()) + " at CSS's 96, as they are read here; --dpi " + px +
+         " or --dpi 96 says which";
+}
+
 }  // namespace
 
-void UnknownUnits::add_svg(const std::string& path, const SvgDrawings& found) {
-  if (svgs_.count++ > 0) return;
-  const bool has_page = found.page_width_mm > 0 && found.page_height_mm > 0;
+void UnknownUnits::add_svg(const std::string& path, const SvgOutlines& outlines,
+                           const std::vector<NestDrawing>& drawings) {
+  const std::optional<NestBox> extent = extent_of(drawings);
+  if (const std::string text = own_px_text(outlines, extent); !text.empty()) own_px_.push_back(path + ": " + text);
+  if (outlines.says_unit || svgs_.count++ > 0) return;
   svgs_.first = path;
-  svgs_.size_mm = has_page ? "its page is " + size_text(found.page_width_mm, found.page_height_mm)
-                           : extent_text(extent_of(found.drawings));
+  svgs_.size_mm = outlines.page_mm.empty()
+                      ? extent_text(extent)
+                      : "its page is " + size_text(outlines.page_mm.width, outlines.page_mm.height);
 }
 
 void UnknownUnits::add_dxf(const std::string& path, const DxfDrawings& found) {
@@ -62,6 +76,7 @@ void UnknownUnits::tell(const std::string& path, NestInput& input) const {
     input.notes.push_back(who + ": 1 unit is taken as " + unit + ", " + files.size_mm + "; " + what_sets_it);
     input.unit += (input.unit.empty() ? "" : ", or ") + unit;
   };
+  input.notes.insert(input.notes.end(), own_px_.begin(), own_px_.end());
   tell_of(svgs_, "1/96 inch", "width and height in mm in the SVG set it");
   tell_of(dxfs_, "1 mm", "$INSUNITS in the DXF sets it");
 }

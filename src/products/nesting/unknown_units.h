@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "products/nesting/drawings/dxf_drawings.h"
 #include "products/nesting/drawings/svg_drawings.h"
@@ -12,8 +13,8 @@ namespace tessera {
 
 class UnknownUnits {
  public:
-  /// An SVG without a unit; `path` for people.
-  void add_svg(const std::string& path, const SvgDrawings& found);
+  /// An SVG; `path` for people. Told is what names no unit, and what was made by a program that had px of its own.
+  void add_svg(const std::string& path, const SvgOutlines& outlines, const std::vector<NestDrawing>& drawings);
   /// A DXF without a unit.
   void add_dxf(const std::string& path, const DxfDrawings& found);
 
@@ -28,6 +29,7 @@ class UnknownUnits {
   };
 
   Files svgs_, dxfs_;
+  std::vector<std::string> own_px_;  // notes on SVGs whose program had px of its own
 };
 
 }  // namespace tessera

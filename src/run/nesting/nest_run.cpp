@@ -213,7 +213,7 @@ int nest(NestArguments& arguments, comm::Communicator& ranks) {
   NestStop stop(arguments.time_limit, ranks.size() > 1);
   check_arguments(arguments);
   NestRun run;
-  run.input = read_nest_input(arguments.input);
+  run.input = read_nest_input(arguments.input, {.px_per_inch = arguments.px_per_inch, .left_out = arguments.left_out});
   set_demands(run.input, demands_of(arguments.demands));
   run.problem = problem_of(arguments, run.input);
   run.effort = arguments.effort;

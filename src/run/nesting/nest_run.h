@@ -15,7 +15,9 @@ struct NestArguments {
   std::optional<double> strip_mm;
   std::vector<double> sheet_mm;  // width, height; empty: a strip
   std::vector<double> angles_deg;
-  std::vector<std::string> demands;  // "NAME=COUNT"
+  std::vector<std::string> demands;   // "NAME=COUNT"
+  std::vector<std::string> left_out;  // names of elements of an SVG that are not cut
+  std::optional<double> px_per_inch;  // of SVGs; nothing: 96
   double spacing_mm = 0;
   std::string effort = "good";
   std::uint64_t seed = 1;

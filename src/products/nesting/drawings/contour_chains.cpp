@@ -70,19 +70,20 @@ class Ends {
   std::map<Place, Cell> cells_;
 };
 
-/// Those that are not there already, in either direction.
-std::vector<NestRing> each_once(std::vector<NestRing> lines) {
+/// Of each line whether there is none like it before, in either direction.
+std::vector<bool> first_ones(const std::vector<NestRing>& lines) {
   const auto less = [](const NestRing& a, const NestRing& b) {
     return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), [](NestPoint p, NestPoint q) {
       return p.x < q.x || (p.x == q.x && p.y < q.y);
     });
   };
   std::set<NestRing, decltype(less)> seen(less);
-  std::erase_if(lines, [&](const NestRing& line) {
+  std::vector<bool> first;
+  for (const NestRing& line : lines) {
     const NestRing back(line.rbegin(), line.rend());
-    return !seen.insert(less(back, line) ? back : line).second;
-  });
-  return lines;
+    first.push_back(seen.insert(less(back, line) ? back : line).second);
+  }
+  return first;
 }
 
 bool encloses_something(const NestRing& ring) {
@@ -95,10 +96,13 @@ bool encloses_something(const NestRing& ring) {
 
 }  // namespace
 
-std::vector<NestRing> joined_contours(std::vector<NestRing> lines, double reach, int& open) {
-  lines = each_once(std::move(lines));
-  std::vector<NestRing> contours;
+std::vector<JoinedContour> joined_contours(const std::vector<NestRing>& lines, double reach, int& open) {
+  std::vector<JoinedContour> contours;
   Ends ends(lines, reach);
+  const std::vector<bool> first = first_ones(lines);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (!first[i]) ends.use(i);
+  }
   const auto closes = [&](const NestRing& ring) {
     return ring.size() > 2 && norm(ring.front() - ring.back()) <= reach;
   };
@@ -106,9 +110,11 @@ std::vector<NestRing> joined_contours(std::vector<NestRing> lines, double reach,
     if (ends.is_used(i)) continue;
     ends.use(i);
     NestRing chain = lines[i];
+    std::vector<JoinedLine> parts = {{i, false}};
     End next;
     while (!closes(chain) && ends.find(chain.back(), next)) {
       ends.use(next.line);
+      parts.push_back({next.line, next.last});
       NestRing line = lines[next.line];
       if (next.last) std::reverse(line.begin(), line.end());
       chain.insert(chain.end(), line.begin() + 1, line.end());
@@ -116,7 +122,7 @@ std::vector<NestRing> joined_contours(std::vector<NestRing> lines, double reach,
     const bool closed = closes(chain);
     if (closed) chain.pop_back();
     if (closed && encloses_something(chain))
-      contours.push_back(std::move(chain));
+      contours.push_back({std::move(chain), std::move(parts)});
     else
       ++open;
   }

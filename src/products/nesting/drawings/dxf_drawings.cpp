@@ -54,17 +54,18 @@ NestPoint corner_of_most(const std::vector<NestBox>& boxes) {
 bool is_far(const NestBox& box) { return std::max({-box.low.x, -box.low.y, box.high.x, box.high.y}) > kFarthest_mm; }
 
 /// Names each contour by its number and where it begins: the outlines of a DXF have no names of their own.
-std::vector<NamedContour> named_contours(std::vector<NestRing> contours, const std::string& name, double mm,
+std::vector<NamedContour> named_contours(std::vector<JoinedContour> contours, const std::string& name, double mm,
                                          std::vector<std::string>& notes) {
   std::vector<NamedContour> named;
   std::vector<NestBox> boxes;
-  for (const NestRing& contour : contours) boxes.push_back(box_of(contour));
+  for (const JoinedContour& contour : contours) boxes.push_back(box_of(contour.ring));
   NestPoint moved{};
   if (std::any_of(boxes.begin(), boxes.end(), is_far)) {
     moved = corner_of_most(boxes);
     notes.push_back("the drawing begins at " + place_text(moved, mm) + ": moved to the origin");
   }
-  for (NestRing& contour : contours) {
+  for (JoinedContour& joined : contours) {
+    NestRing& contour = joined.ring;
     const std::string place = place_text(lower_left(boxes[named.size()]), mm);
     for (NestPoint& p : contour) p = p - moved;
     std::string fault = contour_fault(contour);
@@ -104,7 +105,7 @@ DxfDrawings dxf_drawings(std::string_view text, const std::string& path, const s
     throw InputError(path + ": found " + std::to_string(lines.lines.size()) +
                      " lines and arcs, allowed: " + std::to_string(kMostLines));
   int open = 0;
-  std::vector<NestRing> contours = joined_contours(std::move(lines.lines), kFlatness_mm, open);
+  std::vector<JoinedContour> contours = joined_contours(lines.lines, kFlatness_mm, open);
   note(open, "chain of lines that does not close", "chains of lines that do not close", "", found.notes);
   if (contours.size() > kMostDrawings) {
     throw InputError(path + ": found " + std::to_string(contours.size()) +

@@ -54,6 +54,11 @@ std::string faults_text(const std::vector<NamedContour>& contours, const std::st
   return "left out " + (count > 1 ? count_text(count, "contour") + ": " : "") + cut_utf8(faults, kMostBytes);
 }
 
+const PathSteps& NestDrawing::curve(std::size_t contour) const {
+  static const PathSteps kNone;
+  return contour < curves.size() ? curves[contour] : kNone;
+}
+
 std::size_t points_of(const NestDrawing& drawing) {
   std::size_t points = drawing.outline.size();
   for (const NestRing& hole : drawing.holes) points += hole.size();
@@ -128,8 +133,11 @@ std::vector<NestDrawing> drawings_of(std::vector<NamedContour> contours) {
     const std::string& name = contours[i].name;
     NestDrawing& drawing = drawings.emplace_back();
     drawing.name = printable_utf8(outlines[name] > 1 ? name + "-" + std::to_string(++named[name]) : name);
+    drawing.curves.push_back(contours[i].curve);
     for (std::size_t j = 0; j < contours.size(); ++j) {
-      if (outer[j] == int(i) && contours[j].fault.empty()) drawing.holes.push_back(contours[j].ring);
+      if (outer[j] != int(i) || !contours[j].fault.empty()) continue;
+      drawing.holes.push_back(contours[j].ring);
+      drawing.curves.push_back(contours[j].curve);
     }
   }
   std::size_t next = 0;
@@ -147,18 +155,6 @@ void add_arc(NestPoint centre, NestPoint u, NestPoint v, double first, double la
   for (int i = 1; i <= int(steps); ++i) {
     const double t = first + (last - first) * (i / steps);
     ring.push_back(centre + u * std::cos(t) + v * std::sin(t));
-  }
-}
-
-void add_cubic(NestPoint b, NestPoint c, NestPoint d, double flatness, NestRing& ring) {
-  constexpr double kMostSteps = 500;
-  const NestPoint a = ring.back();
-  // The second difference bounds how far the chord of a step is off.
-  const double bend = std::max(norm(a - b * 2 + c), norm(b - c * 2 + d));
-  const double steps = whole_steps(std::sqrt(0.75 * bend / flatness), 1, kMostSteps);
-  for (int i = 1; i <= int(steps); ++i) {
-    const double t = i / steps, s = 1 - t;
-    ring.push_back(i == int(steps) ? d : a * (s * s * s) + b * (3 * s * s * t) + c * (3 * s * t * t) + d * (t * t * t));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "artwork/svg/path_steps.h"
 #include "products/nesting/layout/nest_polygon.h"
 
 namespace tessera {
@@ -12,7 +13,12 @@ namespace tessera {
 struct NestDrawing {
   std::string name;
   NestRing outline;
-  std::vector<NestRing> holes;
+  std::vector<NestRing> holes = {};
+  std::vector<PathSteps> curves =
+      {};  // the curves that outline and holes stand for, in this order; empty: it is a polygon
+
+  /// Of the outline, 0, or a hole; empty: it is a polygon.
+  const PathSteps& curve(std::size_t contour) const;
 };
 
 /// Of the outline and the holes.
@@ -44,7 +50,8 @@ void check_name(const std::string& name, const std::string& what);
 struct NamedContour {
   std::string name;
   NestRing ring;
-  std::string fault;  // for people, where the contour is of no use: "bow: found a contour that crosses itself"
+  std::string fault;     // for people, where the contour is of no use: "bow: found a contour that crosses itself"
+  PathSteps curve = {};  // that the ring stands for; empty: it is a polygon
 };
 
 /// What is to be told of contours that are of no use, "left out bow: found a contour that crosses itself"; empty: all are
@@ -58,8 +65,5 @@ std::vector<NestDrawing> drawings_of(std::vector<NamedContour> contours);
 /// Points of the arc of a circle or ellipse that starts at `from` (not among them), by steps that keep the flatness.
 /// The arc is centre + u cos t + v sin t, t from `first` to `last`, rad.
 void add_arc(NestPoint centre, NestPoint u, NestPoint v, double first, double last, NestRing& ring);
-
-/// Points of a cubic Bezier curve from ring.back() on.
-void add_cubic(NestPoint b, NestPoint c, NestPoint d, double flatness, NestRing& ring);
 
 }  // namespace tessera

@@ -1,31 +1,27 @@
 // The closed shapes of an SVG, in mm.
-//
-// It is foreign: libxml2 parses it with its limits on depth and size, without network and entities, and loads nothing; what
-// is read are numbers of attributes.
 #pragma once
 
-#include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
+#include "artwork/outlines/svg_outlines.h"
 #include "products/nesting/drawings/nest_contours.h"
 
 namespace tessera {
 
 struct SvgDrawings {
   std::vector<NestDrawing> drawings;
-  int open_paths = 0;                            // left out, as lines are
-  int unread_elements = 0;                       // of other kinds, left out: use, image, text
-  std::string left_out;                          // contours that are of no use (faults_text); empty: none
-  bool says_unit = false;                        // width or height has a unit of length
-  double page_width_mm = 0, page_height_mm = 0;  // 0: the file does not say how large its page is
+  std::vector<std::string>
+      notes;  // what was left out or joined, for people: "left out 1 open path: it encloses nothing"
 };
 
-/// Each path, rect, circle, ellipse, polygon or polyline that is no definition and not hidden, by its id or a number;
-/// what lies inside of another, whatever element it is, is a hole of it. SVG's px are
-/// 1/96 inch unless width, height and viewBox say otherwise. An outline of no use beside good ones is left out. Throws InputError, naming the file and
-/// the element.
-SvgDrawings svg_drawings(std::span<const std::uint8_t> bytes, const std::string& path);
+/// How far apart the ends of two open paths may be that are joined, mm.
+inline constexpr double kJoinedEnds_mm = 0.05;
+
+/// What is filled, and lines that are closed or close each other, by the names of their elements; those called
+/// `left_out` are not cut. What lies inside of another, whatever element it is, is a hole of it. An outline of no use
+/// beside good ones is left out. `path` stands in messages. Throws InputError, naming it.
+SvgDrawings svg_drawings(const SvgOutlines& outlines, const std::string& path,
+                         const std::vector<std::string>& left_out = {});
 
 }  // namespace tessera

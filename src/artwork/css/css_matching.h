@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <string>
 
-#include "artwork/svg/css_selector.h"
-#include "artwork/svg/sibling_numbers.h"
+#include "artwork/css/css_selector.h"
+#include "artwork/css/sibling_numbers.h"
 
 namespace tessera {
 

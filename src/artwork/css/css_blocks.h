@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "artwork/svg/css_tokens.h"
+#include "artwork/css/css_tokens.h"
 
 namespace tessera {
 

@@ -1,12 +1,12 @@
-#include "artwork/svg/svg_style.h"
+#include "artwork/css/svg_style.h"
 
 #include <algorithm>
 #include <set>
 #include <utility>
 
-#include "artwork/svg/css_matching.h"
-#include "artwork/svg/css_tokens.h"
-#include "artwork/svg/xml_tree.h"
+#include "artwork/css/css_matching.h"
+#include "artwork/css/css_tokens.h"
+#include "artwork/xml/xml_tree.h"
 #include "core/base/error.h"
 #include "core/base/too_many.h"
 
@@ -67,9 +67,9 @@ std::vector<std::string> keys_of(const xmlNode* element, const std::string& id, 
 
 }  // namespace
 
-SvgStyle::SvgStyle(const xmlNode* root, const std::string& path, const std::string& id_prefix)
+SvgStyle::SvgStyle(const xmlNode* root, const std::string& path, ReadDeclarations read)
     : path_(path),
-      id_prefix_(id_prefix),
+      read_(std::move(read)),
       matcher_(path) {
   check_instructions(root->doc, path);
   add_sheets_below(root);
@@ -105,7 +105,7 @@ void SvgStyle::add_sheet(std::string_view css) {
 void SvgStyle::add_rule(CssTokens selectors, CssTokens block) {
   std::optional<std::vector<CssSelector>> list = parse_css_selectors(selectors);
   if (!list) return;
-  blocks_.push_back(local_css_declarations(block, id_prefix_));
+  blocks_.push_back(read_(block));
   for (CssSelector& selector : *list) {
     rules_by_key_[key_of(selector.compounds.back())].push_back(rules_.size());
     rules_.push_back({std::move(selector), blocks_.size() - 1});
@@ -138,7 +138,7 @@ std::vector<CssDeclaration> SvgStyle::declarations_of(const xmlNode* element) {
   std::vector<CssDeclaration> declarations;
   for (const Rule* rule : rules_of(element)) append(declarations, blocks_[rule->block]);
   const std::vector<CssToken> own = css_tokens(counted(attribute(element, "style")));
-  append(declarations, local_css_declarations(own, id_prefix_));
+  append(declarations, read_(own));
   return declarations;
 }
 

@@ -1,4 +1,4 @@
-#include "artwork/svg/css_matching.h"
+#include "artwork/css/css_matching.h"
 
 #include <algorithm>
 #include <string_view>
@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "artwork/svg/xml_tree.h"
+#include "artwork/xml/xml_tree.h"
 #include "core/base/error.h"
 #include "core/base/too_many.h"
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "artwork/svg/css_blocks.h"
+#include "artwork/css/css_blocks.h"
 
 namespace tessera {
 
@@ -27,5 +27,8 @@ std::optional<std::string> local_css_value(std::string_view value, const std::st
 /// The content of a style attribute or of a rule's block, with local values. Dropped are properties of other programs
 /// (-x-...), what librsvg does not take for a declaration, and at-rules and blocks among them.
 std::vector<CssDeclaration> local_css_declarations(CssTokens content, const std::string& id_prefix);
+
+/// The same with all names and values as they are.
+std::vector<CssDeclaration> css_declarations(CssTokens content);
 
 }  // namespace tessera

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "artwork/svg/css_blocks.h"
+#include "artwork/css/css_blocks.h"
 
 namespace tessera {
 

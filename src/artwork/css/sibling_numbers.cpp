@@ -1,11 +1,11 @@
-#include "artwork/svg/sibling_numbers.h"
+#include "artwork/css/sibling_numbers.h"
 
 #include <map>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "artwork/svg/xml_tree.h"
+#include "artwork/xml/xml_tree.h"
 
 namespace tessera {
 namespace {

@@ -1,4 +1,4 @@
-#include "artwork/svg/css_blocks.h"
+#include "artwork/css/css_blocks.h"
 
 #include <vector>
 

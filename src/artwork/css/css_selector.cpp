@@ -1,4 +1,4 @@
-#include "artwork/svg/css_selector.h"
+#include "artwork/css/css_selector.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "artwork/svg/css_tokens.h"
+#include "artwork/css/css_tokens.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,10 +1,12 @@
-#include "artwork/svg/xml_tree.h"
+#include "artwork/xml/xml_tree.h"
 
 #include <algorithm>
 #include <memory>
+#include <new>
 
 #include "core/base/error.h"
 #include "text/libxml_state.h"
+#include "text/utf8_text.h"
 
 namespace tessera {
 namespace {
@@ -14,7 +16,28 @@ std::string taken(xmlChar* text) {
   return owned ? reinterpret_cast<const char*>(owned.get()) : "";
 }
 
+/// "line 3: Opening and ending tag mismatch", where libxml2 says it.
+std::string first_fault(xmlParserCtxt& context) {
+  const xmlError* const error = xmlCtxtGetLastError(&context);
+  if (!error || !error->message) return "";
+  std::string message = error->message;
+  while (message.ends_with(' ') || message.ends_with('\n')) message.pop_back();
+  return ": line " + std::to_string(error->line) + ": " + cut_utf8(printable_utf8(message), 200);
+}
+
 }  // namespace
+
+XmlDocPtr parsed_foreign_svg(std::span<const std::uint8_t> svg, const std::string& path) {
+  const XmlContextPtr context = new_xml_context();
+  context->sax->entityDecl = declare_internal_entity;
+  constexpr int kOptions =
+      XML_PARSE_NONET | XML_PARSE_NOENT | XML_PARSE_NOCDATA | XML_PARSE_NOERROR | XML_PARSE_NOWARNING;
+  XmlDocPtr doc = read_xml(*context, svg, kOptions);
+  if (!doc) throw InputError(path + ": not a readable SVG file" + first_fault(*context));
+  const xmlNode* const root = xmlDocGetRootElement(doc.get());
+  if (!root || !is_in_svg_namespace(root) || name_of(root) != "svg") throw InputError(path + ": not an SVG file");
+  return doc;
+}
 
 XmlDocPtr parsed_svg(std::span<const std::uint8_t> svg, const std::string& path) {
   constexpr int kOptions = XML_PARSE_NONET | XML_PARSE_HUGE | XML_PARSE_NOERROR | XML_PARSE_NOWARNING;
@@ -22,6 +45,19 @@ XmlDocPtr parsed_svg(std::span<const std::uint8_t> svg, const std::string& path)
   XmlDocPtr doc(xmlReadMemory(reinterpret_cast<const char*>(svg.data()), int(svg.size()), nullptr, nullptr, kOptions));
   if (!doc || !xmlDocGetRootElement(doc.get())) throw InputError(path + ": not a readable SVG file");
   return doc;
+}
+
+std::string text_of(xmlDoc& doc) {
+  if (xmlDtd* const subset = doc.intSubset) {
+    xmlUnlinkNode(reinterpret_cast<xmlNode*>(subset));
+    xmlFreeDtd(subset);
+  }
+  xmlChar* bytes = nullptr;
+  int size = 0;
+  xmlDocDumpMemoryEnc(&doc, &bytes, &size, "UTF-8");
+  const std::unique_ptr<xmlChar, FreeXml> owned(bytes);
+  if (!owned) throw std::bad_alloc();
+  return {reinterpret_cast<const char*>(bytes), std::size_t(size)};
 }
 
 std::string_view view(const xmlChar* text) { return text ? reinterpret_cast<const char*>(text) : ""; }

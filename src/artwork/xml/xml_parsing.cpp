@@ -1,4 +1,4 @@
-#include "artwork/svg/xml_parsing.h"
+#include "artwork/xml/xml_parsing.h"
 
 #include <libxml/SAX2.h>
 

@@ -8,14 +8,21 @@
 #include <string>
 #include <string_view>
 
-#include "artwork/svg/xml_parsing.h"
+#include "artwork/xml/xml_parsing.h"
 
 namespace tessera {
 
 /// An SVG that a program of ours or cairo has written: it is well-formed, and may be huge. Throws InputError.
 XmlDocPtr parsed_svg(std::span<const std::uint8_t> svg, const std::string& path);
 
+/// An SVG from strangers, unpacked, its entities put in: libxml2 bounds its depth and what entities become, and loads
+/// nothing. Throws InputError, naming `path`, where it is not well-formed or its root is no <svg>.
+XmlDocPtr parsed_foreign_svg(std::span<const std::uint8_t> svg, const std::string& path);
+
 inline constexpr std::string_view kSvgNamespace = "http://www.w3.org/2000/svg";
+
+/// The document as UTF-8. Its declarations go: entities and defaults stand in the elements by now.
+std::string text_of(xmlDoc& doc);
 
 /// As libxml2 takes names.
 inline const xmlChar* xml(const char* text) { return reinterpret_cast<const xmlChar*>(text); }

@@ -1,4 +1,4 @@
-#include "artwork/svg/css_declarations.h"
+#include "artwork/css/css_declarations.h"
 
 #include <algorithm>
 #include <array>
@@ -123,13 +123,14 @@ bool is_property_name(const std::string& name) {
   return !name.empty() && name.front() != '-' && std::all_of(name.begin(), name.end(), is_plain);
 }
 
-/// `declaration`: from its first token to its semicolon.
-std::optional<CssDeclaration> local_declaration(CssTokens declaration, const std::string& id_prefix) {
+/// `declaration`: from its first token to its semicolon; `text_of` gives the value's text, or nothing.
+template <class TextOf>
+std::optional<CssDeclaration> one_declaration(CssTokens declaration, TextOf text_of) {
   const CssToken& name = declaration.front();
-  if (name.kind != CssKind::identifier || !is_property_name(name.text)) return std::nullopt;
+  if (name.kind != CssKind::identifier) return std::nullopt;
   CssTokens rest = trimmed_css(declaration.subspan(1));
   if (rest.empty() || !rest.front().is_mark(':')) return std::nullopt;
-  std::optional<std::string> value = LocalValue(id_prefix).of(trimmed_css(rest.subspan(1)));
+  std::optional<std::string> value = text_of(name.text, trimmed_css(rest.subspan(1)));
   if (!value) return std::nullopt;
   return CssDeclaration{name.text, std::move(*value)};
 }
@@ -141,6 +142,21 @@ std::size_t end_of_declaration(CssTokens content) {
   return end < content.size() && content[end].is_mark('{') ? find_css_mark(content, "}", end + 1) : end;
 }
 
+template <class TextOf>
+std::vector<CssDeclaration> declarations_of(CssTokens content, TextOf text_of) {
+  std::vector<CssDeclaration> declarations;
+  while (!content.empty()) {
+    if (content.front().kind == CssKind::space || content.front().is_mark(';')) {
+      content = content.subspan(1);
+      continue;
+    }
+    const std::size_t end = end_of_declaration(content);
+    if (auto declaration = one_declaration(content.first(end), text_of)) declarations.push_back(*declaration);
+    content = content.subspan(std::min(end + 1, content.size()));
+  }
+  return declarations;
+}
+
 }  // namespace
 
 std::optional<std::string> local_css_value(std::string_view value, const std::string& id_prefix) {
@@ -150,17 +166,13 @@ std::optional<std::string> local_css_value(std::string_view value, const std::st
 }
 
 std::vector<CssDeclaration> local_css_declarations(CssTokens content, const std::string& id_prefix) {
-  std::vector<CssDeclaration> declarations;
-  while (!content.empty()) {
-    if (content.front().kind == CssKind::space || content.front().is_mark(';')) {
-      content = content.subspan(1);
-      continue;
-    }
-    const std::size_t end = end_of_declaration(content);
-    if (auto declaration = local_declaration(content.first(end), id_prefix)) declarations.push_back(*declaration);
-    content = content.subspan(std::min(end + 1, content.size()));
-  }
-  return declarations;
+  return declarations_of(content, [&](const std::string& name, CssTokens value) {
+    return is_property_name(name) ? LocalValue(id_prefix).of(value) : std::nullopt;
+  });
+}
+
+std::vector<CssDeclaration> css_declarations(CssTokens content) {
+  return declarations_of(content, [](const std::string&, CssTokens value) { return css_text(value); });
 }
 
 }  // namespace tessera

@@ -8,29 +8,33 @@
 #include <libxml/tree.h>
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
 
-#include "artwork/svg/css_declarations.h"
-#include "artwork/svg/css_matching.h"
-#include "artwork/svg/css_selector.h"
+#include "artwork/css/css_declarations.h"
+#include "artwork/css/css_matching.h"
+#include "artwork/css/css_selector.h"
 
 namespace tessera {
 
 /// Bytes that the declarations of one drawing may take, counted for each element that gets them.
 inline constexpr std::size_t kMostDeclarationBytes = std::size_t(256) << 20;
 
+/// How the content of a style attribute or of a rule's block is read.
+using ReadDeclarations = std::function<std::vector<CssDeclaration>(CssTokens)>;
+
 class SvgStyle {
  public:
   /// Reads all <style> elements below `root`, of any type and medium, as librsvg does. Throws InputError, which begins
   /// with `path`, where a sheet loads another one from a data: address (@import, <?xml-stylesheet?>): librsvg applies
   /// that, and here it would be lost. Other addresses librsvg does not load either.
-  SvgStyle(const xmlNode* root, const std::string& path, const std::string& id_prefix);
+  SvgStyle(const xmlNode* root, const std::string& path, ReadDeclarations read);
 
   /// For the element's style attribute: what the sheets say of it, in the order in which it counts, and then what its own
-  /// style attribute says. All values are local (css_declarations.h). Throws InputError where all calls together find
+  /// style attribute says. Throws InputError where all calls together find
   /// more than kMostDeclarationBytes, or need more than kMostCssComparisons: a few bytes of a sheet could go to each of
   /// many elements.
   std::vector<CssDeclaration> declarations_of(const xmlNode* element);
@@ -51,7 +55,7 @@ class SvgStyle {
   void count_bytes(std::size_t bytes);
 
   const std::string path_;
-  const std::string id_prefix_;
+  const ReadDeclarations read_;
   std::vector<std::vector<CssDeclaration>> blocks_;
   std::vector<Rule> rules_;  // in the order of the sheets
   /// Indices of rules by what their last compound asks for: "#id", ".class", a type, or "" for anything.

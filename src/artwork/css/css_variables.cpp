@@ -1,0 +1,180 @@
+#include "artwork/css/css_variables.h"
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+#include <vector>
+
+#include "artwork/css/css_tokens.h"
+#include "artwork/css/svg_style.h"
+#include "artwork/xml/xml_tree.h"
+#include "core/base/error.h"
+#include "core/base/too_many.h"
+
+namespace tessera {
+namespace {
+
+bool has_variable(std::string_view text) { return ascii_lower_case(text).find("var(") != std::string::npos; }
+
+/// What "--name" stands for at an element; what is not here may be in what it stands in.
+struct Scope {
+  std::map<std::string, std::string> values;
+  const Scope* outer = nullptr;
+
+  const std::string* find(const std::string& name, const Scope*& found_in) const {
+    for (const Scope* scope = this; scope; scope = scope->outer) {
+      const auto found = scope->values.find(name);
+      if (found == scope->values.end()) continue;
+      found_in = scope;
+      return &found->second;
+    }
+    return nullptr;
+  }
+};
+
+class Resolver {
+ public:
+  explicit Resolver(const std::string& path) : path_(path) {}
+
+  /// Nothing where a variable has no value, refers to itself, or becomes too long.
+  std::optional<std::string> resolved(std::string_view value, const Scope& scope) {
+    const std::vector<CssToken> tokens = css_tokens(value);
+    std::vector<CssToken> to;
+    if (!put(tokens, scope, 0, to)) return std::nullopt;
+    return css_text(to);
+  }
+
+ private:
+  static constexpr std::size_t kMostTokens = 20'000;
+  static constexpr std::size_t kMostUses = 1'000'000;
+  static constexpr int kDeepest = 100;
+
+  bool put(CssTokens tokens, const Scope& scope, int depth, std::vector<CssToken>& to) {
+    while (!tokens.empty()) {
+      if (to.size() > kMostTokens) return false;
+      if (!tokens.front().is_function("var")) {
+        to.push_back(tokens.front());
+        tokens = tokens.subspan(1);
+        continue;
+      }
+      const std::size_t end = find_css_mark(tokens, ")", 1);
+      if (!put_variable(trimmed_css(tokens.subspan(1, end - 1)), scope, depth, to)) return false;
+      tokens = tokens.subspan(std::min(end + 1, tokens.size()));
+    }
+    return true;
+  }
+
+  /// `call`: what stands in the brackets of a var().
+  bool put_variable(CssTokens call, const Scope& scope, int depth, std::vector<CssToken>& to) {
+    if (++uses_ > kMostUses) throw InputError(path_ + ": " + too_many(kMostUses, "var() in its styles"));
+    if (depth > kDeepest || call.empty() || call.front().kind != CssKind::identifier) return false;
+    const Scope* found_in = nullptr;
+    if (const std::string* value = scope.find(call.front().text, found_in)) {
+      const std::vector<CssToken> tokens = css_tokens(*value);
+      const std::size_t before = to.size();
+      if (put(tokens, *found_in, depth + 1, to)) return true;
+      to.resize(before);
+    }
+    const CssTokens rest = trimmed_css(call.subspan(1));
+    if (rest.empty() || !rest.front().is_mark(',')) return false;
+    return put(trimmed_css(rest.subspan(1)), scope, depth + 1, to);
+  }
+
+  std::string path_;
+  std::size_t uses_ = 0;
+};
+
+bool is_important(const std::string& value) { return ascii_lower_case(value).find("!important") != std::string::npos; }
+
+/// Of each property the declaration that counts.
+std::map<std::string, std::string> counting(const std::vector<CssDeclaration>& declarations) {
+  std::map<std::string, std::string> values;
+  for (const CssDeclaration& declaration : declarations) {
+    const auto found = values.find(declaration.name);
+    if (found != values.end() && is_important(found->second) && !is_important(declaration.value)) continue;
+    values[declaration.name] = declaration.value;
+  }
+  return values;
+}
+
+std::string without_important(std::string value) {
+  if (is_important(value)) value.erase(ascii_lower_case(value).find("!important"));
+  return value;
+}
+
+/// Of properties that are not inherited the value of the outer element means nothing.
+bool is_inherited(std::string_view name) {
+  static constexpr std::string_view kOwn[] = {
+      "opacity",      "display",     "clip-path", "mask",          "filter",         "transform",      "stop-color",
+      "stop-opacity", "flood-color", "overflow",  "flood-opacity", "lighting-color", "mix-blend-mode", "isolation"};
+  return std::find(std::begin(kOwn), std::end(kOwn), name) == std::end(kOwn);
+}
+
+class VariableWriter {
+ public:
+  VariableWriter(const xmlNode* root, const std::string& path)
+      : style_(root, path, css_declarations),
+        resolver_(path) {}
+
+  /// Of all elements before any is changed: selectors look at attributes. Recursion is as deep as the document, which
+  /// libxml2 bounds (256).
+  void find(xmlNode* element, const Scope* outer) {
+    Scope scope{.values = {}, .outer = outer};
+    const std::map<std::string, std::string> declared = counting(style_.declarations_of(element));
+    for (const auto& [name, value] : declared) {
+      if (name.starts_with("--")) scope.values[name] = without_important(value);
+    }
+    std::string style;
+    for (const auto& [name, value] : declared) {
+      if (name.starts_with("--") || !has_variable(value)) continue;
+      if (const std::optional<std::string> found = resolver_.resolved(value, scope))
+        style += ";" + name + ":" + *found;
+      else if (is_inherited(name))
+        style += ";" + name + ":inherit";
+    }
+    if (!style.empty()) changes_.push_back({element, "style", attribute(element, "style") + style});
+    for (const xmlAttr* a = element->properties; a; a = a->next) {
+      const std::string name(view(a->name));
+      if (a->ns || name == "style") continue;
+      const std::string value = attribute(element, name.c_str());
+      if (has_variable(value)) changes_.push_back({element, name, resolver_.resolved(value, scope)});
+    }
+    for (xmlNode* child = xmlFirstElementChild(element); child; child = xmlNextElementSibling(child))
+      find(child, &scope);
+  }
+
+  void write() const {
+    for (const Change& change : changes_) {
+      if (change.value)
+        xmlSetProp(change.element, xml(change.name.c_str()), xml(change.value->c_str()));
+      else
+        xmlUnsetProp(change.element, xml(change.name.c_str()));
+    }
+  }
+
+ private:
+  struct Change {
+    xmlNode* element;
+    std::string name;                  // of an attribute
+    std::optional<std::string> value;  // nothing: it goes
+  };
+
+  SvgStyle style_;
+  Resolver resolver_;
+  std::vector<Change> changes_;
+};
+
+}  // namespace
+
+std::optional<std::string> with_css_variables(std::span<const std::uint8_t> svg, const std::string& path) {
+  const std::string_view text(reinterpret_cast<const char*>(svg.data()), svg.size());
+  if (text.find("var(") == std::string_view::npos && text.find("VAR(") == std::string_view::npos) return std::nullopt;
+  const XmlDocPtr doc = parsed_foreign_svg(svg, path);
+  xmlNode* const root = xmlDocGetRootElement(doc.get());
+  VariableWriter writer(root, path);
+  writer.find(root, nullptr);
+  writer.write();
+  return text_of(*doc);
+}
+
+}  // namespace tessera

@@ -1,0 +1,122 @@
+#include "artwork/outlines/outline_clipping.h"
+
+#include <cmath>
+#include <polyclipping/clipper.hpp>
+
+#include "artwork/outlines/flat_path.h"
+#include "artwork/svg/flattened_nodes.h"
+
+namespace tessera {
+namespace {
+
+namespace clip = ClipperLib;
+
+/// cairo's: 24.8 bits.
+constexpr double kSteps = 256;
+
+clip::Path whole(const std::vector<cv::Point2d>& points) {
+  clip::Path path;
+  for (const cv::Point2d p : points) path.emplace_back(std::llround(p.x * kSteps), std::llround(p.y * kSteps));
+  return path;
+}
+
+struct Parts {
+  clip::Paths closed, open;
+
+  double size() const {
+    double sum = 0;
+    for (const clip::Path& path : closed) sum += clip::Area(path);  // of holes below 0
+    for (const clip::Path& path : open) sum += length_of(path);
+    return sum;
+  }
+  /// How much of the size rounding may change.
+  double slack() const {
+    double sum = 1;
+    for (const clip::Path& path : closed) sum += length_of(path);
+    return sum + 2 * double(open.size());
+  }
+
+ private:
+  static double length_of(const clip::Path& path) {
+    double sum = 0;
+    for (std::size_t i = 1; i < path.size(); ++i)
+      sum += std::hypot(double(path[i].X - path[i - 1].X), double(path[i].Y - path[i - 1].Y));
+    return sum;
+  }
+};
+
+/// A filled path is closed everywhere; a line encloses what it surrounds.
+Parts parts_of(const LayerPath& path, double tolerance) {
+  Parts parts;
+  for (const FlatSubpath& subpath : flat_path(path.steps, tolerance))
+    (path.filled || subpath.closed ? parts.closed : parts.open).push_back(whole(subpath.points));
+  const clip::PolyFillType rule = path.filled && !path.even_odd ? clip::pftNonZero : clip::pftEvenOdd;
+  clip::SimplifyPolygons(parts.closed, rule);
+  return parts;
+}
+
+clip::Paths grown(const clip::Paths& paths, double by) {
+  clip::ClipperOffset offset;
+  offset.AddPaths(paths, clip::jtMiter, clip::etClosedPolygon);
+  clip::Paths out;
+  offset.Execute(out, by);
+  return out;
+}
+
+/// cairo writes a clip with level sides as rectangles side by side; what they cut is one again.
+clip::Paths without_seams(const clip::Paths& paths) {
+  constexpr double kWidth = 2;
+  return grown(grown(paths, kWidth), -kWidth);
+}
+
+Parts cut(const Parts& parts, const LayerClip& by, double tolerance) {
+  clip::Paths window;
+  for (const FlatSubpath& subpath : flat_path(by.steps, tolerance)) window.push_back(whole(subpath.points));
+  clip::Clipper clipper;
+  clipper.AddPaths(parts.closed, clip::ptSubject, true);
+  clipper.AddPaths(parts.open, clip::ptSubject, false);
+  clipper.AddPaths(window, clip::ptClip, true);
+  clip::PolyTree seen;
+  clipper.Execute(clip::ctIntersection, seen, clip::pftEvenOdd, by.even_odd ? clip::pftEvenOdd : clip::pftNonZero);
+  Parts left;
+  clip::ClosedPathsFromPolyTree(seen, left.closed);
+  clip::OpenPathsFromPolyTree(seen, left.open);
+  if (window.size() > 1) left.closed = without_seams(left.closed);
+  return left;
+}
+
+void add(const clip::Paths& paths, bool closed, PathSteps& steps) {
+  for (const clip::Path& path : paths) {
+    for (std::size_t i = 0; i < path.size(); ++i)
+      steps.push_back({i == 0 ? 'M' : 'L', {{{double(path[i].X) / kSteps, double(path[i].Y) / kSteps}}}});
+    if (closed) steps.push_back({'Z'});
+  }
+}
+
+/// Most clips are the page, or a viewport, around all that they cut.
+bool surrounds(const LayerClip& by, const cv::Rect2d& box) {
+  const std::optional<cv::Rect2d> window = level_rectangle(by.steps);
+  return window && holds(*window, box, 1 / kSteps);
+}
+
+}  // namespace
+
+PathSteps clipped(const LayerPath& path, double tolerance, bool& is_cut) {
+  const cv::Rect2d box = box_of(path.steps);
+  std::vector<const LayerClip*> clips;
+  for (const std::shared_ptr<const LayerClip>& by : path.clips) {
+    if (!surrounds(*by, box)) clips.push_back(by.get());
+  }
+  if (clips.empty()) return path.steps;
+  const Parts whole = parts_of(path, tolerance);
+  Parts left = whole;
+  for (const LayerClip* by : clips) left = cut(left, *by, tolerance);
+  if (left.size() >= whole.size() - whole.slack()) return path.steps;
+  is_cut = true;
+  PathSteps steps;
+  add(left.closed, true, steps);
+  add(left.open, false, steps);
+  return steps;
+}
+
+}  // namespace tessera

@@ -1,0 +1,306 @@
+#include "artwork/outlines/svg_outlines.h"
+
+#include <cairo-svg.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <string_view>
+
+#include "artwork/images/cairo_objects.h"
+#include "artwork/images/looks_like_svg.h"
+#include "artwork/outlines/layer_paths.h"
+#include "artwork/outlines/outline_clipping.h"
+#include "artwork/outlines/svg_leaves.h"
+#include "artwork/svg/flattened_nodes.h"
+#include "artwork/svg/svg_document.h"
+#include "artwork/svg/svg_page.h"
+#include "core/base/error.h"
+#include "core/base/too_many.h"
+#include "files/gunzip.h"
+#include "files/write_all.h"
+
+namespace tessera {
+namespace {
+
+constexpr double kMmPerInch = 25.4;
+/// How far a layer may reach either way, in units of its own: cairo holds 2^23 of them, and rounds to 1/256.
+constexpr double kFarthest = 4e6;
+/// The largest unit reaches kFarthestOutline_mm. The smallest is rounded to a millionth of a mm.
+constexpr double kLargestUnit_mm = 0.25, kSmallestUnit_mm = 0.25 / 1024;
+/// To what coordinates are rounded: librsvg reads lengths in single precision, 33.4 as 33.4000015, and a part that is as
+/// wide as its sheet must fit.
+constexpr double kStepsPerMm = 1e4;
+/// Of polygons that clips make.
+constexpr double kTolerance_mm = 0.01;
+
+/// What is no outline, or would make layers of pixels. A file's own "!important" goes before it.
+constexpr std::string_view kPlainStyle =
+    "*{filter:none!important;mask:none!important;marker-start:none!important;marker-mid:none!important;"
+    "marker-end:none!important;mix-blend-mode:normal!important;isolation:auto!important;"
+    "stroke-dasharray:none!important}"
+    "text,image,foreignObject{display:none!important}";
+constexpr std::string_view kOpaqueStyle = "*{opacity:1!important}";
+
+constexpr std::size_t kMostBytes = std::size_t(64) << 20;
+
+cairo_status_t append(void* closure, const unsigned char* from, unsigned count) {
+  auto& text = *static_cast<std::string*>(closure);
+  if (text.size() + count > kMostBytes) return CAIRO_STATUS_WRITE_ERROR;
+  text.append(reinterpret_cast<const char*>(from), count);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+/// The paths of one element, or of the whole drawing where that is null, `scale` units to a px, the page's corner at
+/// (kFarthest, kFarthest).
+std::vector<LayerPath> paths_of(const SvgDocument& document, const SvgLeaf* leaf, double scale) {
+  std::string text;
+  const CairoSurface surface(cairo_svg_surface_create_for_stream(append, &text, 2 * kFarthest, 2 * kFarthest));
+  cairo_svg_surface_restrict_to_version(surface.get(), CAIRO_SVG_VERSION_1_2);
+  {
+    const CairoContext cairo(cairo_create(surface.get()));
+    cairo_translate(cairo.get(), kFarthest, kFarthest);
+    cairo_scale(cairo.get(), scale, scale);
+    if (leaf)
+      document.draw_element(cairo.get(), leaf->id, document.size());
+    else
+      document.draw(cairo.get(), 1);
+  }
+  cairo_surface_finish(surface.get());
+  const cairo_status_t status = cairo_surface_status(surface.get());
+  if (status == CAIRO_STATUS_WRITE_ERROR) throw InputError(too_many(kMostBytes >> 20, "MiB of paths"));
+  if (status != CAIRO_STATUS_SUCCESS)
+    throw InputError(std::string("cannot be taken apart: ") + cairo_status_to_string(status));
+  return layer_paths(text);
+}
+
+/// Around what is drawn, from the page's corner, in units.
+struct Extent {
+  cv::Point2d low = {}, high = {};
+  bool empty = true;
+
+  void add(const cv::Rect2d& box) {
+    const cv::Point2d corner = box.tl() - cv::Point2d(kFarthest, kFarthest),
+                      opposite = corner + cv::Point2d(box.size());
+    low = empty ? corner : cv::Point2d(std::min(low.x, corner.x), std::min(low.y, corner.y));
+    high = empty ? opposite : cv::Point2d(std::max(high.x, opposite.x), std::max(high.y, opposite.y));
+    empty = false;
+  }
+  void add(const Extent& other) {
+    if (!other.empty)
+      add(cv::Rect2d(other.low + cv::Point2d(kFarthest, kFarthest), other.high + cv::Point2d(kFarthest, kFarthest)));
+  }
+  std::array<double, 4> sides() const { return {low.x, low.y, high.x, high.y}; }
+};
+
+Extent extent_of(const std::vector<LayerPath>& paths) {
+  Extent extent;
+  for (const LayerPath& path : paths) extent.add(box_of(path.steps));
+  return extent;
+}
+
+constexpr double kSmaller = 17.3;
+
+/// cairo wraps what is too far away round to somewhere else, and to another place at another scale. `small`: the same
+/// drawn kSmaller times as small.
+bool is_too_far(const Extent& extent, const Extent& small) {
+  if (extent.empty != small.empty) return true;
+  const double slack =
+      2 * kSmaller / 256 + 1e-6 * (std::abs(extent.high.x - extent.low.x) + std::abs(extent.high.y - extent.low.y));
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double side = extent.sides()[i];
+    if (std::abs(side) > kFarthest || std::abs(side - kSmaller * small.sides()[i]) > slack) return true;
+  }
+  return false;
+}
+
+bool is_same(const PathSteps& a, const PathSteps& b) {
+  const auto is_near = [](const PathStep& s, const PathStep& t) {
+    constexpr double kNear = 0.1;  // a stroke's path is rounded in its own frame
+    if (s.command != t.command) return false;
+    for (std::size_t i = 0; i < std::size_t(points_of(s)); ++i) {
+      if (std::abs(s.points[i].x - t.points[i].x) > kNear || std::abs(s.points[i].y - t.points[i].y) > kNear)
+        return false;
+    }
+    return true;
+  };
+  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), is_near);
+}
+
+/// Fills, and strokes of what is not filled. cairo writes the two of a path as one, or after each other.
+std::vector<LayerPath> without_strokes_of_fills(const std::vector<LayerPath>& paths) {
+  std::vector<LayerPath> kept;
+  for (const LayerPath& path : paths) {
+    const bool is_stroke_of_fill = !path.filled && std::any_of(paths.begin(), paths.end(), [&](const LayerPath& other) {
+      return other.filled && is_same(other.steps, path.steps);
+    });
+    if (!is_stroke_of_fill) kept.push_back(path);
+  }
+  return kept;
+}
+
+/// Inkscape up to 0.91 took 90 px for an inch, Illustrator takes 72.
+double px_per_inch_of(std::string_view program) {
+  if (program.starts_with("Adobe Illustrator")) return 72;
+  constexpr std::string_view kInkscape = "Inkscape 0.";
+  if (!program.starts_with(kInkscape)) return 0;
+  const std::string_view minor = program.substr(kInkscape.size());
+  return minor.starts_with("91") || minor.starts_with("3") || minor.starts_with("4") ? 90 : 0;
+}
+
+/// Texts, images and foreign objects that are drawn.
+int count_others(const SvgDocument& document, const std::vector<SvgLeaf>& leaves) {
+  return int(std::count_if(leaves.begin(), leaves.end(),
+                           [&](const SvgLeaf& leaf) { return !leaf.is_shape && document.draws_element(leaf.id); }));
+}
+
+/// Asks librsvg for the paths. Each element is drawn once. The whole drawing tells whether any of them is unseen or too
+/// far away; only then each is asked, as a layer takes as long as there are elements.
+class OutlineReader {
+ public:
+  OutlineReader(const SvgLeaves& leaves, const std::string& path, double px_per_inch)
+      : leaves_(leaves),
+        path_(path),
+        px_per_inch_(px_per_inch) {}
+
+  SvgOutlines read() {
+    SvgDocument document = this->document();
+    SvgOutlines found = page_of(document);
+    found.unread_elements = count_others(document, leaves_.list);
+    // librsvg keeps what an earlier sheet has said: the one that says least comes first.
+    document.set_style(std::string(kPlainStyle));
+    const std::size_t seen_paths = paths_of(document, nullptr, scale()).size();
+    document.set_style(std::string(kPlainStyle) + std::string(kOpaqueStyle));
+    unit_mm_ = unit_for(extent_of(paths_of(document, nullptr, scale() / kSmaller)));
+    std::vector<LeafOutlines> drawn = drawn_leaves(document);
+    mark_far(document, drawn);
+    std::size_t paths = 0;
+    for (const LeafOutlines& leaf : drawn) paths += leaf.paths;
+    if (paths != seen_paths) clear_unseen(drawn);
+    for (std::size_t i = 0; i < drawn.size(); ++i) add(leaves_.list[i], drawn[i], found);
+    return found;
+  }
+
+ private:
+  /// What one element draws, were all of it opaque.
+  struct LeafOutlines {
+    std::vector<SvgOutline> outlines = {};
+    std::size_t paths = 0;
+    Extent extent = {};
+    bool is_far = false;
+  };
+
+  /// libxml2 has bounded the depth and the entities of the text already; librsvg would refuse 10 MB.
+  SvgDocument document() const { return {bytes_of(leaves_.text), path_, RSVG_HANDLE_FLAG_UNLIMITED, px_per_inch_}; }
+
+  /// Units of a px.
+  double scale() const { return kMmPerInch / px_per_inch_ / unit_mm_; }
+
+  /// The smallest in which the drawing has room; `small`: it in the largest, kSmaller times as small.
+  static double unit_for(const Extent& small) {
+    double farthest = 0;
+    for (const double side : small.sides()) farthest = std::max(farthest, std::abs(side));
+    const double farthest_mm = (farthest + 1) * kSmaller * kLargestUnit_mm;
+    double unit_mm = kLargestUnit_mm;
+    while (unit_mm > kSmallestUnit_mm && farthest_mm < kFarthest * unit_mm / 2) unit_mm /= 2;
+    return unit_mm;
+  }
+
+  SvgOutlines page_of(const SvgDocument& document) const {
+    SvgOutlines found{.says_unit = leaves_.says_px || document.says_unit(),
+                      .program = leaves_.program,
+                      .program_px_per_inch = document.depends_on_px() ? px_per_inch_of(leaves_.program) : 0};
+    if (document.has_size()) found.page_mm = document.size() * (kMmPerInch / px_per_inch_);
+    return found;
+  }
+
+  std::vector<LeafOutlines> drawn_leaves(const SvgDocument& document) {
+    std::vector<LeafOutlines> drawn;
+    for (const SvgLeaf& leaf : leaves_.list) {
+      LeafOutlines& found = drawn.emplace_back();
+      if (!leaf.is_shape) continue;
+      const std::vector<LayerPath> paths = paths_of(document, &leaf, scale());
+      found.paths = paths.size();
+      found.extent = extent_of(paths);
+      for (const LayerPath& path : without_strokes_of_fills(paths)) add(leaf, path, found.outlines);
+    }
+    return drawn;
+  }
+
+  void add(const SvgLeaf& leaf, const LayerPath& path, std::vector<SvgOutline>& outlines) {
+    bool is_cut = false;
+    PathSteps steps = clipped(path, kTolerance_mm / unit_mm_, is_cut);
+    if (steps.empty()) return;
+    steps_ += steps.size();
+    if (steps_ > kMostOutlineSteps) throw InputError(too_many(kMostOutlineSteps, "points and curves in a file"));
+    outlines.push_back({.name = leaf.name,
+                        .filled = path.filled,
+                        .even_odd = path.even_odd || is_cut,
+                        .steps = in_mm(std::move(steps))});
+  }
+
+  PathSteps in_mm(PathSteps steps) const {
+    const auto rounded = [&](double units) {
+      return std::round((units - kFarthest) * unit_mm_ * kStepsPerMm) / kStepsPerMm;
+    };
+    for (PathStep& step : steps) {
+      for (int k = 0; k < points_of(step); ++k) {
+        cv::Point2d& p = step.points[std::size_t(k)];
+        p = {rounded(p.x), rounded(p.y)};
+      }
+    }
+    return steps;
+  }
+
+  void mark_far(const SvgDocument& document, std::vector<LeafOutlines>& drawn) const {
+    const auto small_extent = [&](const SvgLeaf* leaf) {
+      return extent_of(paths_of(document, leaf, scale() / kSmaller));
+    };
+    Extent all;
+    for (const LeafOutlines& leaf : drawn) all.add(leaf.extent);
+    if (!is_too_far(all, small_extent(nullptr))) return;
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+      drawn[i].is_far = leaves_.list[i].is_shape && is_too_far(drawn[i].extent, small_extent(&leaves_.list[i]));
+  }
+
+  void clear_unseen(std::vector<LeafOutlines>& drawn) const {
+    SvgDocument document = this->document();
+    document.set_style(std::string(kPlainStyle));
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      if (drawn[i].paths > 0 && paths_of(document, &leaves_.list[i], scale()).empty()) drawn[i].outlines.clear();
+    }
+  }
+
+  static void add(const SvgLeaf& leaf, LeafOutlines& drawn, SvgOutlines& found) {
+    if (drawn.is_far)
+      found.far_elements.push_back(leaf.name);
+    else if (leaf.is_shape && drawn.outlines.empty())
+      ++found.undrawn_elements;
+    else
+      std::move(drawn.outlines.begin(), drawn.outlines.end(), std::back_inserter(found.outlines));
+  }
+
+  const SvgLeaves& leaves_;
+  const std::string& path_;
+  const double px_per_inch_;
+  double unit_mm_ = kLargestUnit_mm;
+  std::size_t steps_ = 0;
+};
+
+}  // namespace
+
+SvgOutlines svg_outlines(std::span<const std::uint8_t> bytes, const std::string& path, double px_per_inch) {
+  if (!looks_like_svg(bytes)) throw InputError(path + ": not an SVG file");
+  std::vector<std::uint8_t> unpacked;
+  if (is_gzip(bytes)) bytes = unpacked = gunzip(bytes, path, kMaxSvgBytes);
+  const SvgLeaves leaves = svg_leaves(bytes, path);
+  try {
+    return OutlineReader(leaves, path, px_per_inch).read();
+  } catch (const InputError& error) {
+    const std::string text = error.what();
+    throw InputError(text.starts_with(path) ? text : path + ": " + text);
+  }
+}
+
+}  // namespace tessera

@@ -1,0 +1,17 @@
+// An SVG's outlines as bytes, for the way from a drawer.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "artwork/outlines/svg_outlines.h"
+
+namespace tessera {
+
+std::vector<std::uint8_t> encode_outlines(const SvgOutlines& outlines);
+
+/// Throws std::runtime_error where the bytes are not what encode_outlines gives.
+SvgOutlines decode_outlines(std::span<const std::uint8_t> bytes);
+
+}  // namespace tessera
