@@ -195,7 +195,9 @@ TEST(CollageWarnings, ALibraryThatCannotShowAnImageIsTold) {
   job.colour.image = "/portrait.png";
   EXPECT_EQ(unable_library_warning(job.colour, 50, false), "");
   EXPECT_EQ(unable_library_warning(job.colour, 49, false),
-            "a library of 49 shapes has few colours to show colour.image; photos take 500 and more");
+            "a library of 49 shapes has few colours to show colour.image, and few shapes to cover it with (3 to 40 "
+            "shapes covered 78 to "
+            "81 % of a picture, 419 covered 84); photos take 500 and more");
   EXPECT_EQ(unable_library_warning(job.colour, 500, true).substr(0, 95),
             "nearly all shapes of the library are of one colour, which cannot show colour.image; colour.piec");
   job.colour.pieces = "palette";

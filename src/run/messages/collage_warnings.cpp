@@ -233,7 +233,9 @@ std::string unable_library_warning(const ColourSpec& colour, std::size_t shapes,
   }
   if (shapes >= kFew || colour.pieces == "palette") return "";
   return "a library of " + count_text(shapes, "shape") +
-         " has few colours to show colour.image; photos take 500 and more";
+         " has few colours to show colour.image, and few shapes to cover it with (3 to 40 shapes covered 78 to 81 % of "
+         "a "
+         "picture, 419 covered 84); photos take 500 and more";
 }
 
 std::string outline_alone_warning(const CanvasSpec& spec, const Canvas& canvas) {
