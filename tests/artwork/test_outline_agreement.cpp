@@ -124,7 +124,7 @@ void expect_agreement(std::size_t count, std::size_t step) {
   EXPECT_EQ(compared, count);
 }
 
-TEST(OutlineAgreement, WithWhatIsDrawnOfSomeOpenclipart) { expect_agreement(12, 41); }
+TEST(OutlineAgreement, WithWhatIsDrawnOfSomeOpenclipart) { expect_agreement(6, 41); }
 TEST(LongOutlineAgreement, WithWhatIsDrawnOfManyOpenclipart) { expect_agreement(500, 1); }
 
 }  // namespace test_outline_agreement
