@@ -62,6 +62,20 @@ TEST(CssVariables, MayStandForEachOther) {
       << "what a variable stands for is settled where it is declared";
 }
 
+TEST(CssVariables, InACycleHaveNoValue) {
+  EXPECT_EQ(drawn("<g style='--a:var(--b,blue);--b:var(--a,green)'><rect style='fill:var(--a, lime)'" + kRect + "</g>"),
+            "00ff00");
+  EXPECT_EQ(drawn("<g style='--a:red'><rect style='--a:initial;fill:var(--a, lime)'" + kRect + "</g>"), "00ff00");
+  EXPECT_EQ(drawn("<g style='--a:red'><rect style='--a:inherit;fill:var(--a, lime)'" + kRect + "</g>"), "ff0000");
+}
+
+TEST(CssVariables, StandInPropertiesAlone) {
+  EXPECT_EQ(drawn("<rect id='a var(--b)' fill='red'" + kRect), "ff0000");
+  EXPECT_EQ(drawn("<rect style='fill:var(--m, lime); /* x'" + kRect), "00ff00");
+  EXPECT_EQ(drawn("<style>rect{fill:var(--b, red) ! important}</style><rect style='fill:lime'" + kRect), "ff0000");
+  EXPECT_EQ(drawn("<rect style='fill:lime;opacity:0;opacity:var(--zz)'" + kRect), "00ff00");
+}
+
 TEST(CssVariables, WithoutAValueThePropertyIsInherited) {
   EXPECT_EQ(drawn("<g fill='#3333cc'><rect style='fill:var(--zz)'" + kRect + "</g>"), "3333cc");
   EXPECT_EQ(drawn("<rect fill='var(--zz)'" + kRect), "000000") << "as a browser: black";

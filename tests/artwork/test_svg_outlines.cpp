@@ -123,6 +123,11 @@ TEST(SvgOutlines, OfASwitchTheFirstThatSuitsAllIsCut) {
       "<rect systemLanguage='de' width='9' height='9'/><g><g><rect id='r' width='9' height='9'/></g></g>"
       "<rect width='9' height='9'/>";
   EXPECT_EQ(names_of(read(svg("<switch>" + deep + "</switch>"))), Texts{"r"});
+  EXPECT_EQ(names_of(read(svg(
+                "<switch><title>x</title><i:pgf xmlns:i='http://x/'/><rect id='r' width='9' height='9'/></switch>"))),
+            Texts{"r"});
+  EXPECT_EQ(names_of(read(svg("<switch><rect id='r' systemLanguage='en' width='9' height='9'/></switch>"))),
+            Texts{"r"});
   EXPECT_EQ(names_of(read(svg("<g><switch transform='scale(2)'><switch>" + deep + "</switch></switch></g>"))),
             Texts{"r"});
 }
@@ -247,6 +252,23 @@ TEST(SvgOutlines, NamesAreIdsOrKindAndNumber) {
       read(svg("<style>#a{fill:none;stroke:red}</style><rect width='9' height='9'/><g><path id='a' d='M0 0h9v9z'/>"
                "<circle id='leaf-1' r='3'/></g><path id='a' d='M50 0h9v9z'/><use xlink:href='#a' y='50'/>"));
   EXPECT_EQ(boxes_of(found), (Texts{"rect1 0 0 9 9", "a 0 0 9 9", "leaf-1 -3 -3 6 6", "a 50 0 9 9", "use3 0 50 9 9"}));
+}
+
+TEST(SvgOutlines, IdsThatOtherElementsHaveDoNoHarm) {
+  const std::string small = "<rect id='a' width='10' height='10'/>",
+                    large = "<rect id='a' x='25' width='50' height='30'/>";
+  for (const std::string before : {"<linearGradient id='a'/>", "<clipPath id='a'/>",
+                                   "<defs><rect id='a' width='9' height='9'/></defs>", "<style id='a'/>"})
+    EXPECT_EQ(boxes_of(read(svg(before + large))), Texts{"a 25 0 50 30"}) << before;
+  EXPECT_EQ(boxes_of(read(svg("<g id='a'><rect width='10' height='10'/></g>" + large))),
+            (Texts{"rect1 0 0 10 10", "a 25 0 50 30"}));
+  EXPECT_EQ(boxes_of(read(svg("<style>#a{display:none}</style>" + small + large))), Texts{});
+  const SvgOutlines lines = read(svg("<style>#a{fill:none;stroke:red}</style>" + small + large));
+  ASSERT_EQ(lines.outlines.size(), 2u);
+  EXPECT_FALSE(lines.outlines[0].filled || lines.outlines[1].filled) << "the style of its id stays";
+  EXPECT_EQ(
+      boxes_of(read(svg("<rect id='a#b' width='10' height='10'/><rect id='a var(b)' x='50' width='9' height='9'/>"))),
+      (Texts{"a#b 0 0 10 10", "a var(b) 50 0 9 9"}));
 }
 
 TEST(SvgOutlines, TextsAndImagesAreCountedWhereTheyAreDrawn) {

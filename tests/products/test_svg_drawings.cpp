@@ -84,6 +84,27 @@ TEST(SvgDrawings, LinesWhoseEndsMeetAreOneContour) {
   }
 }
 
+TEST(SvgDrawings, LinesBesideAContourDoItNoHarm) {
+  const SvgDrawings tail = svg(kLines +
+                               "<path id='t' d='M-20 0H0'/><path id='s' d='M0 0H50'/><path d='M50 0V50'/>"
+                               "<path d='M50 50H0'/><path d='M0 50V0'/></g>");
+  ASSERT_EQ(names_of(tail), Texts{"s"});
+  EXPECT_NEAR(area_of(tail.drawings[0].outline), 2500, 0.01);
+  EXPECT_EQ(tail.notes, (Texts{"joined 4 open paths to 1 contour: ends less than 0.05 mm apart meet",
+                               "left out 1 open path: it encloses nothing"}));
+  std::string circle;
+  for (int i = 0; i < 1'000; ++i) {
+    const auto at = [](int k) {
+      const double t = 2 * std::acos(-1.0) * k / 1'000;
+      return std::to_string(50 + 3 * std::cos(t)) + " " + std::to_string(50 + 3 * std::sin(t));
+    };
+    circle += "<path d='M" + at(i) + "L" + at(i + 1) + "'/>";
+  }
+  const SvgDrawings fine = svg(kLines + circle + "</g>");
+  ASSERT_EQ(fine.drawings.size(), 1u) << "lines that are shorter than the reach";
+  EXPECT_NEAR(area_of(fine.drawings[0].outline), 9 * std::acos(-1.0), 0.01);
+}
+
 TEST(SvgDrawings, JoinedLinesKeepTheirCurves) {
   const SvgDrawings found =
       svg(kLines + "<path id='s' d='M0 0H20'/><path d='M0 20C30 30 30 -10 20 0'/><path d='M0 20V0'/></g>");
@@ -190,7 +211,7 @@ TEST(NestInput, ReadsSvgsThroughADrawer) {
   EXPECT_EQ(at_90.notes, Texts{});
   EXPECT_NEAR(box_of(at_90.sources.at(0).drawing.outline).width(), 25.4, 0.001);
   EXPECT_EQ(test::message_of([&] { read_nest_input(inkscape, {.px_per_inch = 90, .left_out = {"q"}}); }),
-            "--leave-out q: fits no element; allowed: the id of an outline, as r");
+            "--leave-out q: fits no outline of an SVG; allowed: the id of an element that draws one, as r");
   const std::string nothing = folder.write("n.svg", document("<text y='9'>x</text>"));
   EXPECT_EQ(test::message_of([&] { read_nest_input(nothing); }),
             nothing + ": found no closed shape; open lines enclose nothing; " + nothing +

@@ -175,4 +175,11 @@ std::vector<CssDeclaration> css_declarations(CssTokens content) {
   return declarations_of(content, [](const std::string&, CssTokens value) { return css_text(value); });
 }
 
+std::string css_text_of(const std::vector<CssDeclaration>& declarations) {
+  std::string text;
+  for (const CssDeclaration& declaration : declarations)
+    text += (text.empty() ? "" : ";") + declaration.name + ":" + declaration.value;
+  return text;
+}
+
 }  // namespace tessera

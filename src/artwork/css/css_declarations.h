@@ -31,4 +31,7 @@ std::vector<CssDeclaration> local_css_declarations(CssTokens content, const std:
 /// The same with all names and values as they are.
 std::vector<CssDeclaration> css_declarations(CssTokens content);
 
+/// "name:value;name:value", for a style attribute.
+std::string css_text_of(const std::vector<CssDeclaration>& declarations);
+
 }  // namespace tessera

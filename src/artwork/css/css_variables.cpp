@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -18,7 +19,7 @@ bool has_variable(std::string_view text) { return ascii_lower_case(text).find("v
 
 /// What "--name" stands for at an element; what is not here may be in what it stands in.
 struct Scope {
-  std::map<std::string, std::string> values;
+  std::map<std::string, std::optional<std::string>> values;  // nothing: it is declared to have none
   const Scope* outer = nullptr;
 
   const std::string* find(const std::string& name, const Scope*& found_in) const {
@@ -26,7 +27,7 @@ struct Scope {
       const auto found = scope->values.find(name);
       if (found == scope->values.end()) continue;
       found_in = scope;
-      return &found->second;
+      return found->second ? &*found->second : nullptr;
     }
     return nullptr;
   }
@@ -68,12 +69,22 @@ class Resolver {
   bool put_variable(CssTokens call, const Scope& scope, int depth, std::vector<CssToken>& to) {
     if (++uses_ > kMostUses) throw InputError(path_ + ": " + too_many(kMostUses, "var() in its styles"));
     if (depth > kDeepest || call.empty() || call.front().kind != CssKind::identifier) return false;
+    const std::string& name = call.front().text;
+    if (std::find(being_put_.begin(), being_put_.end(), name) != being_put_.end()) {
+      cycle_ = name;  // all variables of a cycle are without a value, whatever var() offers in them
+      return false;
+    }
     const Scope* found_in = nullptr;
-    if (const std::string* value = scope.find(call.front().text, found_in)) {
+    if (const std::string* value = scope.find(name, found_in)) {
       const std::vector<CssToken> tokens = css_tokens(*value);
       const std::size_t before = to.size();
-      if (put(tokens, *found_in, depth + 1, to)) return true;
+      being_put_.push_back(name);
+      const bool is_put = put(tokens, *found_in, depth + 1, to);
+      being_put_.pop_back();
+      if (is_put) return true;
       to.resize(before);
+      if (cycle_ && *cycle_ != name) return false;
+      cycle_.reset();
     }
     const CssTokens rest = trimmed_css(call.subspan(1));
     if (rest.empty() || !rest.front().is_mark(',')) return false;
@@ -82,9 +93,19 @@ class Resolver {
 
   std::string path_;
   std::size_t uses_ = 0;
+  std::vector<std::string> being_put_;  // from the outermost on
+  std::optional<std::string> cycle_;    // the variable that was met again
 };
 
-bool is_important(const std::string& value) { return ascii_lower_case(value).find("!important") != std::string::npos; }
+/// Where "!important" begins; npos: nowhere.
+std::size_t importance(const std::string& value) {
+  const std::size_t mark = value.rfind('!');
+  if (mark == std::string::npos) return mark;
+  std::string_view word = std::string_view(value).substr(mark + 1);
+  return ascii_lower_case(take_word(word)) == "important" ? mark : std::string::npos;
+}
+
+bool is_important(const std::string& value) { return importance(value) != std::string::npos; }
 
 /// Of each property the declaration that counts.
 std::map<std::string, std::string> counting(const std::vector<CssDeclaration>& declarations) {
@@ -98,16 +119,71 @@ std::map<std::string, std::string> counting(const std::vector<CssDeclaration>& d
 }
 
 std::string without_important(std::string value) {
-  if (is_important(value)) value.erase(ascii_lower_case(value).find("!important"));
+  if (is_important(value)) value.erase(importance(value));
   return value;
 }
 
-/// Of properties that are not inherited the value of the outer element means nothing.
-bool is_inherited(std::string_view name) {
-  static constexpr std::string_view kOwn[] = {
-      "opacity",      "display",     "clip-path", "mask",          "filter",         "transform",      "stop-color",
-      "stop-opacity", "flood-color", "overflow",  "flood-opacity", "lighting-color", "mix-blend-mode", "isolation"};
-  return std::find(std::begin(kOwn), std::end(kOwn), name) == std::end(kOwn);
+std::string_view word_of(std::string_view value) { return take_word(value); }
+
+/// What a property is without a value: what it is at the outer element, or, of those that are not inherited, what it
+/// is by itself.
+std::string unset_value(const std::string& name) {
+  static const std::map<std::string, std::string> kInitial = {{"opacity", "1"},
+                                                              {"display", "inline"},
+                                                              {"clip-path", "none"},
+                                                              {"mask", "none"},
+                                                              {"filter", "none"},
+                                                              {"transform", "none"},
+                                                              {"stop-color", "#000"},
+                                                              {"stop-opacity", "1"},
+                                                              {"flood-color", "#000"},
+                                                              {"flood-opacity", "1"},
+                                                              {"lighting-color", "#fff"},
+                                                              {"overflow", "visible"},
+                                                              {"mix-blend-mode", "normal"},
+                                                              {"isolation", "auto"}};
+  const auto found = kInitial.find(name);
+  return found == kInitial.end() ? "inherit" : found->second;
+}
+
+/// Attributes that are properties; var() means nothing in others.
+bool is_property(const std::string& name) {
+  static const std::set<std::string> kProperties = {"clip-path",
+                                                    "clip-rule",
+                                                    "color",
+                                                    "display",
+                                                    "fill",
+                                                    "fill-opacity",
+                                                    "fill-rule",
+                                                    "filter",
+                                                    "flood-color",
+                                                    "flood-opacity",
+                                                    "font-family",
+                                                    "font-size",
+                                                    "font-style",
+                                                    "font-weight",
+                                                    "lighting-color",
+                                                    "marker-end",
+                                                    "marker-mid",
+                                                    "marker-start",
+                                                    "mask",
+                                                    "opacity",
+                                                    "overflow",
+                                                    "paint-order",
+                                                    "stop-color",
+                                                    "stop-opacity",
+                                                    "stroke",
+                                                    "stroke-dasharray",
+                                                    "stroke-dashoffset",
+                                                    "stroke-linecap",
+                                                    "stroke-linejoin",
+                                                    "stroke-miterlimit",
+                                                    "stroke-opacity",
+                                                    "stroke-width",
+                                                    "text-anchor",
+                                                    "transform",
+                                                    "visibility"};
+  return kProperties.contains(name);
 }
 
 class VariableWriter {
@@ -122,20 +198,25 @@ class VariableWriter {
     Scope scope{.values = {}, .outer = outer};
     const std::map<std::string, std::string> declared = counting(style_.declarations_of(element));
     for (const auto& [name, value] : declared) {
-      if (name.starts_with("--")) scope.values[name] = without_important(value);
+      if (!name.starts_with("--")) continue;
+      const std::string plain = without_important(value), word = ascii_lower_case(word_of(plain));
+      if (word == "inherit" || word == "unset") continue;
+      scope.values[name] = word == "initial" ? std::nullopt : std::optional(plain);
     }
     std::string style;
     for (const auto& [name, value] : declared) {
       if (name.starts_with("--") || !has_variable(value)) continue;
-      if (const std::optional<std::string> found = resolver_.resolved(value, scope))
-        style += ";" + name + ":" + *found;
-      else if (is_inherited(name))
-        style += ";" + name + ":inherit";
+      const std::string mark = is_important(value) ? "!important" : "";
+      const std::optional<std::string> found = resolver_.resolved(without_important(value), scope);
+      style += ";" + name + ":" + (found ? *found : unset_value(name)) + mark;
     }
-    if (!style.empty()) changes_.push_back({element, "style", attribute(element, "style") + style});
+    if (!style.empty()) {
+      const std::vector<CssToken> own = css_tokens(attribute(element, "style"));
+      changes_.push_back({element, "style", css_text_of(css_declarations(own)) + style});
+    }
     for (const xmlAttr* a = element->properties; a; a = a->next) {
       const std::string name(view(a->name));
-      if (a->ns || name == "style") continue;
+      if (a->ns || !is_property(name)) continue;
       const std::string value = attribute(element, name.c_str());
       if (has_variable(value)) changes_.push_back({element, name, resolver_.resolved(value, scope)});
     }

@@ -1,10 +1,12 @@
 #include "artwork/outlines/svg_leaves.h"
 
+#include <algorithm>
 #include <cctype>
 #include <set>
 #include <string_view>
-#include <unordered_set>
+#include <unordered_map>
 
+#include "artwork/css/svg_style.h"
 #include "artwork/outlines/svg_outlines.h"
 #include "artwork/xml/xml_tree.h"
 #include "core/base/error.h"
@@ -16,6 +18,11 @@ namespace {
 const std::set<std::string_view> kGroups = {"svg", "g", "a", "switch"};
 const std::set<std::string_view> kShapes = {"path", "rect", "circle", "ellipse", "polygon", "polyline", "line", "use"};
 const std::set<std::string_view> kOthers = {"text", "image", "foreignObject"};
+
+bool is_drawn_kind(const xmlNode* node) {
+  const std::string_view kind = name_of(node);
+  return is_in_svg_namespace(node) && (kGroups.contains(kind) || kShapes.contains(kind) || kOthers.contains(kind));
+}
 
 /// The word after `before`, as far as it is made of digits and dots.
 std::string version_after(std::string_view text, std::string_view before) {
@@ -40,74 +47,96 @@ std::string program_of(const xmlDoc* doc, const xmlNode* root) {
   return "";
 }
 
-/// Gives ids to leaves. One that several elements have becomes that of the first alone, which is the one that
-/// references find.
+/// A <switch> shows its first child that is neither for other programs nor for readers of one language.
+xmlNode* chosen_of(xmlNode* one_of_many) {
+  xmlNode* of_a_language = nullptr;
+  for (xmlNode* node = xmlFirstElementChild(one_of_many); node; node = xmlNextElementSibling(node)) {
+    if (!is_drawn_kind(node) || xmlHasNsProp(node, xml("requiredExtensions"), nullptr)) continue;
+    if (!xmlHasNsProp(node, xml("systemLanguage"), nullptr)) return node;
+    if (!of_a_language) of_a_language = node;
+  }
+  return of_a_language;
+}
+
+/// Finds the leaves, and what is to be changed so that librsvg draws each as a layer: each has an id of its own, as
+/// librsvg takes the first element that has it; a <switch> is a group with one child that is seen, as of a layer in a
+/// <switch> librsvg 2.54 draws nothing, or another child.
 class Numberer {
  public:
-  explicit Numberer(const std::string& path) : path_(path) {}
-
-  /// Recursion is as deep as the document, which libxml2 bounds (256).
-  void collect_ids(const xmlNode* node) {
-    if (const std::string id = attribute(node, "id"); !id.empty()) ids_.insert(id);
-    for (const xmlNode* child = first_element(node); child; child = next_element(child)) collect_ids(child);
+  Numberer(xmlNode* root, const std::string& path) : path_(path), root_(root) {
+    collect_ids(root);
+    number(root);
   }
 
-  void number(xmlNode* parent) {
-    if (name_of(parent) == "switch") make_group(parent);
-    for (xmlNode* node = xmlFirstElementChild(parent); node; node = xmlNextElementSibling(node)) {
-      if (is_in_svg_namespace(node)) number_one(node);
+  /// All at last: selectors look at ids, and at what is beside an element.
+  void change() const {
+    const bool replaces_ids = std::any_of(new_ids_.begin(), new_ids_.end(), [](const NewId& id) { return id.had_one; });
+    std::vector<std::string> styles(new_ids_.size());
+    if (replaces_ids) {
+      SvgStyle style(root_, path_, css_declarations);
+      for (std::size_t i = 0; i < new_ids_.size(); ++i) {
+        if (new_ids_[i].had_one) styles[i] = css_text_of(style.declarations_of(new_ids_[i].node));
+      }
     }
+    for (std::size_t i = 0; i < new_ids_.size(); ++i) {
+      xmlSetProp(new_ids_[i].node, xml("id"), xml(new_ids_[i].id.c_str()));
+      if (!styles[i].empty()) xmlSetProp(new_ids_[i].node, xml("style"), xml(styles[i].c_str()));
+    }
+    for (xmlNode* node : hidden_) xmlSetProp(node, xml("style"), xml("display:none!important"));
+    for (xmlNode* node : switches_) xmlNodeSetName(node, xml("g"));
   }
 
   std::vector<SvgLeaf> take() { return std::move(leaves_); }
 
  private:
-  static const xmlNode* first_element(const xmlNode* node) { return xmlFirstElementChild(const_cast<xmlNode*>(node)); }
-  static const xmlNode* next_element(const xmlNode* node) { return xmlNextElementSibling(const_cast<xmlNode*>(node)); }
+  struct NewId {
+    xmlNode* node;
+    std::string id;
+    bool had_one;  // its style may depend on it
+  };
+
+  /// Recursion is as deep as the document.
+  void collect_ids(xmlNode* node) {
+    if (const std::string id = attribute(node, "id"); !id.empty()) first_of_id_.emplace(id, node);
+    for (xmlNode* child = xmlFirstElementChild(node); child; child = xmlNextElementSibling(child)) collect_ids(child);
+  }
+
+  void number(xmlNode* parent) {
+    const bool is_switch = name_of(parent) == "switch";
+    xmlNode* const chosen = is_switch ? chosen_of(parent) : nullptr;
+    if (is_switch) switches_.push_back(parent);
+    for (xmlNode* node = xmlFirstElementChild(parent); node; node = xmlNextElementSibling(node)) {
+      if (!is_drawn_kind(node)) continue;
+      if (!is_switch || node == chosen)
+        number_one(node);
+      else
+        hidden_.push_back(node);
+    }
+  }
 
   void number_one(xmlNode* node) {
     const std::string_view kind = name_of(node);
-    const bool is_group = kGroups.contains(kind), is_shape = kShapes.contains(kind);
-    if (!is_group && !is_shape && !kOthers.contains(kind)) return;
     const std::string own = attribute(node, "id");
     const std::string name = own.empty() ? std::string(kind) + std::to_string(++unnamed_) : own;
-    if (is_group)
-      number(node);
-    else
-      add(node, own, name, is_shape);
-  }
-
-  /// A <switch> shows its first child that is neither for other programs nor for readers of one language. Of a layer
-  /// in a <switch> librsvg 2.54 draws nothing, or another child.
-  static void make_group(xmlNode* one_of_many) {
-    bool found = false;
-    for (xmlNode *node = xmlFirstElementChild(one_of_many), *next = nullptr; node; node = next) {
-      next = xmlNextElementSibling(node);
-      const bool is_chosen = !found && !xmlHasNsProp(node, xml("requiredExtensions"), nullptr) &&
-                             !xmlHasNsProp(node, xml("systemLanguage"), nullptr);
-      found = found || is_chosen;
-      if (is_chosen) continue;
-      xmlUnlinkNode(node);
-      xmlFreeNode(node);
-    }
-    xmlNodeSetName(one_of_many, xml("g"));
-  }
-
-  void add(xmlNode* node, const std::string& own, const std::string& name, bool is_shape) {
+    if (kGroups.contains(kind)) return number(node);
     std::string id = own;
-    if (own.empty() || !taken_.insert(own).second) {
+    // librsvg takes what stands before a '#' for the name of a file.
+    if (own.empty() || first_of_id_.at(own) != node || own.find('#') != std::string::npos) {
       do id = "leaf-" + std::to_string(++made_);
-      while (ids_.contains(id));
-      xmlSetProp(node, xml("id"), xml(id.c_str()));
+      while (first_of_id_.contains(id));
+      new_ids_.push_back({node, id, !own.empty()});
     }
-    leaves_.push_back({id, name, is_shape});
+    leaves_.push_back({id, name, kShapes.contains(kind)});
     if (leaves_.size() > kMostOutlineElements)
       throw InputError(path_ + ": " + too_many(kMostOutlineElements, "elements that are drawn"));
   }
 
   std::string path_;
+  xmlNode* root_;
   std::vector<SvgLeaf> leaves_;
-  std::unordered_set<std::string> ids_, taken_;
+  std::unordered_map<std::string, const xmlNode*> first_of_id_;
+  std::vector<NewId> new_ids_;
+  std::vector<xmlNode*> hidden_, switches_;
   std::size_t made_ = 0;
   int unnamed_ = 0;
 };
@@ -117,9 +146,8 @@ class Numberer {
 SvgLeaves svg_leaves(std::span<const std::uint8_t> bytes, const std::string& path) {
   const XmlDocPtr doc = parsed_foreign_svg(bytes, path);
   xmlNode* const root = xmlDocGetRootElement(doc.get());
-  Numberer numberer(path);
-  numberer.collect_ids(root);
-  numberer.number(root);
+  Numberer numberer(root, path);
+  numberer.change();
   SvgLeaves leaves;
   leaves.list = numberer.take();
   for (const char* side : {"width", "height"}) {

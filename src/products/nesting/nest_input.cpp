@@ -63,9 +63,9 @@ class FileReader {
   /// After the last file. Throws InputError where an element that is to be left out was nowhere.
   void end(const std::string& path) const {
     if (!not_found_.empty()) {
-      const std::string example = input_.sources.empty() ? "" : ", as " + input_.sources.front().drawing.name;
+      const std::string example = example_.empty() ? "" : ", as " + printable_utf8(example_);
       throw InputError("--leave-out " + printable_utf8(*not_found_.begin()) +
-                       ": fits no element; allowed: the id of an outline" + example);
+                       ": fits no outline of an SVG; allowed: the id of an element that draws one" + example);
     }
     units_.tell(path, input_);
   }
@@ -76,6 +76,7 @@ class FileReader {
     const SvgOutlines outlines = drawers_.svg_outlines(bytes, shown, px_per_inch);
     SvgDrawings found = svg_drawings(outlines, shown, reading_.left_out);
     for (const SvgOutline& outline : outlines.outlines) not_found_.erase(outline.name);
+    if (example_.empty() && !outlines.outlines.empty()) example_ = outlines.outlines.front().name;
     add_notes(found.notes, shown);
     if (!reading_.px_per_inch) units_.add_svg(shown, outlines, found.drawings);
     add_drawings(std::move(found.drawings));
@@ -101,6 +102,7 @@ class FileReader {
   NestInput& input_;
   UnknownUnits units_;
   std::set<std::string> not_found_;  // of the elements to be left out
+  std::string example_;              // an element that could be
   Drawers drawers_{{.processes = 1}};
 };
 

@@ -140,7 +140,7 @@ expect_silence "what was said already is said again"
 grep -q '^  pieces          2 of 2$' output || fail "not the parts on the bed"
 [[ $(grep -o 'C[-0-9.,]* [-0-9.,]* [-0-9.,]*' out/bed/layout.svg | wc -l) -eq 4 ]] || fail "a disc is not four curves"
 run 2 nest bed.svg --strip 300 --leave-out table --effort draft
-expect_word '--leave-out table: fits no element; allowed: the id of an outline, as bed'
+expect_word '--leave-out table: fits no outline of an SVG; allowed: the id of an element that draws one, as bed'
 mkdir here && cp plates.svg here && (cd here && "$tessera" nest . --strip 50 --effort draft --quiet) || fail "not the folder itself"
 [[ -s here/out/here/layout.json ]] || fail "another name than the folder's"
 echo "ok drawings"

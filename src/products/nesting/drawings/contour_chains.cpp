@@ -28,10 +28,11 @@ class Ends {
   bool is_used(std::size_t line) const { return used_[line]; }
   void use(std::size_t line) { used_[line] = true; }
 
-  /// The end of an unused line at that place, the first by number.
+  /// The end of an unused line that is nearest to that place, the first by number.
   bool find(NestPoint p, End& found) {
     const auto [x, y] = cell(p);
     bool any = false;
+    double nearest = reach_;
     for (std::int64_t dy = -1; dy <= 1; ++dy) {
       for (std::int64_t dx = -1; dx <= 1; ++dx) {
         const auto at = cells_.find({x + dx, y + dy});
@@ -41,11 +42,12 @@ class Ends {
         for (std::size_t i = ends.first; i < ends.ends.size(); ++i) {
           const End& end = ends.ends[i];
           const NestRing& line = lines_[end.line];
-          if (used_[end.line] || (any && end.line >= found.line)) continue;
-          if (norm((end.last ? line.back() : line.front()) - p) > reach_) continue;
+          if (used_[end.line]) continue;
+          const double distance = norm((end.last ? line.back() : line.front()) - p);
+          if (distance > nearest || (any && distance == nearest && end.line >= found.line)) continue;
           found = end;
+          nearest = distance;
           any = true;
-          break;
         }
       }
     }
@@ -96,6 +98,47 @@ bool encloses_something(const NestRing& ring) {
 
 }  // namespace
 
+namespace {
+
+double length_of(const NestRing& line, std::size_t first) {
+  double sum = 0;
+  for (std::size_t i = first + 1; i < line.size(); ++i) sum += norm(line[i] - line[i - 1]);
+  return sum;
+}
+
+/// Lines joined so far.
+struct Chain {
+  NestRing points;
+  std::vector<JoinedLine> lines;
+  std::vector<std::size_t> starts;  // of each line, among the points
+
+  void add(const NestRing& line, JoinedLine which) {
+    starts.push_back(points.empty() ? 0 : points.size() - 1);
+    points.insert(points.end(), line.begin() + (points.empty() ? 0 : 1), line.end());
+    lines.push_back(which);
+  }
+  /// The last line that begins where the chain ends, so that what follows is a loop; lines.size(): there is none. Little
+  /// bits of a finely divided line are none.
+  std::size_t loop(double reach) const {
+    for (std::size_t i = lines.size(); i-- > 0;) {
+      const bool meets = norm(points[starts[i]] - points.back()) <= reach;
+      if (meets && points.size() - starts[i] > 2 && length_of(points, starts[i]) > 4 * reach) return i;
+    }
+    return lines.size();
+  }
+  /// Takes the lines from there on off.
+  JoinedContour take_from(std::size_t line) {
+    const auto at = points.begin() + std::ptrdiff_t(starts[line]);
+    JoinedContour loop{NestRing(at, points.end() - 1), {lines.begin() + std::ptrdiff_t(line), lines.end()}};
+    points.erase(line == 0 ? at : at + 1, points.end());
+    lines.resize(line);
+    starts.resize(line);
+    return loop;
+  }
+};
+
+}  // namespace
+
 std::vector<JoinedContour> joined_contours(const std::vector<NestRing>& lines, double reach, int& open) {
   std::vector<JoinedContour> contours;
   Ends ends(lines, reach);
@@ -103,28 +146,28 @@ std::vector<JoinedContour> joined_contours(const std::vector<NestRing>& lines, d
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (!first[i]) ends.use(i);
   }
-  const auto closes = [&](const NestRing& ring) {
-    return ring.size() > 2 && norm(ring.front() - ring.back()) <= reach;
-  };
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (ends.is_used(i)) continue;
     ends.use(i);
-    NestRing chain = lines[i];
-    std::vector<JoinedLine> parts = {{i, false}};
+    Chain chain;
+    chain.add(lines[i], {i, false});
     End next;
-    while (!closes(chain) && ends.find(chain.back(), next)) {
+    while (true) {
+      if (const std::size_t loop = chain.loop(reach); loop < chain.lines.size()) {
+        JoinedContour contour = chain.take_from(loop);
+        if (encloses_something(contour.ring))
+          contours.push_back(std::move(contour));
+        else
+          ++open;
+        if (chain.lines.empty()) break;
+      }
+      if (!ends.find(chain.points.back(), next)) break;
       ends.use(next.line);
-      parts.push_back({next.line, next.last});
       NestRing line = lines[next.line];
       if (next.last) std::reverse(line.begin(), line.end());
-      chain.insert(chain.end(), line.begin() + 1, line.end());
+      chain.add(line, {next.line, next.last});
     }
-    const bool closed = closes(chain);
-    if (closed) chain.pop_back();
-    if (closed && encloses_something(chain))
-      contours.push_back({std::move(chain), std::move(parts)});
-    else
-      ++open;
+    if (!chain.lines.empty()) ++open;
   }
   return contours;
 }
