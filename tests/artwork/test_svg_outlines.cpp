@@ -114,7 +114,7 @@ TEST(SvgOutlines, WhatIsNotDrawnIsNotCut) {
                "<switch><rect requiredExtensions='x' width='9' height='9'/><rect id='first' width='9' height='9'/>"
                "<rect width='9' height='9'/></switch>"));
   EXPECT_EQ(names_of(found), (Texts{"half", "first"}));
-  EXPECT_EQ(found.undrawn_elements, 9);
+  EXPECT_EQ(found.undrawn_elements.size(), 9u);
 }
 
 TEST(SvgOutlines, OfASwitchTheFirstThatSuitsAllIsCut) {
@@ -294,7 +294,7 @@ TEST(SvgOutlines, WhatIsTooFarAwayIsLeftOut) {
                                 "<circle id='f' r='1e30'/>", "<path id='f' d='M0 0H1100000V5z'/>"}) {
     const SvgOutlines found = read(svg(far + "<rect id='r' width='10' height='10'/>"));
     EXPECT_EQ(boxes_of(found), Texts{"r 0 0 10 10"}) << far;
-    EXPECT_EQ(found.far_elements.size() + std::size_t(found.undrawn_elements), 1u) << far;
+    EXPECT_EQ(found.far_elements.size() + found.undrawn_elements.size(), 1u) << far;
   }
   EXPECT_EQ(boxes_of(read(svg("<rect id='r' x='999000' y='-999000' width='9' height='9'/>"))),
             Texts{"r 999000 -999000 9 9"});

@@ -141,15 +141,14 @@ TEST(SvgDrawings, NothingVanishesWithoutAWord) {
   const SvgDrawings found =
       svg("<rect id='a' width='30' height='30'/><polyline id='b' points='60,0 70,0 70,10 60,0'/>" + kLines +
           "<polyline points='0,50 10,50 10,60'/><line x1='50' y1='50' x2='60' y2='60'/></g><text y='9'>x</text>"
-          "<rect display='none' width='9' height='9'/><rect id='f' x='1e8' width='9' height='9'/>");
+          "<rect id='hid' display='none' width='9' height='9'/><rect id='f' x='1e8' width='9' height='9'/>");
   EXPECT_EQ(names_of(found), (Texts{"a", "b"}));
-  EXPECT_EQ(
-      found.notes,
-      (Texts{
-          "left out 2 open paths: they enclose nothing",
-          "left out 1 element that is not drawn: hidden, transparent, empty, damaged, or with neither fill nor stroke",
-          "left out 1 element that is no outline: text or image; a drawing program makes paths of text",
-          "left out f: found a coordinate that is no number or too large, allowed: 1e6 mm either way"}));
+  EXPECT_EQ(found.notes,
+            (Texts{"left out 2 open paths: they enclose nothing",
+                   "left out 1 element that is not drawn (hidden, transparent, empty, damaged, or with neither fill "
+                   "nor stroke): hid",
+                   "left out 1 element that is no outline: text or image; a drawing program makes paths of text",
+                   "left out f: found a coordinate that is no number or too large, allowed: 1e6 mm either way"}));
 }
 
 TEST(SvgDrawings, ABadOutlineBesideGoodOnesIsLeftOut) {

@@ -276,7 +276,7 @@ class OutlineReader {
     if (drawn.is_far)
       found.far_elements.push_back(leaf.name);
     else if (leaf.is_shape && drawn.outlines.empty())
-      ++found.undrawn_elements;
+      found.undrawn_elements.push_back(leaf.name);
     else
       std::move(drawn.outlines.begin(), drawn.outlines.end(), std::back_inserter(found.outlines));
   }

@@ -24,9 +24,10 @@ struct SvgOutline {
 };
 
 struct SvgOutlines {
-  std::vector<SvgOutline> outlines = {};       // in the order of the file
-  int unread_elements = 0;                     // text, images and foreign objects that are drawn, and are no outlines
-  int undrawn_elements = 0;                    // hidden, transparent, without fill and stroke, or without a size
+  std::vector<SvgOutline> outlines = {};  // in the order of the file
+  int unread_elements = 0;                // text, images and foreign objects that are drawn, and are no outlines
+  std::vector<std::string> undrawn_elements =
+      {};  // names of those that are hidden, transparent, without fill and stroke, or without a size
   std::vector<std::string> far_elements = {};  // names of those that reach too far, and are left out
   bool says_unit = false;                      // width or height has a unit of length, which px are not
   cv::Size2d page_mm = {};                     // empty: the file does not say how large its page is

@@ -14,7 +14,7 @@ struct OutlinesHeader {
   double page_width_mm = 0, page_height_mm = 0;
   double program_px_per_inch = 0;
   std::int32_t unread_elements = 0;
-  std::int32_t undrawn_elements = 0;
+  std::uint32_t undrawn_elements = 0;
   std::uint32_t says_unit = 0;
   std::uint32_t far_elements = 0;
   std::uint64_t outlines = 0;
@@ -108,11 +108,12 @@ std::vector<std::uint8_t> encode_outlines(const SvgOutlines& found) {
                             .page_height_mm = found.page_mm.height,
                             .program_px_per_inch = found.program_px_per_inch,
                             .unread_elements = found.unread_elements,
-                            .undrawn_elements = found.undrawn_elements,
+                            .undrawn_elements = std::uint32_t(found.undrawn_elements.size()),
                             .says_unit = found.says_unit,
                             .far_elements = std::uint32_t(found.far_elements.size()),
                             .outlines = found.outlines.size()});
   writer.add(found.program);
+  for (const std::string& name : found.undrawn_elements) writer.add(name);
   for (const std::string& name : found.far_elements) writer.add(name);
   for (const SvgOutline& outline : found.outlines) {
     writer.add(OutlineHeader{outline.filled, outline.even_odd, outline.steps.size()});
@@ -126,11 +127,13 @@ SvgOutlines decode_outlines(std::span<const std::uint8_t> bytes) {
   Reader reader(bytes);
   const auto header = reader.next<OutlinesHeader>();
   SvgOutlines found{.unread_elements = header.unread_elements,
-                    .undrawn_elements = header.undrawn_elements,
+                    .undrawn_elements = {},
                     .says_unit = header.says_unit != 0,
                     .page_mm = {header.page_width_mm, header.page_height_mm},
                     .program_px_per_inch = header.program_px_per_inch};
   found.program = reader.next_text();
+  for (std::size_t i = reader.next_count(header.undrawn_elements); i > 0; --i)
+    found.undrawn_elements.push_back(reader.next_text());
   for (std::size_t i = reader.next_count(header.far_elements); i > 0; --i)
     found.far_elements.push_back(reader.next_text());
   for (std::size_t i = reader.next_count(header.outlines); i > 0; --i) {

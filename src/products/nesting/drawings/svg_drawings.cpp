@@ -196,10 +196,13 @@ SvgDrawings svg_drawings(const SvgOutlines& outlines, const std::string& path,
     const std::string text = error.what();
     throw InputError(text.starts_with(path) ? text : path + ": " + text);
   }
-  note(outlines.undrawn_elements,
-       "element that is not drawn: hidden, transparent, empty, damaged, or with neither fill nor stroke",
-       "elements that are not drawn: hidden, transparent, empty, damaged, or with neither fill nor stroke",
-       found.notes);
+  if (!outlines.undrawn_elements.empty()) {
+    found.notes.push_back(
+        "left out " +
+        count_text(outlines.undrawn_elements.size(), "element that is not drawn", "elements that are not drawn") +
+        " (hidden, transparent, empty, damaged, or with neither fill nor stroke): " +
+        some_of(outlines.undrawn_elements));
+  }
   note(outlines.unread_elements, "element that is no outline: text or image; a drawing program makes paths of text",
        "elements that are no outlines: text or images; a drawing program makes paths of text", found.notes);
   if (!outlines.far_elements.empty()) {
