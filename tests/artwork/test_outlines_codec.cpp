@@ -62,6 +62,15 @@ RC_GTEST_PROP(OutlinesCodec, GarbledBytesAreRefusedOrAreOutlines, ()) {
   }
 }
 
+/// A closed step takes one byte on the way, and many in memory.
+TEST(OutlinesCodec, MoreStepsThanAFileMayHaveAreRefused) {
+  SvgOutlines outlines = some_outlines(2);
+  for (SvgOutline& outline : outlines.outlines) outline.steps.resize(kMostOutlineSteps / 2, {'Z'});
+  EXPECT_EQ(decode_outlines(encode_outlines(outlines)).outlines.size(), 2u);
+  outlines.outlines[1].steps.push_back({'Z'});
+  EXPECT_THROW(decode_outlines(encode_outlines(outlines)), std::runtime_error);
+}
+
 TEST(OutlinesCodec, CutOffOrLongerBytesAreRefused) {
   const std::vector<std::uint8_t> bytes = encode_outlines(some_outlines(2));
   for (std::size_t count = 0; count < bytes.size(); ++count)

@@ -40,10 +40,29 @@ double area_of(const NestRing& ring) { return std::abs(signed_area(ring)); }
 const std::string kLines = "<g fill='none' stroke='#000'>";
 
 TEST(SvgDrawings, HolesTravelAlongAndPartsAreParted) {
-  const SvgDrawings found = svg("<path id='a' d='M0 0h30v30h-30z m5 5h5v5h-5z M40 0h9v9h-9z'/>");
+  const SvgDrawings found = svg("<path id='a' fill-rule='evenodd' d='M0 0h30v30h-30z m5 5h5v5h-5z M40 0h9v9h-9z'/>");
   ASSERT_EQ(names_of(found), (Texts{"a-1", "a-2"}));
   EXPECT_EQ(found.drawings[0].holes.size(), 1u);
   EXPECT_TRUE(found.drawings[1].holes.empty());
+}
+
+TEST(SvgDrawings, AContourInsideAFillIsNoHole) {
+  const std::string outer = "M0 0h30v30h-30z", same = "M5 5h20v20h-20z", back = "M5 5v20h20v-20z",
+                    inmost = "M10 10h9v9h-9z";
+  const auto holes = [](const std::string& path) {
+    const SvgDrawings found = svg(path);
+    EXPECT_EQ(found.drawings.size(), 1u) << path;
+    return found.drawings.at(0).holes.size();
+  };
+  EXPECT_EQ(holes("<path d='" + outer + same + "'/>"), 0u) << "by the nonzero rule it is filled on both sides";
+  EXPECT_EQ(svg("<path d='" + outer + same + "'/>").notes, Texts{"left out 1 contour with fill on both sides"});
+  EXPECT_EQ(holes("<path d='" + outer + back + "'/>"), 1u);
+  EXPECT_EQ(holes("<path d='" + outer + back + inmost + "'/>"), 2u) << "an island in the hole";
+  EXPECT_EQ(holes("<path d='" + outer + same + inmost + "'/>"), 0u);
+  EXPECT_EQ(holes("<path fill-rule='evenodd' d='" + outer + same + "'/>"), 1u);
+  EXPECT_EQ(holes("<path fill='none' stroke='#000' d='" + outer + same + "'/>"), 1u) << "lines are cut";
+  EXPECT_EQ(holes("<path d='" + outer + "'/><path d='" + same + "'/>"), 1u) << "of two elements each is cut";
+  EXPECT_EQ(svg("<path d='" + outer + "M50 0h9v9h-9z'/>").drawings.size(), 2u);
 }
 
 TEST(SvgDrawings, HolesMayBeElementsOfTheirOwn) {
@@ -91,7 +110,7 @@ TEST(SvgDrawings, LinesBesideAContourDoItNoHarm) {
   ASSERT_EQ(names_of(tail), Texts{"s"});
   EXPECT_NEAR(area_of(tail.drawings[0].outline), 2500, 0.01);
   EXPECT_EQ(tail.notes, (Texts{"joined 4 open paths to 1 contour: ends less than 0.05 mm apart meet",
-                               "left out 1 open path: it encloses nothing"}));
+                               "left out 1 chain of lines that does not close"}));
   std::string circle;
   for (int i = 0; i < 1'000; ++i) {
     const auto at = [](int k) {
@@ -134,7 +153,7 @@ TEST(SvgDrawings, OpenPathsThatAreFilledAreWhatIsFilled) {
                                 "<path d='M0 50H9'/></g>");
   EXPECT_EQ(names_of(found), (Texts{"f", "g"}));
   EXPECT_NEAR(area_of(found.drawings[0].outline), 200, 0.01);
-  EXPECT_EQ(found.notes, Texts{"left out 1 open path: it encloses nothing"});
+  EXPECT_EQ(found.notes, Texts{"left out 1 chain of lines that does not close"});
 }
 
 TEST(SvgDrawings, NothingVanishesWithoutAWord) {
@@ -143,12 +162,13 @@ TEST(SvgDrawings, NothingVanishesWithoutAWord) {
           "<polyline points='0,50 10,50 10,60'/><line x1='50' y1='50' x2='60' y2='60'/></g><text y='9'>x</text>"
           "<rect id='hid' display='none' width='9' height='9'/><rect id='f' x='1e8' width='9' height='9'/>");
   EXPECT_EQ(names_of(found), (Texts{"a", "b"}));
-  EXPECT_EQ(found.notes,
-            (Texts{"left out 2 open paths: they enclose nothing",
-                   "left out 1 element that is not drawn (hidden, transparent, empty, damaged, or with neither fill "
-                   "nor stroke): hid",
-                   "left out 1 element that is no outline: text or image; a drawing program makes paths of text",
-                   "left out f: found a coordinate that is no number or too large, allowed: 1e6 mm either way"}));
+  EXPECT_EQ(
+      found.notes,
+      (Texts{"left out 2 chains of lines that do not close",
+             "left out 1 element that is not drawn (hidden, transparent, empty, damaged, or with neither fill "
+             "nor stroke): hid",
+             "left out 1 element that is no outline: text or image; a drawing program makes paths of text",
+             "left out 1 element with a coordinate that is no number or too large, allowed: 1e6 mm either way: f"}));
 }
 
 TEST(SvgDrawings, ABadOutlineBesideGoodOnesIsLeftOut) {
@@ -211,6 +231,9 @@ TEST(NestInput, ReadsSvgsThroughADrawer) {
   EXPECT_NEAR(box_of(at_90.sources.at(0).drawing.outline).width(), 25.4, 0.001);
   EXPECT_EQ(test::message_of([&] { read_nest_input(inkscape, {.px_per_inch = 90, .left_out = {"q"}}); }),
             "--leave-out q: fits no outline of an SVG; allowed: the id of an element that draws one, as r");
+  const std::string dxf = folder.write("d.dxf", "0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n40\n9\n0\nENDSEC\n0\nEOF\n");
+  EXPECT_EQ(test::message_of([&] { read_nest_input(dxf, {.px_per_inch = 90, .left_out = {}}); }),
+            "--dpi: " + dxf + " has no SVG with an outline; allowed: with an SVG");
   const std::string nothing = folder.write("n.svg", document("<text y='9'>x</text>"));
   EXPECT_EQ(test::message_of([&] { read_nest_input(nothing); }),
             nothing + ": found no closed shape; open lines enclose nothing; " + nothing +

@@ -49,7 +49,7 @@ def main():
             faults.append(f"{place}: no source says \"{message}\"")
     pages = "".join(open(page, encoding="utf-8").read() for page in PAGES).lower()
     for ending in sorted(set(re.findall(r'^\.([a-z0-9]{2,5})$', told, re.MULTILINE))):
-        if ending in READ and ending not in pages:
+        if ending in READ and f"`.{ending}`" not in pages:
             faults.append(f".{ending} is read, and no page on files names it")
     for fault in faults:
         print(fault)

@@ -15,9 +15,14 @@
 namespace tessera {
 namespace {
 
-bool has_variable(std::string_view text) { return ascii_lower_case(text).find("var(") != std::string::npos; }
+/// Without a copy: the text may be a whole document.
+bool has_variable(std::string_view text) {
+  constexpr std::string_view kVar = "var(";
+  const auto is_same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? char(a - 'A' + 'a') : a) == b; };
+  return std::search(text.begin(), text.end(), kVar.begin(), kVar.end(), is_same) != text.end();
+}
 
-/// What "--name" stands for at an element; what is not here may be in what it stands in.
+/// The values of the variables ("--name") that an element declares. Others have the value that an outer element declares.
 struct Scope {
   std::map<std::string, std::optional<std::string>> values;  // nothing: it is declared to have none
   const Scope* outer = nullptr;
@@ -37,7 +42,8 @@ class Resolver {
  public:
   explicit Resolver(const std::string& path) : path_(path) {}
 
-  /// Nothing where a variable has no value, refers to itself, or becomes too long.
+  /// The value with each var() replaced. Nothing where a variable without a value is needed, or the value becomes too long;
+  /// a variable that refers to itself has none.
   std::optional<std::string> resolved(std::string_view value, const Scope& scope) {
     const std::vector<CssToken> tokens = css_tokens(value);
     std::vector<CssToken> to;
@@ -107,7 +113,7 @@ std::size_t importance(const std::string& value) {
 
 bool is_important(const std::string& value) { return importance(value) != std::string::npos; }
 
-/// Of each property the declaration that counts.
+/// The declaration that counts, for each property: the last one, or the last one that is important.
 std::map<std::string, std::string> counting(const std::vector<CssDeclaration>& declarations) {
   std::map<std::string, std::string> values;
   for (const CssDeclaration& declaration : declarations) {
@@ -123,67 +129,51 @@ std::string without_important(std::string value) {
   return value;
 }
 
-std::string_view word_of(std::string_view value) { return take_word(value); }
-
-/// What a property is without a value: what it is at the outer element, or, of those that are not inherited, what it
-/// is by itself.
+/// The value that a property takes when its var() has none. An inherited property has that of the outer element, any
+/// other its initial value.
 std::string unset_value(const std::string& name) {
-  static const std::map<std::string, std::string> kInitial = {{"opacity", "1"},
-                                                              {"display", "inline"},
-                                                              {"clip-path", "none"},
-                                                              {"mask", "none"},
-                                                              {"filter", "none"},
-                                                              {"transform", "none"},
-                                                              {"stop-color", "#000"},
-                                                              {"stop-opacity", "1"},
-                                                              {"flood-color", "#000"},
-                                                              {"flood-opacity", "1"},
-                                                              {"lighting-color", "#fff"},
-                                                              {"overflow", "visible"},
-                                                              {"mix-blend-mode", "normal"},
-                                                              {"isolation", "auto"}};
+  // clang-format off
+  static const std::map<std::string, std::string> kInitial = {
+      {"opacity", "1"}, {"display", "inline"}, {"clip-path", "none"}, {"mask", "none"}, {"filter", "none"},
+      {"transform", "none"}, {"stop-color", "#000"}, {"stop-opacity", "1"}, {"flood-color", "#000"},
+      {"flood-opacity", "1"}, {"lighting-color", "#fff"}, {"overflow", "visible"}, {"mix-blend-mode", "normal"},
+      {"isolation", "auto"}};
+  // clang-format on
   const auto found = kInitial.find(name);
   return found == kInitial.end() ? "inherit" : found->second;
 }
 
 /// Attributes that are properties; var() means nothing in others.
 bool is_property(const std::string& name) {
-  static const std::set<std::string> kProperties = {"clip-path",
-                                                    "clip-rule",
-                                                    "color",
-                                                    "display",
-                                                    "fill",
-                                                    "fill-opacity",
-                                                    "fill-rule",
-                                                    "filter",
-                                                    "flood-color",
-                                                    "flood-opacity",
-                                                    "font-family",
-                                                    "font-size",
-                                                    "font-style",
-                                                    "font-weight",
-                                                    "lighting-color",
-                                                    "marker-end",
-                                                    "marker-mid",
-                                                    "marker-start",
-                                                    "mask",
-                                                    "opacity",
-                                                    "overflow",
-                                                    "paint-order",
-                                                    "stop-color",
-                                                    "stop-opacity",
-                                                    "stroke",
-                                                    "stroke-dasharray",
-                                                    "stroke-dashoffset",
-                                                    "stroke-linecap",
-                                                    "stroke-linejoin",
-                                                    "stroke-miterlimit",
-                                                    "stroke-opacity",
-                                                    "stroke-width",
-                                                    "text-anchor",
-                                                    "transform",
-                                                    "visibility"};
+  // clang-format off
+  static const std::set<std::string> kProperties = {
+      "clip-path", "clip-rule", "color", "display", "fill", "fill-opacity", "fill-rule", "filter", "flood-color",
+      "flood-opacity", "font-family", "font-size", "font-style", "font-weight", "lighting-color", "marker-end",
+      "marker-mid", "marker-start", "mask", "opacity", "overflow", "paint-order", "stop-color", "stop-opacity", "stroke",
+      "stroke-dasharray", "stroke-dashoffset", "stroke-linecap", "stroke-linejoin", "stroke-miterlimit",
+      "stroke-opacity", "stroke-width", "text-anchor", "transform", "visibility"};
+  // clang-format on
   return kProperties.contains(name);
+}
+
+/// Null where it cannot be read: who draws it says what is wrong, or can read it all the same.
+XmlDocPtr parsed_or_null(std::span<const std::uint8_t> svg, const std::string& path) try {
+  return parsed_foreign_svg(svg, path);
+} catch (const InputError&) {
+  return nullptr;
+}
+
+bool uses_variables(const xmlNode* element) {
+  if (name_of(element) == "style" && has_variable(content_of(element))) return true;
+  for (const xmlAttr* a = element->properties; a; a = a->next) {
+    const std::string name(view(a->name));
+    const bool is_css = !a->ns && (name == "style" || is_property(name));
+    if (is_css && has_variable(content_of(reinterpret_cast<const xmlNode*>(a)))) return true;
+  }
+  for (const xmlNode* child = element->children; child; child = child->next) {
+    if (child->type == XML_ELEMENT_NODE && uses_variables(child)) return true;
+  }
+  return false;
 }
 
 class VariableWriter {
@@ -192,14 +182,16 @@ class VariableWriter {
       : style_(root, path, css_declarations),
         resolver_(path) {}
 
-  /// Of all elements before any is changed: selectors look at attributes. Recursion is as deep as the document, which
-  /// libxml2 bounds (256).
+  /// Finds what is to be changed, in all elements before any of them is changed: selectors look at attributes. Recursion is
+  /// as deep as the document (parsed_foreign_svg).
   void find(xmlNode* element, const Scope* outer) {
     Scope scope{.values = {}, .outer = outer};
     const std::map<std::string, std::string> declared = counting(style_.declarations_of(element));
     for (const auto& [name, value] : declared) {
       if (!name.starts_with("--")) continue;
-      const std::string plain = without_important(value), word = ascii_lower_case(word_of(plain));
+      const std::string plain = without_important(value);
+      std::string_view rest = plain;
+      const std::string word = ascii_lower_case(take_word(rest));
       if (word == "inherit" || word == "unset") continue;
       scope.values[name] = word == "initial" ? std::nullopt : std::optional(plain);
     }
@@ -249,9 +241,10 @@ class VariableWriter {
 
 std::optional<std::string> with_css_variables(std::span<const std::uint8_t> svg, const std::string& path) {
   const std::string_view text(reinterpret_cast<const char*>(svg.data()), svg.size());
-  if (text.find("var(") == std::string_view::npos && text.find("VAR(") == std::string_view::npos) return std::nullopt;
-  const XmlDocPtr doc = parsed_foreign_svg(svg, path);
-  xmlNode* const root = xmlDocGetRootElement(doc.get());
+  if (!has_variable(text)) return std::nullopt;
+  const XmlDocPtr doc = parsed_or_null(svg, path);
+  xmlNode* const root = doc ? xmlDocGetRootElement(doc.get()) : nullptr;
+  if (!root || !uses_variables(root)) return std::nullopt;
   VariableWriter writer(root, path);
   writer.find(root, nullptr);
   writer.write();

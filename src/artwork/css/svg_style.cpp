@@ -75,7 +75,7 @@ SvgStyle::SvgStyle(const xmlNode* root, const std::string& path, ReadDeclaration
   add_sheets_below(root);
 }
 
-/// Recursion is as deep as the document, which libxml2 bounds (256).
+/// Recursion is as deep as the document, which parsed_foreign_svg bounds.
 void SvgStyle::add_sheets_below(const xmlNode* node) {
   if (is_style(node)) return add_sheet(text_of(node));
   for (const xmlNode* child = node->children; child; child = child->next) {

@@ -11,7 +11,7 @@ namespace {
 
 namespace clip = ClipperLib;
 
-/// cairo's: 24.8 bits.
+/// cairo rounds to this part of a unit: its numbers have 24.8 bits.
 constexpr double kSteps = 256;
 
 clip::Path whole(const std::vector<cv::Point2d>& points) {
@@ -20,6 +20,7 @@ clip::Path whole(const std::vector<cv::Point2d>& points) {
   return path;
 }
 
+/// A path as Clipper takes it.
 struct Parts {
   clip::Paths closed, open;
 
@@ -101,22 +102,22 @@ bool surrounds(const LayerClip& by, const cv::Rect2d& box) {
 
 }  // namespace
 
-PathSteps clipped(const LayerPath& path, double tolerance, bool& is_cut) {
+LayerPath clipped(LayerPath path, double tolerance) {
   const cv::Rect2d box = box_of(path.steps);
   std::vector<const LayerClip*> clips;
   for (const std::shared_ptr<const LayerClip>& by : path.clips) {
     if (!surrounds(*by, box)) clips.push_back(by.get());
   }
-  if (clips.empty()) return path.steps;
+  if (clips.empty()) return path;
   const Parts whole = parts_of(path, tolerance);
   Parts left = whole;
   for (const LayerClip* by : clips) left = cut(left, *by, tolerance);
-  if (left.size() >= whole.size() - whole.slack()) return path.steps;
-  is_cut = true;
-  PathSteps steps;
-  add(left.closed, true, steps);
-  add(left.open, false, steps);
-  return steps;
+  if (left.size() >= whole.size() - whole.slack()) return path;
+  path.even_odd = true;
+  path.steps.clear();
+  add(left.closed, true, path.steps);
+  add(left.open, false, path.steps);
+  return path;
 }
 
 }  // namespace tessera

@@ -5,9 +5,9 @@
 
 namespace tessera {
 
-/// What is seen of the path, in its own units: the path itself, with its curves, where the clips cut nothing off, else
-/// polygons and lines that are nowhere farther than `tolerance` from it, filled by the even-odd rule, their coordinates
-/// rounded to 1/256, and `is_cut` becomes true. Empty: nothing is seen.
-PathSteps clipped(const LayerPath& path, double tolerance, bool& is_cut);
+/// The part of the path that its clips let through. Where they cut nothing off it is the path itself, with its curves.
+/// Else it is polygons and lines, filled by the even-odd rule, nowhere farther than `tolerance` from the path, their
+/// coordinates rounded to 1/256. It has no steps where nothing is seen.
+LayerPath clipped(LayerPath path, double tolerance);
 
 }  // namespace tessera

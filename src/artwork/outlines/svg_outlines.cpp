@@ -27,15 +27,17 @@ namespace {
 constexpr double kMmPerInch = 25.4;
 /// How far a layer may reach either way, in units of its own: cairo holds 2^23 of them, and rounds to 1/256.
 constexpr double kFarthest = 4e6;
-/// The largest unit reaches kFarthestOutline_mm. The smallest is rounded to a millionth of a mm.
+/// In units of the largest size a layer reaches kFarthestOutline_mm. Units of the smallest are rounded to a millionth of a
+/// mm.
 constexpr double kLargestUnit_mm = 0.25, kSmallestUnit_mm = 0.25 / 1024;
-/// To what coordinates are rounded: librsvg reads lengths in single precision, 33.4 as 33.4000015, and a part that is as
+/// Coordinates are rounded to this part of a mm: librsvg reads lengths in single precision, 33.4 as 33.4000015, and a part that is as
 /// wide as its sheet must fit.
 constexpr double kStepsPerMm = 1e4;
-/// Of polygons that clips make.
+/// How far a polygon that a clip makes may be from the curve.
 constexpr double kTolerance_mm = 0.01;
 
-/// What is no outline, or would make layers of pixels. A file's own "!important" goes before it.
+/// A style sheet that takes off what is no outline, and what would turn a layer into pixels. What the file itself calls
+/// "!important" goes before it.
 constexpr std::string_view kPlainStyle =
     "*{filter:none!important;mask:none!important;marker-start:none!important;marker-mid:none!important;"
     "marker-end:none!important;mix-blend-mode:normal!important;isolation:auto!important;"
@@ -43,6 +45,7 @@ constexpr std::string_view kPlainStyle =
     "text,image,foreignObject{display:none!important}";
 constexpr std::string_view kOpaqueStyle = "*{opacity:1!important}";
 
+/// The longest text of a layer.
 constexpr std::size_t kMostBytes = std::size_t(64) << 20;
 
 cairo_status_t append(void* closure, const unsigned char* from, unsigned count) {
@@ -52,8 +55,8 @@ cairo_status_t append(void* closure, const unsigned char* from, unsigned count) 
   return CAIRO_STATUS_SUCCESS;
 }
 
-/// The paths of one element, or of the whole drawing where that is null, `scale` units to a px, the page's corner at
-/// (kFarthest, kFarthest).
+/// The paths of one element, or of the whole drawing where `leaf` is null. A px is `scale` units, and the page's corner
+/// lies at (kFarthest, kFarthest).
 std::vector<LayerPath> paths_of(const SvgDocument& document, const SvgLeaf* leaf, double scale) {
   std::string text;
   const CairoSurface surface(cairo_svg_surface_create_for_stream(append, &text, 2 * kFarthest, 2 * kFarthest));
@@ -75,35 +78,43 @@ std::vector<LayerPath> paths_of(const SvgDocument& document, const SvgLeaf* leaf
   return layer_paths(text);
 }
 
-/// Around what is drawn, from the page's corner, in units.
+/// The box around what a layer shows, in its units.
 struct Extent {
   cv::Point2d low = {}, high = {};
   bool empty = true;
 
-  void add(const cv::Rect2d& box) {
-    const cv::Point2d corner = box.tl() - cv::Point2d(kFarthest, kFarthest),
-                      opposite = corner + cv::Point2d(box.size());
-    low = empty ? corner : cv::Point2d(std::min(low.x, corner.x), std::min(low.y, corner.y));
-    high = empty ? opposite : cv::Point2d(std::max(high.x, opposite.x), std::max(high.y, opposite.y));
+  void add(cv::Point2d p) {
+    low = empty ? p : cv::Point2d(std::min(low.x, p.x), std::min(low.y, p.y));
+    high = empty ? p : cv::Point2d(std::max(high.x, p.x), std::max(high.y, p.y));
     empty = false;
   }
   void add(const Extent& other) {
-    if (!other.empty)
-      add(cv::Rect2d(other.low + cv::Point2d(kFarthest, kFarthest), other.high + cv::Point2d(kFarthest, kFarthest)));
+    if (other.empty) return;
+    add(other.low);
+    add(other.high);
   }
-  std::array<double, 4> sides() const { return {low.x, low.y, high.x, high.y}; }
+  /// Its sides, from the page's corner; 0 where nothing is shown.
+  std::array<double, 4> sides() const {
+    if (empty) return {};
+    return {low.x - kFarthest, low.y - kFarthest, high.x - kFarthest, high.y - kFarthest};
+  }
 };
 
 Extent extent_of(const std::vector<LayerPath>& paths) {
   Extent extent;
-  for (const LayerPath& path : paths) extent.add(box_of(path.steps));
+  for (const LayerPath& path : paths) {
+    const cv::Rect2d box = box_of(path.steps);
+    extent.add(box.tl());
+    extent.add(box.br());
+  }
   return extent;
 }
 
+/// How much smaller a drawing is made to see whether it reaches too far.
 constexpr double kSmaller = 17.3;
 
-/// cairo wraps what is too far away round to somewhere else, and to another place at another scale. `small`: the same
-/// drawn kSmaller times as small.
+/// Whether something lies farther away than cairo's numbers reach. cairo wraps it round to somewhere else, and at another
+/// scale to another place. `small` is the extent of the same drawing, made kSmaller times as small.
 bool is_too_far(const Extent& extent, const Extent& small) {
   if (extent.empty != small.empty) return true;
   const double slack =
@@ -128,7 +139,8 @@ bool is_same(const PathSteps& a, const PathSteps& b) {
   return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), is_near);
 }
 
-/// Fills, and strokes of what is not filled. cairo writes the two of a path as one, or after each other.
+/// The paths without the strokes of those that are filled. cairo writes the fill and the stroke of a path as one path, or
+/// as two.
 std::vector<LayerPath> without_strokes_of_fills(const std::vector<LayerPath>& paths) {
   std::vector<LayerPath> kept;
   for (const LayerPath& path : paths) {
@@ -140,7 +152,8 @@ std::vector<LayerPath> without_strokes_of_fills(const std::vector<LayerPath>& pa
   return kept;
 }
 
-/// Inkscape up to 0.91 took 90 px for an inch, Illustrator takes 72.
+/// How many px made an inch for a program that did not take CSS's 96; 0 for others. Inkscape took 90 up to 0.91,
+/// Illustrator takes 72.
 double px_per_inch_of(std::string_view program) {
   if (program.starts_with("Adobe Illustrator")) return 72;
   constexpr std::string_view kInkscape = "Inkscape 0.";
@@ -149,7 +162,7 @@ double px_per_inch_of(std::string_view program) {
   return minor.starts_with("91") || minor.starts_with("3") || minor.starts_with("4") ? 90 : 0;
 }
 
-/// Texts, images and foreign objects that are drawn.
+/// Counts the texts, images and foreign objects that are drawn.
 int count_others(const SvgDocument& document, const std::vector<SvgLeaf>& leaves) {
   return int(std::count_if(leaves.begin(), leaves.end(),
                            [&](const SvgLeaf& leaf) { return !leaf.is_shape && document.draws_element(leaf.id); }));
@@ -183,7 +196,7 @@ class OutlineReader {
   }
 
  private:
-  /// What one element draws, were all of it opaque.
+  /// The outlines of one element, drawn as if all of it were opaque.
   struct LeafOutlines {
     std::vector<SvgOutline> outlines = {};
     std::size_t paths = 0;
@@ -194,10 +207,11 @@ class OutlineReader {
   /// libxml2 has bounded the depth and the entities of the text already; librsvg would refuse 10 MB.
   SvgDocument document() const { return {bytes_of(leaves_.text), path_, RSVG_HANDLE_FLAG_UNLIMITED, px_per_inch_}; }
 
-  /// Units of a px.
+  /// How many units a px has.
   double scale() const { return kMmPerInch / px_per_inch_ / unit_mm_; }
 
-  /// The smallest in which the drawing has room; `small`: it in the largest, kSmaller times as small.
+  /// The smallest unit in which the drawing has room. `small` is the drawing's extent in the largest unit, made kSmaller
+  /// times as small.
   static double unit_for(const Extent& small) {
     double farthest = 0;
     for (const double side : small.sides()) farthest = std::max(farthest, std::abs(side));
@@ -229,15 +243,12 @@ class OutlineReader {
   }
 
   void add(const SvgLeaf& leaf, const LayerPath& path, std::vector<SvgOutline>& outlines) {
-    bool is_cut = false;
-    PathSteps steps = clipped(path, kTolerance_mm / unit_mm_, is_cut);
-    if (steps.empty()) return;
-    steps_ += steps.size();
+    LayerPath seen = clipped(path, kTolerance_mm / unit_mm_);
+    if (seen.steps.empty()) return;
+    steps_ += seen.steps.size();
     if (steps_ > kMostOutlineSteps) throw InputError(too_many(kMostOutlineSteps, "points and curves in a file"));
-    outlines.push_back({.name = leaf.name,
-                        .filled = path.filled,
-                        .even_odd = path.even_odd || is_cut,
-                        .steps = in_mm(std::move(steps))});
+    outlines.push_back(
+        {.name = leaf.name, .filled = seen.filled, .even_odd = seen.even_odd, .steps = in_mm(std::move(seen.steps))});
   }
 
   PathSteps in_mm(PathSteps steps) const {

@@ -75,9 +75,9 @@ class Reader {
     }
     return step;
   }
-  /// Of things that have a byte each at least.
-  std::size_t next_count(std::uint64_t count) const {
-    if (count > rest_.size()) throw_garbled();
+  /// The count of things that follow. Each has a byte at least, and there are no more than `most` of them.
+  std::size_t checked_count(std::uint64_t count, std::size_t most) const {
+    if (count > rest_.size() || count > most) throw_garbled();
     return std::size_t(count);
   }
   void end() const {
@@ -132,18 +132,21 @@ SvgOutlines decode_outlines(std::span<const std::uint8_t> bytes) {
                     .page_mm = {header.page_width_mm, header.page_height_mm},
                     .program_px_per_inch = header.program_px_per_inch};
   found.program = reader.next_text();
-  for (std::size_t i = reader.next_count(header.undrawn_elements); i > 0; --i)
+  for (std::size_t i = reader.checked_count(header.undrawn_elements, kMostOutlineElements); i > 0; --i)
     found.undrawn_elements.push_back(reader.next_text());
-  for (std::size_t i = reader.next_count(header.far_elements); i > 0; --i)
+  for (std::size_t i = reader.checked_count(header.far_elements, kMostOutlineElements); i > 0; --i)
     found.far_elements.push_back(reader.next_text());
-  for (std::size_t i = reader.next_count(header.outlines); i > 0; --i) {
+  std::size_t steps_left = kMostOutlineSteps;
+  for (std::size_t i = reader.checked_count(header.outlines, kMostOutlineSteps); i > 0; --i) {
     const auto of = reader.next<OutlineHeader>();
     SvgOutline& outline = found.outlines.emplace_back();
     outline.name = reader.next_text();
     outline.filled = of.filled != 0;
     outline.even_odd = of.even_odd != 0;
-    outline.steps.reserve(reader.next_count(of.steps));
-    for (std::uint64_t k = 0; k < of.steps; ++k) outline.steps.push_back(reader.next_step());
+    const std::size_t count = reader.checked_count(of.steps, steps_left);
+    steps_left -= count;
+    outline.steps.reserve(count);
+    for (std::size_t k = 0; k < count; ++k) outline.steps.push_back(reader.next_step());
     if (!outline.steps.empty() && outline.steps.front().command != 'M')
       throw std::runtime_error("an outline that does not begin with M");
   }

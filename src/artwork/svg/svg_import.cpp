@@ -109,7 +109,7 @@ class Importer {
     writer_.end();
   }
 
-  /// Recursion is as deep as the document, which libxml2 bounds (256).
+  /// Recursion is as deep as the document, which parsed_foreign_svg bounds.
   void write_children(const xmlNode* parent) {
     for (const xmlNode* node = parent->children; node; node = node->next) {
       if (node->type == XML_TEXT_NODE && holds_text(parent)) writer_.text(content_of(node));

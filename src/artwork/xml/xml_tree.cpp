@@ -5,6 +5,7 @@
 #include <new>
 
 #include "core/base/error.h"
+#include "core/base/too_many.h"
 #include "text/libxml_state.h"
 #include "text/utf8_text.h"
 
@@ -25,6 +26,23 @@ std::string first_fault(xmlParserCtxt& context) {
   return ": line " + std::to_string(error->line) + ": " + cut_utf8(printable_utf8(message), 200);
 }
 
+int levels_of(const xmlNode* root) {
+  int levels = 1, deepest = 1;
+  for (const xmlNode* node = root; node;) {
+    if (node->children && node->type == XML_ELEMENT_NODE) {
+      node = node->children;
+      deepest = std::max(deepest, ++levels);
+      continue;
+    }
+    while (node != root && !node->next) {
+      node = node->parent;
+      --levels;
+    }
+    node = node == root ? nullptr : node->next;
+  }
+  return deepest;
+}
+
 }  // namespace
 
 XmlDocPtr parsed_foreign_svg(std::span<const std::uint8_t> svg, const std::string& path) {
@@ -36,6 +54,8 @@ XmlDocPtr parsed_foreign_svg(std::span<const std::uint8_t> svg, const std::strin
   if (!doc) throw InputError(path + ": not a readable SVG file" + first_fault(*context));
   const xmlNode* const root = xmlDocGetRootElement(doc.get());
   if (!root || !is_in_svg_namespace(root) || name_of(root) != "svg") throw InputError(path + ": not an SVG file");
+  if (levels_of(root) > kMostXmlLevels)
+    throw InputError(path + ": " + too_many(kMostXmlLevels, "levels of elements in each other"));
   return doc;
 }
 

@@ -15,8 +15,12 @@ namespace tessera {
 /// An SVG that a program of ours or cairo has written: it is well-formed, and may be huge. Throws InputError.
 XmlDocPtr parsed_svg(std::span<const std::uint8_t> svg, const std::string& path);
 
-/// An SVG from strangers, unpacked, its entities put in: libxml2 bounds its depth and what entities become, and loads
-/// nothing. Throws InputError, naming `path`, where it is not well-formed or its root is no <svg>.
+/// The deepest element of an SVG from strangers: who walks through it calls itself so often.
+inline constexpr int kMostXmlLevels = 256;
+
+/// An SVG from strangers, unpacked, its entities put in. libxml2 bounds what entities become, and loads nothing. Throws
+/// InputError, naming `path`, where it is not well-formed, its root is no <svg>, or it has more than kMostXmlLevels:
+/// libxml2 bounds these in the text, but not in what entities add.
 XmlDocPtr parsed_foreign_svg(std::span<const std::uint8_t> svg, const std::string& path);
 
 inline constexpr std::string_view kSvgNamespace = "http://www.w3.org/2000/svg";

@@ -60,13 +60,15 @@ class FileReader {
       add_dxf(bytes, shown, printable_utf8(path.stem().string()));
   }
 
-  /// After the last file. Throws InputError where an element that is to be left out was nowhere.
+  /// To be called after the last file. Throws InputError where --leave-out or --dpi had nothing to do.
   void end(const std::string& path) const {
     if (!not_found_.empty()) {
       const std::string example = example_.empty() ? "" : ", as " + printable_utf8(example_);
       throw InputError("--leave-out " + printable_utf8(*not_found_.begin()) +
                        ": fits no outline of an SVG; allowed: the id of an element that draws one" + example);
     }
+    if (reading_.px_per_inch && example_.empty())
+      throw InputError("--dpi: " + path + " has no SVG with an outline; allowed: with an SVG");
     units_.tell(path, input_);
   }
 

@@ -78,7 +78,7 @@ cat >plates.svg <<'SVG'
 </svg>
 SVG
 run 0 nest plates.svg --sheet 60,40 --demand plate=3 --demand 'r*=2' --spacing 1 --effort draft
-expect_word 'plates.svg: left out 1 open path: it encloses nothing'
+expect_word 'plates.svg: left out 1 chain of lines that does not close'
 ! grep -q 'says no unit' errors || fail "a unit that is said is missed"
 grep -q '^  unit            mm$' output || fail "the card does not name the unit"
 grep -q '^  pieces          6 of 6$' output || fail "not six pieces"

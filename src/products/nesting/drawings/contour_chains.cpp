@@ -72,7 +72,7 @@ class Ends {
   std::map<Place, Cell> cells_;
 };
 
-/// Of each line whether there is none like it before, in either direction.
+/// Says of each line whether it is the first of its kind: no earlier line has the same points, in either direction.
 std::vector<bool> first_ones(const std::vector<NestRing>& lines) {
   const auto less = [](const NestRing& a, const NestRing& b) {
     return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), [](NestPoint p, NestPoint q) {
@@ -96,10 +96,7 @@ bool encloses_something(const NestRing& ring) {
   return std::abs(signed_area(ring)) > 1e-9 * longest * longest || crosses_itself(ring);
 }
 
-}  // namespace
-
-namespace {
-
+/// The length of the points from `first` on.
 double length_of(const NestRing& line, std::size_t first) {
   double sum = 0;
   for (std::size_t i = first + 1; i < line.size(); ++i) sum += norm(line[i] - line[i - 1]);
@@ -117,8 +114,8 @@ struct Chain {
     points.insert(points.end(), line.begin() + (points.empty() ? 0 : 1), line.end());
     lines.push_back(which);
   }
-  /// The last line that begins where the chain ends, so that what follows is a loop; lines.size(): there is none. Little
-  /// bits of a finely divided line are none.
+  /// The chain's last line that begins where the chain ends: that line and those after it are a loop. lines.size() where
+  /// there is none. Bits of a finely divided line, all of them shorter than the reach, are no loop.
   std::size_t loop(double reach) const {
     for (std::size_t i = lines.size(); i-- > 0;) {
       const bool meets = norm(points[starts[i]] - points.back()) <= reach;
@@ -126,7 +123,7 @@ struct Chain {
     }
     return lines.size();
   }
-  /// Takes the lines from there on off.
+  /// Takes the loop that begins with that line off the chain.
   JoinedContour take_from(std::size_t line) {
     const auto at = points.begin() + std::ptrdiff_t(starts[line]);
     JoinedContour loop{NestRing(at, points.end() - 1), {lines.begin() + std::ptrdiff_t(line), lines.end()}};

@@ -75,21 +75,15 @@ std::vector<NamedContour> named_contours(std::vector<JoinedContour> contours, co
   return named;
 }
 
-/// `one`, `several`: what was left out, in the singular and in the plural; `names`: more of it.
-void note(int count, const char* one, const char* several, const std::string& names, std::vector<std::string>& notes) {
-  if (count > 0)
-    notes.push_back("left out " + count_text(std::size_t(count), one, several) + (names.empty() ? "" : ": " + names));
-}
-
 void note_of(const DxfDocument& document, const DxfLines& lines, std::vector<std::string>& notes) {
-  note(lines.hidden.count(), "entity on a layer that is off or frozen", "entities on layers that are off or frozen",
-       lines.hidden.names(), notes);
-  note(lines.invisible, "invisible entity", "invisible entities", "", notes);
-  note(lines.unread.count(), "entity of a kind that is not read", "entities of kinds that are not read",
-       lines.unread.names(), notes);
-  note(lines.missing.count(), "reference to a block that the file does not hold",
-       "references to blocks that the file does not hold", lines.missing.names(), notes);
-  note(document.in_paper, "entity of a layout on paper", "entities of layouts on paper", "", notes);
+  note_left_out(lines.hidden.count(), "entity on a layer that is off or frozen",
+                "entities on layers that are off or frozen", lines.hidden.names(), notes);
+  note_left_out(lines.invisible, "invisible entity", "invisible entities", "", notes);
+  note_left_out(lines.unread.count(), "entity of a kind that is not read", "entities of kinds that are not read",
+                lines.unread.names(), notes);
+  note_left_out(lines.missing.count(), "reference to a block that the file does not hold",
+                "references to blocks that the file does not hold", lines.missing.names(), notes);
+  note_left_out(document.in_paper, "entity of a layout on paper", "entities of layouts on paper", "", notes);
 }
 
 }  // namespace
@@ -106,7 +100,7 @@ DxfDrawings dxf_drawings(std::string_view text, const std::string& path, const s
                      " lines and arcs, allowed: " + std::to_string(kMostLines));
   int open = 0;
   std::vector<JoinedContour> contours = joined_contours(lines.lines, kFlatness_mm, open);
-  note(open, "chain of lines that does not close", "chains of lines that do not close", "", found.notes);
+  note_left_out(open, "chain of lines that does not close", "chains of lines that do not close", "", found.notes);
   if (contours.size() > kMostDrawings) {
     throw InputError(path + ": found " + std::to_string(contours.size()) +
                      " contours, allowed: " + std::to_string(kMostDrawings) + " in a file");

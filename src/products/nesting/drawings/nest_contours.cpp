@@ -6,7 +6,6 @@
 
 #include "core/base/count_text.h"
 #include "core/base/error.h"
-#include "products/nesting/layout/ring_rows.h"
 #include "text/utf8_text.h"
 
 namespace tessera {
@@ -71,9 +70,12 @@ void check_name(const std::string& name, const std::string& what) {
                    printable_utf8(cut_utf8(name, 20)) + "...\", allowed: " + std::to_string(kMostNameBytes));
 }
 
-namespace {
+void note_left_out(int count, const char* one, const char* several, const std::string& names,
+                   std::vector<std::string>& notes) {
+  if (count > 0)
+    notes.push_back("left out " + count_text(std::size_t(count), one, several) + (names.empty() ? "" : ": " + names));
+}
 
-/// Whether most of some of its points are inside: sides may touch.
 bool lies_in(const NestRing& inner, const RingRows& outer) {
   constexpr std::size_t kLooks = 5;
   std::size_t inside = 0;
@@ -81,14 +83,11 @@ bool lies_in(const NestRing& inner, const RingRows& outer) {
   return 2 * inside > kLooks;
 }
 
+namespace {
+
 /// The least of what is no number: contour_fault finds the points.
 double whole_steps(double wanted, double least, double most) {
   return wanted > least ? std::min(std::ceil(wanted), most) : least;
-}
-
-bool holds(const NestBox& outer, const NestBox& inner) {
-  return outer.low.x <= inner.low.x && outer.low.y <= inner.low.y && inner.high.x <= outer.high.x &&
-         inner.high.y <= outer.high.y;
 }
 
 /// Of each contour the largest that it lies in; -1: none.

@@ -6,6 +6,7 @@
 
 #include "artwork/svg/path_steps.h"
 #include "products/nesting/layout/nest_polygon.h"
+#include "products/nesting/layout/ring_rows.h"
 
 namespace tessera {
 
@@ -14,14 +15,14 @@ struct NestDrawing {
   std::string name;
   NestRing outline;
   std::vector<NestRing> holes = {};
-  std::vector<PathSteps> curves =
-      {};  // the curves that outline and holes stand for, in this order; empty: it is a polygon
+  /// The curves that the outline and then the holes stand for. A contour whose curve is empty or missing is a polygon.
+  std::vector<PathSteps> curves = {};
 
-  /// Of the outline, 0, or a hole; empty: it is a polygon.
+  /// The curve of contour 0, the outline, or of a hole; empty: the contour is a polygon.
   const PathSteps& curve(std::size_t contour) const;
 };
 
-/// Of the outline and the holes.
+/// How many points outline and holes have together.
 std::size_t points_of(const NestDrawing& drawing);
 
 /// Most points of one contour, and of all of a file; most pieces of a file.
@@ -54,6 +55,11 @@ struct NamedContour {
   PathSteps curve = {};  // that the ring stands for; empty: it is a polygon
 };
 
+/// Tells that `count` things were left out, none where it is 0: "left out 2 invisible entities". `one`, `several`: what they
+/// are and why, in the singular and in the plural.
+void note_left_out(int count, const char* one, const char* several, const std::string& names,
+                   std::vector<std::string>& notes);
+
 /// What is to be told of contours that are of no use, "left out bow: found a contour that crosses itself"; empty: all are
 /// good. Throws InputError, naming `path`, where none is good.
 std::string faults_text(const std::vector<NamedContour>& contours, const std::string& path);
@@ -61,6 +67,9 @@ std::string faults_text(const std::vector<NamedContour>& contours, const std::st
 /// Contours that are of no use are left out, and outlines with them that lie in such a contour. Outlines that lie in no other, each with all that lies in it as holes; what lies in those is cut, too, and travels
 /// along. In the order of the outlines. Of several outlines of one name the names are NAME-1, NAME-2 and so on.
 std::vector<NestDrawing> drawings_of(std::vector<NamedContour> contours);
+
+/// Whether most of some points of the inner ring are inside the outer one: sides may touch.
+bool lies_in(const NestRing& inner, const RingRows& outer);
 
 /// Points of the arc of a circle or ellipse that starts at `from` (not among them), by steps that keep the flatness.
 /// The arc is centre + u cos t + v sin t, t from `first` to `last`, rad.

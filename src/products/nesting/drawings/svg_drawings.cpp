@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/too_many.h"
 #include "products/nesting/drawings/contour_chains.h"
+#include "products/nesting/drawings/fill_rule.h"
 #include "text/number_text.h"
 #include "text/utf8_text.h"
 
@@ -56,28 +57,33 @@ PathSteps reversed(const PathSteps& steps) {
   return back;
 }
 
-void note(int count, const char* one, const char* several, std::vector<std::string>& notes) {
-  if (count > 0) notes.push_back("left out " + count_text(std::size_t(count), one, several));
-}
-
 class SvgReader {
  public:
   explicit SvgReader(const std::string& path) : path_(path) {}
 
   void add(const SvgOutline& outline) {
     check_name(outline.name, path_ + ": id");
+    std::vector<NestRing> contours;
+    std::vector<PathSteps> curves;
     for (const FlatSubpath& subpath : flat_path(outline.steps, kFlatness_mm)) {
       NestRing ring = ring_of(subpath);
       if (ring.size() < 2) continue;  // a dot
       check_count("points", points_ += ring.size(), kMostDrawingPoints);
-      PathSteps steps(outline.steps.begin() + std::ptrdiff_t(subpath.first_step),
-                      outline.steps.begin() + std::ptrdiff_t(subpath.first_step + subpath.steps));
-      // After a Z the next subpath may begin without a move.
-      if (steps.front().command != 'M') steps.insert(steps.begin(), PathStep{'M', {{subpath.points.front()}}});
-      if (subpath.closed || (outline.filled && has_area(ring)))
-        add_contour(outline.name, std::move(ring), closed(std::move(steps)));
-      else
+      PathSteps steps = steps_of(subpath, outline.steps);
+      if (subpath.closed || (outline.filled && has_area(ring))) {
+        contours.push_back(std::move(ring));
+        curves.push_back(closed(std::move(steps)));
+        check_count("contours", contours.size(), kMostContours);
+      } else {
         add_line(outline.name, std::move(ring), std::move(steps));
+      }
+    }
+    const std::vector<bool> is_seen = ends_fill(contours, outline.even_odd || !outline.filled);
+    for (std::size_t i = 0; i < contours.size(); ++i) {
+      if (is_seen[i])
+        add_contour(outline.name, std::move(contours[i]), std::move(curves[i]));
+      else
+        ++inside_fills_;
     }
   }
 
@@ -93,11 +99,12 @@ class SvgReader {
                       count_text(contours.size(), "contour") + ": ends less than " + significant(kJoinedEnds_mm, 2) +
                       " mm apart meet");
     }
-    note(open, "open path: it encloses nothing", "open paths: they enclose nothing", notes);
+    note_left_out(open, "chain of lines that does not close", "chains of lines that do not close", "", notes);
   }
 
   std::vector<NestDrawing> take(std::vector<std::string>& notes) {
-    note(twice_, "outline that is there twice", "outlines that are there twice", notes);
+    note_left_out(twice_, "outline that is there twice", "outlines that are there twice", "", notes);
+    note_left_out(inside_fills_, "contour with fill on both sides", "contours with fill on both sides", "", notes);
     if (std::string faults = faults_text(contours_, path_); !faults.empty()) notes.push_back(std::move(faults));
     std::vector<NestDrawing> drawings = drawings_of(std::move(contours_));
     if (drawings.size() > kMostDrawings)
@@ -114,6 +121,14 @@ class SvgReader {
     back.assign(there.rbegin(), there.rend());
     std::rotate(back.begin(), back.end() - 1, back.end());  // from the same point on
     return std::min(there, back);
+  }
+
+  static PathSteps steps_of(const FlatSubpath& subpath, const PathSteps& path) {
+    const auto first = path.begin() + std::ptrdiff_t(subpath.first_step);
+    PathSteps steps(first, first + std::ptrdiff_t(subpath.steps));
+    // After a Z the next subpath may begin without a move.
+    if (steps.front().command != 'M') steps.insert(steps.begin(), PathStep{'M', {{subpath.points.front()}}});
+    return steps;
   }
 
   static PathSteps closed(PathSteps steps) {
@@ -155,7 +170,8 @@ class SvgReader {
   std::string path_;
   std::vector<NamedContour> contours_;
   std::set<std::vector<std::pair<double, double>>> seen_;
-  int twice_ = 0;  // contours that were there already
+  int twice_ = 0;         // contours that were there already
+  int inside_fills_ = 0;  // contours that nobody sees, as there is fill on both sides
   std::vector<NestRing> lines_;
   std::vector<PathSteps> line_steps_;
   std::vector<std::string> names_;  // of the lines
@@ -172,7 +188,7 @@ bool is_bed(const std::vector<NestDrawing>& drawings) {
   return std::abs(std::abs(signed_area(drawings.front().outline)) - area) < 1e-6 * area;
 }
 
-/// "a", "b" and 3 more.
+/// "a, b, c and 3 more".
 std::string some_of(const std::vector<std::string>& names) {
   constexpr std::size_t kMost = 3;
   std::string text;
@@ -196,19 +212,17 @@ SvgDrawings svg_drawings(const SvgOutlines& outlines, const std::string& path,
     const std::string text = error.what();
     throw InputError(text.starts_with(path) ? text : path + ": " + text);
   }
-  if (!outlines.undrawn_elements.empty()) {
-    found.notes.push_back(
-        "left out " +
-        count_text(outlines.undrawn_elements.size(), "element that is not drawn", "elements that are not drawn") +
-        " (hidden, transparent, empty, damaged, or with neither fill nor stroke): " +
-        some_of(outlines.undrawn_elements));
-  }
-  note(outlines.unread_elements, "element that is no outline: text or image; a drawing program makes paths of text",
-       "elements that are no outlines: text or images; a drawing program makes paths of text", found.notes);
-  if (!outlines.far_elements.empty()) {
-    found.notes.push_back("left out " + some_of(outlines.far_elements) +
-                          ": found a coordinate that is no number or too large, allowed: 1e6 mm either way");
-  }
+  note_left_out(int(outlines.undrawn_elements.size()),
+                "element that is not drawn (hidden, transparent, empty, damaged, or with neither fill nor stroke)",
+                "elements that are not drawn (hidden, transparent, empty, damaged, or with neither fill nor stroke)",
+                some_of(outlines.undrawn_elements), found.notes);
+  note_left_out(
+      outlines.unread_elements, "element that is no outline: text or image; a drawing program makes paths of text",
+      "elements that are no outlines: text or images; a drawing program makes paths of text", "", found.notes);
+  note_left_out(int(outlines.far_elements.size()),
+                "element with a coordinate that is no number or too large, allowed: 1e6 mm either way",
+                "elements with coordinates that are no numbers or too large, allowed: 1e6 mm either way",
+                some_of(outlines.far_elements), found.notes);
   found.drawings = reader.take(found.notes);
   if (is_bed(found.drawings)) {
     const NestDrawing& bed = found.drawings.front();

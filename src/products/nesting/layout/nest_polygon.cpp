@@ -16,6 +16,11 @@ NestBox box_of(const NestRing& ring) {
   return box;
 }
 
+bool holds(const NestBox& outer, const NestBox& inner) {
+  return outer.low.x <= inner.low.x && outer.low.y <= inner.low.y && inner.high.x <= outer.high.x &&
+         inner.high.y <= outer.high.y;
+}
+
 double signed_area(const NestRing& ring) {
   double twice = 0;
   for (std::size_t i = 2; i < ring.size(); ++i) twice += turn(ring[0], ring[i - 1], ring[i]);

@@ -34,6 +34,8 @@ struct NestBox {
 };
 
 NestBox box_of(const NestRing& ring);  // of at least one point
+/// Whether the inner box lies in the outer one; sides may touch.
+bool holds(const NestBox& outer, const NestBox& inner);
 double signed_area(const NestRing& ring);
 /// Even-odd rule; points on the boundary may count either way.
 bool contains(const NestRing& ring, NestPoint p);
