@@ -18,7 +18,7 @@ class LayerReader {
  public:
   explicit LayerReader(const xmlNode* root) { list_ids(root); }
 
-  /// In what a part of the layer stands.
+  /// Where a part of the layer stands, and what cuts it.
   struct Frame {
     cairo_matrix_t layer_from_user;
     std::vector<std::shared_ptr<const LayerClip>> clips;
@@ -49,7 +49,8 @@ class LayerReader {
     if (kind == "path") read_path(node, frame);
   }
 
-  /// Where the surface of a group is defined, it is cut to the page; what is nested may lie beside it.
+  /// Reads the group that is shown. cairo cuts its surface to the page, where it is defined; that is passed over, since
+  /// what is nested may lie beside the page.
   void read_use(const xmlNode* use, const Frame& frame) {
     constexpr int kMostUses = 10'000;
     if (++uses_ > kMostUses) throw InputError(too_many(kMostUses, "groups"));

@@ -22,8 +22,9 @@ struct LayerPath {
   std::vector<std::shared_ptr<const LayerClip>> clips;  // it is seen where all of them are
 };
 
-/// In the order in which they are painted. What is fully transparent is not there. Bitmaps, masks and what is painted
-/// without a path are passed over. Throws InputError where it is nothing that cairo writes, or is too much.
+/// The paths of an SVG that cairo has written, in the order in which they are painted. Paths that are fully transparent are
+/// not among them. Bitmaps, masks and what is painted without a path are passed over. Throws InputError where cairo does
+/// not write such a text, or where it is too much.
 std::vector<LayerPath> layer_paths(const std::string& svg);
 
 }  // namespace tessera

@@ -24,7 +24,7 @@ bool is_drawn_kind(const xmlNode* node) {
   return is_in_svg_namespace(node) && (kGroups.contains(kind) || kShapes.contains(kind) || kOthers.contains(kind));
 }
 
-/// The word after `before`, as far as it is made of digits and dots.
+/// The version after the text `before`: its digits and dots.
 std::string version_after(std::string_view text, std::string_view before) {
   const std::size_t at = text.find(before);
   if (at == std::string_view::npos) return "";
@@ -58,17 +58,17 @@ xmlNode* chosen_of(xmlNode* one_of_many) {
   return of_a_language;
 }
 
-/// Finds the leaves, and what is to be changed so that librsvg draws each as a layer: each has an id of its own, as
-/// librsvg takes the first element that has it; a <switch> is a group with one child that is seen, as of a layer in a
-/// <switch> librsvg 2.54 draws nothing, or another child.
-class Numberer {
+/// Finds the leaves, and what is to be changed so that librsvg draws each of them as a layer. Each leaf gets an id of its
+/// own, since librsvg takes the first element that has the id. Each <switch> becomes a group with one child that is seen,
+/// since librsvg 2.54 draws nothing of a layer in a <switch>, or another child.
+class LeafFinder {
  public:
-  Numberer(xmlNode* root, const std::string& path) : path_(path), root_(root) {
+  LeafFinder(xmlNode* root, const std::string& path) : path_(path), root_(root) {
     collect_ids(root);
-    number(root);
+    add_children(root);
   }
 
-  /// All at last: selectors look at ids, and at what is beside an element.
+  /// Makes all changes, after all leaves are found: selectors look at ids, and at what stands beside an element.
   void change() const {
     const bool replaces_ids = std::any_of(new_ids_.begin(), new_ids_.end(), [](const NewId& id) { return id.had_one; });
     std::vector<std::string> styles(new_ids_.size());
@@ -95,30 +95,30 @@ class Numberer {
     bool had_one;  // its style may depend on it
   };
 
-  /// Recursion is as deep as the document.
+  /// Recursion is as deep as the document, which parsed_foreign_svg bounds.
   void collect_ids(xmlNode* node) {
     if (const std::string id = attribute(node, "id"); !id.empty()) first_of_id_.emplace(id, node);
     for (xmlNode* child = xmlFirstElementChild(node); child; child = xmlNextElementSibling(child)) collect_ids(child);
   }
 
-  void number(xmlNode* parent) {
+  void add_children(xmlNode* parent) {
     const bool is_switch = name_of(parent) == "switch";
     xmlNode* const chosen = is_switch ? chosen_of(parent) : nullptr;
     if (is_switch) switches_.push_back(parent);
     for (xmlNode* node = xmlFirstElementChild(parent); node; node = xmlNextElementSibling(node)) {
       if (!is_drawn_kind(node)) continue;
       if (!is_switch || node == chosen)
-        number_one(node);
+        add(node);
       else
         hidden_.push_back(node);
     }
   }
 
-  void number_one(xmlNode* node) {
+  void add(xmlNode* node) {
     const std::string_view kind = name_of(node);
     const std::string own = attribute(node, "id");
     const std::string name = own.empty() ? std::string(kind) + std::to_string(++unnamed_) : own;
-    if (kGroups.contains(kind)) return number(node);
+    if (kGroups.contains(kind)) return add_children(node);
     std::string id = own;
     // librsvg takes what stands before a '#' for the name of a file.
     if (own.empty() || first_of_id_.at(own) != node || own.find('#') != std::string::npos) {
@@ -146,10 +146,10 @@ class Numberer {
 SvgLeaves svg_leaves(std::span<const std::uint8_t> bytes, const std::string& path) {
   const XmlDocPtr doc = parsed_foreign_svg(bytes, path);
   xmlNode* const root = xmlDocGetRootElement(doc.get());
-  Numberer numberer(root, path);
-  numberer.change();
+  LeafFinder finder(root, path);
+  finder.change();
   SvgLeaves leaves;
-  leaves.list = numberer.take();
+  leaves.list = finder.take();
   for (const char* side : {"width", "height"}) {
     const std::string length = attribute(root, side);
     leaves.says_px = leaves.says_px || length.find("px") != std::string::npos;

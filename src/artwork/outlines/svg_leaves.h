@@ -21,7 +21,7 @@ struct SvgLeaves {
   std::string program;        // what the file says of who wrote it, "Inkscape 0.48.4"; empty: nothing that is known
 };
 
-/// `bytes` are no SVGZ. Throws InputError, naming `path`, where they are no SVG, or have too many leaves
+/// The leaves of an unpacked SVG. Throws InputError, naming `path`, where they are no SVG, or have too many leaves
 /// (svg_outlines.h).
 SvgLeaves svg_leaves(std::span<const std::uint8_t> bytes, const std::string& path);
 
