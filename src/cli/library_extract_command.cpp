@@ -29,6 +29,7 @@ namespace {
 
 constexpr char kLibraryExtractExamples[] =
     "Examples:\n"
+    "  tessera library extract jigsaw.jpg -o pieces.h5                             elements apart on a plain ground\n"
     "  tessera library extract wall.jpg --element-px 120 -o stones.h5 --overview found/\n"
     "  tessera library extract beach_*.jpg --element-px 60 --min 30 --max 200 -o pebbles.h5\n"
     "  tessera library extract gravel.jpg --element-px 16 --enlarge 3 -o gravel.h5    elements of few pixels\n"
@@ -36,9 +37,9 @@ constexpr char kLibraryExtractExamples[] =
     "  tessera library extract wall.jpg --labels wall_labels.png -o stones.h5      labels from another program\n"
     "Reads JPEG, PNG, TIFF, WebP and BMP, turned as their EXIF data say. Each element comes with its own pixels, "
     "which\n"
-    "the library holds. Those that the photo's edge cuts are left out. Look at the overview: where elements are\n"
-    "merged, give a smaller --element-px, where they are split, a larger one. 100 elements take some 5 s, 1000 a\n"
-    "minute or two.";
+    "the library holds. Those that the photo's edge cuts are left out. Elements that touch, or lie on a ground of\n"
+    "several colours, need --element-px. Look at the overview: where elements are merged, give a smaller one, where\n"
+    "they are split, a larger one. 100 elements take some 5 s, 1000 a minute or two.";
 
 struct ExtractArguments {
   std::vector<std::string> photos;
@@ -92,6 +93,10 @@ std::vector<CutOut> all_cut_outs(const ExtractArguments& arguments, Drawers& dra
     if (!arguments.ground.empty() && photo == arguments.photos.front()) settings.ground_px = arguments.ground_px;
     Extraction extraction = extract_elements(photo, settings, drawers);
     print_line("%s: %s", photo.c_str(), counts_text(extraction, settings).c_str());
+    if (extraction.touching > 0) {
+      print_line("  %s like several that touch: --element-px PX, the short side of a typical one, takes them apart",
+                 (std::to_string(extraction.touching) + (extraction.touching == 1 ? " looks" : " look")).c_str());
+    }
     if (!arguments.overview.empty()) write_overview(arguments, photo, extraction.overview_png);
     if (!extraction.ground_png.empty()) write_ground(arguments, extraction);
     for (CutOut& cut_out : extraction.cut_outs) all.push_back(std::move(cut_out));
@@ -190,10 +195,8 @@ void check(const ExtractArguments& arguments) {
   check_number("--max", arguments.settings.sizes.most_px);
   if (arguments.settings.sizes.least_px > arguments.settings.sizes.most_px)
     throw InputError("--min: found more than --max, allowed: at most that");
-  if (arguments.settings.labels.empty() == (arguments.settings.element_px == 0))
-    throw InputError(std::string("found ") +
-                     (arguments.settings.labels.empty() ? "neither --element-px nor" : "both --element-px and") +
-                     " --labels; needed: one of them");
+  if (!arguments.settings.labels.empty() && arguments.settings.element_px > 0)
+    throw InputError("found both --element-px and --labels, allowed: one of them");
   if (!arguments.settings.labels.empty() && arguments.photos.size() > 1)
     throw InputError("--labels: found " + std::to_string(arguments.photos.size()) +
                      " photos, allowed: one, which the map belongs to");
@@ -255,7 +258,8 @@ void add_library_extract_command(CLI::App& library, Command& selected) {
       ->type_name("LIB.h5");
   extract
       ->add_option("--element-px", arguments->settings.element_px,
-                   "Short side of a typical element, px of the photo; rather too small than too large")
+                   "Short side of a typical element, px of the photo; rather too small than too large. Default: each "
+                   "lies apart on a plain ground")
       ->check(CLI::Range(4.0, kMostSide_px));
   extract
       ->add_option("--min", arguments->settings.sizes.least_px,

@@ -20,6 +20,7 @@
 #include "products/puzzle/puzzle_making.h"
 #include "products/puzzle/puzzle_solver.h"
 #include "products/puzzle/puzzle_solving.h"
+#include "products/puzzle/solving_progress.h"
 #include "program/list_option.h"
 #include "run/job_output.h"
 #include "run/progress/time_limit.h"
@@ -148,15 +149,14 @@ std::string advice(const SolveArguments& arguments, const SolvedPuzzle& solved) 
 std::string doubt(const SolveArguments& arguments, const SolvedPuzzle& solved) {
   constexpr double kLeastFilled = 0.99;
   if (solved.gaps > kMostPuzzleGaps)
-    return "there are narrow gaps between pieces: not all of them belong where they lie";
+    return "there are narrow gaps between pieces: some may not belong where they lie, or outlines are not exact";
   if (solved.left_over.empty() && has_frame(arguments) && solved.filled < kLeastFilled)
     return "the frame is not full: pieces are missing, they are smaller than they were cut, or the frame has another "
            "shape than the puzzle" +
            (solved.loose_width_px > 0 ? ": all pieces together take " + loose_size(solved) : "");
   if (solved.undecided > 0)
     return std::to_string(solved.undecided) + " of " + count_text(solved.placed, "piece") +
-           " have the outline of others, and what is on them does not say for sure where they belong: some may "
-           "lie "
+           " have the outline of others, and what is on them does not say for sure where they belong: some may lie "
            "wrongly";
   return "";
 }
@@ -213,9 +213,9 @@ class SolvingWatch {
     if (comm::stop_signalled()) throw Interrupted{StopReason::signal};
     if (limit_.round_over(leaving_s_)) throw Interrupted{StopReason::time_limit};
     if (quiet_) return;
-    if (!bar_ || at.laying != laying_) bar_.emplace(at.laying ? "laying" : "matching", at.of);
-    laying_ = at.laying;
-    bar_->update(at.done, at.laying ? count_text(at.done, "piece") : "", std::nullopt);
+    const SolvingProgress::Shown shown = progress_.see(at);
+    if (!bar_ || shown.label != label_) bar_.emplace(label_ = shown.label, shown.of);
+    bar_->update(shown.done, shown.note, std::nullopt);
   }
 
  private:
@@ -224,8 +224,9 @@ class SolvingWatch {
   bool quiet_;
   double leaving_s_;
   TimeLimit limit_;
+  SolvingProgress progress_;
+  std::string label_;  // of the bar
   std::optional<ProgressBar> bar_;
-  bool laying_ = false;
 };
 
 /// The exit code of the job that was written, or that of an end before its time.

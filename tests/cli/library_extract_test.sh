@@ -38,6 +38,29 @@ run 0 library extract wall.png --element-px 75 -o wall.h5
 cmp wall.h5 first.h5 || fail "other bytes of the same photo"
 echo "ok search"
 
+# On a plain ground no size need be told. What touches is named, and taken apart where a size is.
+run 0 library extract wall.png -o apart.h5
+grep -qx "wall.png: 12 elements, 1 at the photo's edge left out" output || fail "another count without a size"
+[[ $(cat output) != *'like several'* ]] || fail "stones apart count as several"
+coins() { # SECOND_X
+  echo "<svg xmlns='http://www.w3.org/2000/svg' width='480' height='360'><rect width='480' height='360' fill='#1a2a50'/>
+    <circle cx='120' cy='100' r='50' fill='#c9a227'/><circle cx='$1' cy='100' r='50' fill='#c9a227'/>
+    <circle cx='330' cy='240' r='50' fill='#c9a227'/></svg>" | rsvg-convert -o coins.png
+}
+coins 217
+run 0 library extract coins.png -o coins.h5
+grep -qx 'coins.png: 2 elements' output || fail "another count of coins"
+grep -qx '  1 looks like several that touch: --element-px PX, the short side of a typical one, takes them apart' output ||
+  fail "coins that touch are not named"
+run 0 library extract coins.png --element-px 100 -o coins.h5
+grep -qx 'coins.png: 3 elements' output || fail "coins that touch are not taken apart"
+coins 235
+for size in 30 60 240; do  # a wrong one
+  run 0 library extract coins.png --element-px $size -o coins.h5
+  grep -qx 'coins.png: 3 elements' output || fail "a wrong size makes other coins of those on a plain ground"
+done
+echo "ok plain ground"
+
 # The library does without the photo.
 mv wall.png elsewhere.png
 cat >job.toml <<'END_OF_JOB'
@@ -165,10 +188,10 @@ expect_word '--min: found more than --max'
 run 2 library extract wall.png --element-px nan -o none.h5
 expect_word '--element-px'
 run 2 library extract wall.png --element-px 2 -o none.h5
-run 2 library extract wall.png -o none.h5
-expect_word 'found neither --element-px nor --labels; needed: one of them'
+run 2 library extract tiles.png -o none.h5
+expect_word 'tiles.png: found no elements apart on a plain ground, needed for any other photo: --element-px, the short'
 run 2 library extract wall.png --element-px 75 --labels map.png -o none.h5
-expect_word 'found both --element-px and --labels; needed: one of them'
+expect_word 'found both --element-px and --labels, allowed: one of them'
 run 2 library extract job.toml --element-px 75 -o none.h5
 expect_word 'job.toml: '
 run 2 library extract missing.jpg --element-px 75 -o none.h5
@@ -183,7 +206,8 @@ rsvg-convert -w 4800 -h 3600 wall.svg -o large.png
 run 2 library extract large.png --element-px 150 --enlarge 2 -o none.h5
 expect_word 'large.png: --enlarge: found 2, allowed with its 4800 x 3600 px: 1 or less'
 cp wall.h5 before.h5
-timeout -s INT 1 "$tessera" library extract large.png --element-px 150 -o wall.h5 >output 2>errors
+gravel=$(dirname "${BASH_SOURCE[0]}")/../../jobs/photos/gravel.png
+timeout -s INT 1 "$tessera" library extract "$gravel" --element-px 16 --enlarge 8 -o wall.h5 >output 2>errors
 code=$?
 [[ $code -eq 124 ]] || fail "it ended by itself, with $code: no time to interrupt it"
 expect_word 'tessera: interrupted'

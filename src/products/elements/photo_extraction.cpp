@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include "artwork/images/image_decoding.h"
 #include "artwork/images/png_encoder.h"
@@ -14,8 +16,10 @@
 #include "products/elements/freed_memory.h"
 #include "products/elements/ground_pixels.h"
 #include "products/elements/ground_synthesis.h"
+#include "products/elements/plain_ground.h"
 #include "products/elements/segmentation/connected_labels.h"
 #include "products/elements/segmentation/label_scaling.h"
+#include "products/elements/touching_elements.h"
 
 namespace tessera {
 namespace {
@@ -47,17 +51,49 @@ cv::Mat decoded(const PhotoFile& photo, int times, Drawers& drawers) {
   return enlarged_photo(photo.path, drawers.photo(photo.bytes, photo.path), times);
 }
 
-/// A label map of a working copy. The photo is not held meanwhile, as the search takes as much room.
-cv::Mat searched(const PhotoFile& photo, const ExtractionSettings& settings, Drawers& drawers) {
-  try {
-    const ElementCopies copies =
-        element_copies(decoded(photo, settings.enlarged, drawers), settings.element_px * settings.enlarged);
-    const cv::Mat labels = elements_in_copies(copies);
-    give_back_freed_memory();
-    return labels;
-  } catch (const std::invalid_argument& error) {
-    throw InputError(photo.path + ": --element-px: " + error.what());
+/// Label maps of copies of a photo.
+struct FoundMaps {
+  std::optional<cv::Mat> apart;  // elements_on_plain_ground
+  cv::Mat searched;              // elements_in_copies; empty where that was not needed
+};
+
+bool any_of(const std::vector<bool>& marks) { return std::find(marks.begin(), marks.end(), true) != marks.end(); }
+
+/// The photo is not held afterwards, nor during the search, which takes as much room.
+FoundMaps found_maps(const PhotoFile& photo, const ExtractionSettings& settings, Drawers& drawers) {
+  const bool has_size = settings.element_px > 0;
+  FoundMaps maps;
+  ElementCopies copies;
+  {
+    const cv::Mat picture = decoded(photo, settings.enlarged, drawers);
+    maps.apart = elements_on_plain_ground(picture);
+    if (!maps.apart && !has_size) {
+      throw InputError(photo.path +
+                       ": found no elements apart on a plain ground, needed for any other photo: --element-px, the "
+                       "short side of a typical element in px, or --labels");
+    }
+    if (!has_size || (maps.apart && !any_of(touching_regions(LabelRuns(*maps.apart))))) return maps;
+    try {
+      copies = element_copies(picture, settings.element_px * settings.enlarged);
+    } catch (const std::invalid_argument& error) {
+      throw InputError(photo.path + ": --element-px: " + error.what());
+    }
   }
+  maps.searched = elements_in_copies(copies);
+  give_back_freed_memory();
+  return maps;
+}
+
+/// Of the photo. `touching` becomes touching_regions() of them, or empty where the search has taken those apart.
+LabelRuns labels_from(const FoundMaps& maps, const cv::Mat& picture, std::vector<bool>& touching) {
+  if (!maps.apart) return labels_of_photo(picture, maps.searched);
+  const bool is_of_its_size = maps.apart->size() == picture.size();
+  LabelRuns apart = is_of_its_size ? LabelRuns(*maps.apart) : scaled_labels(*maps.apart, picture.size());
+  touching = touching_regions(apart);
+  if (maps.searched.empty()) return apart;
+  LabelRuns all = with_touching_apart(apart, touching, labels_of_photo(picture, maps.searched));
+  touching.clear();
+  return all;
 }
 
 /// Before the photo is there.
@@ -99,15 +135,20 @@ Extraction extract_elements(const std::string& photo, const ExtractionSettings& 
   const int times = settings.enlarged;
   const bool searches = settings.labels.empty();
   PhotoFile file{photo, read_regular_file(photo, kMaxPhotoBytes)};
-  const cv::Mat map = searches ? searched(file, settings, drawers) : given_labels(settings.labels, drawers);
+  const FoundMaps maps = searches ? found_maps(file, settings, drawers) : FoundMaps{};
+  const cv::Mat given = searches ? cv::Mat() : given_labels(settings.labels, drawers);
   const cv::Mat picture = decoded(file, times, drawers);
   file.bytes = {};
+  std::vector<bool> touching;
   const LabelRuns labels =
-      searches ? labels_of_photo(picture, map) : labels_for(settings.labels, map, photo, picture, times);
+      searches ? labels_from(maps, picture, touching) : labels_for(settings.labels, given, photo, picture, times);
   Extraction extraction;
   extraction.least_px = std::max(settings.sizes.least_px, double(kLeastSize_px) / times);
   extraction.found = find_elements(labels, {extraction.least_px * times, settings.sizes.most_px * times});
   const std::vector<PhotoElement>& elements = extraction.found.elements;
+  for (const PhotoElement& element : elements) {
+    if (!touching.empty() && touching[std::size_t(element.label)]) ++extraction.touching;
+  }
   if (settings.ground_px > 0) add_ground(photo, picture, labels, settings, extraction);
   if (settings.with_overview) extraction.overview_png = png_of(elements_overview(picture, labels, elements));
   extraction.cut_outs = cut_outs(photo, picture, labels, elements);

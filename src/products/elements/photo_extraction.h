@@ -20,7 +20,8 @@ inline constexpr int kMostEnlarged = 8;
 
 /// All px are those of the photo as it is, whatever `enlarged` is.
 struct ExtractionSettings {
-  double element_px = 0;  // element_labels(); unless there are labels
+  /// element_labels(), unless there are labels; 0: elements lie apart on a plain ground.
+  double element_px = 0;
   ElementSizes sizes;
   int enlarged = 1;            // times, 1 to kMostEnlarged: the photo is searched, cut up and shown so
   std::string labels;          // path of a map from another program, instead of searching; empty = none
@@ -30,6 +31,7 @@ struct ExtractionSettings {
 
 struct Extraction {
   FoundElements found;
+  std::size_t touching = 0;  // of them: look like several that touch, and no size says how to tell them apart
   std::vector<CutOut> cut_outs;
   std::vector<std::uint8_t> overview_png;  // empty without with_overview
   std::vector<std::uint8_t> ground_png;    // empty without ground_px
@@ -38,7 +40,8 @@ struct Extraction {
   double least_px = 0;
 };
 
-/// Throws InputError where a file is no photo or no map of its size, where elements are too small for the photo, where
+/// Throws InputError where a file is no photo or no map of its size, where no size is given and the
+/// ground is not plain, where elements are too small for the photo, where
 /// it would be too large when enlarged, or where it shows not enough ground.
 Extraction extract_elements(const std::string& photo, const ExtractionSettings& settings, Drawers& drawers);
 

@@ -1,0 +1,177 @@
+#include "products/elements/plain_ground.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "products/elements/ground_light.h"
+#include "products/elements/segmentation/connected_labels.h"
+#include "products/elements/segmentation/region_labels.h"
+
+namespace tessera {
+namespace {
+
+/// Of the copy that is looked at, and of the one that the ground's colour is taken from.
+constexpr double kMostLookedAt_px2 = 6e6, kMostFitted_px2 = 1e5;
+/// Noise of single pixels and of a JPEG's blocks is smoothed by so much.
+constexpr double kSmooth_px = 1;
+/// CIELAB: of the edge's pixels those so near to their median may be ground, before the light is known.
+constexpr float kFirstReach = 25;
+constexpr int kFits = 8;
+/// Of the deviation of what counts as ground, CIELAB: how far ground reaches, and how rough plain ground is at most.
+constexpr float kReach = 4, kLeastReach = 5, kMostDeviation = 3.5F;
+/// The part of the photo's edge, this wide by its shorter side, where plain ground must be seen.
+constexpr double kEdge = 0.03, kLeastAtEdge = 0.75;
+/// Of the ground, what must hang together.
+constexpr double kLeastTogether = 0.9;
+/// How far elements stand out, by how far ground reaches; where it is less they are the ground's own roughness.
+constexpr double kLeastStandingOut = 2;
+/// What is of the ground's hue, but darker, is a shadow up to this part of how far elements stand out. Hues: of 0 to 1.
+constexpr double kMostShadow = 0.4, kSameHue = 0.04;
+/// An edge lies where the difference is half of what it is so far inside.
+constexpr int kEdgeReach_px = 2;
+/// Of a photo that holds elements and their ground.
+constexpr int kLeastPhoto_px = 16;
+
+/// Of each pixel, CV_32F.
+cv::Mat difference_of(const cv::Mat& a, const cv::Mat& b) {
+  cv::Mat all(a.size(), CV_32F);
+  for (int y = 0; y < a.rows; ++y) {
+    for (int x = 0; x < a.cols; ++x)
+      all.at<float>(y, x) = float(cv::norm(a.at<cv::Vec3f>(y, x) - b.at<cv::Vec3f>(y, x)));
+  }
+  return all;
+}
+
+/// CV_8U: the ground's colour, darker.
+cv::Mat shadow_like(const cv::Mat& bgr, const cv::Mat& ground_bgr) {
+  cv::Mat all(bgr.size(), CV_8U);
+  for (int y = 0; y < bgr.rows; ++y) {
+    for (int x = 0; x < bgr.cols; ++x) {
+      const cv::Vec3f here = bgr.at<cv::Vec3f>(y, x), ground = ground_bgr.at<cv::Vec3f>(y, x);
+      const double times = here.dot(ground) / std::max(1e-6F, ground.dot(ground));
+      all.at<std::uint8_t>(y, x) = times < 1 && cv::norm(here - ground * times) < kSameHue ? 255 : 0;
+    }
+  }
+  return all;
+}
+
+cv::Mat copy_of(const cv::Mat& photo, double most_px2) {
+  const double zoom = std::min(1., std::sqrt(most_px2 / (double(photo.cols) * photo.rows)));
+  cv::Mat copy = bgr_of(photo);
+  const cv::Size size(std::max(1, int(photo.cols * zoom)), std::max(1, int(photo.rows * zoom)));
+  if (size != photo.size()) cv::resize(copy, copy, size, 0, 0, cv::INTER_AREA);
+  return copy;
+}
+
+/// CV_32FC3, 0 to 1.
+cv::Mat smooth_of(const cv::Mat& bgr) {
+  cv::Mat smooth;
+  bgr.convertTo(smooth, CV_32FC3, 1. / 255);
+  cv::GaussianBlur(smooth, smooth, {}, kSmooth_px);
+  return smooth;
+}
+
+cv::Mat edge_mask(cv::Size size) {
+  cv::Mat edge(size, CV_8U, cv::Scalar(255));
+  const int width = std::max(2, int(kEdge * std::min(size.width, size.height)));
+  if (2 * width < std::min(size.width, size.height))
+    edge(cv::Rect(width, width, size.width - 2 * width, size.height - 2 * width)).setTo(0);
+  return edge;
+}
+
+float median_of(const cv::Mat& values, const cv::Mat& mask) {
+  std::vector<float> all;
+  for (int y = 0; y < values.rows; ++y) {
+    for (int x = 0; x < values.cols; ++x) {
+      if (mask.at<std::uint8_t>(y, x)) all.push_back(values.at<float>(y, x));
+    }
+  }
+  if (all.empty()) return 0;
+  const auto middle = all.begin() + std::ptrdiff_t(all.size() / 2);
+  std::nth_element(all.begin(), middle, all.end());
+  return *middle;
+}
+
+cv::Mat difference_from_median(const cv::Mat& lab, const cv::Mat& mask) {
+  std::vector<cv::Mat> channels;
+  cv::split(lab, channels);
+  cv::Mat sum = cv::Mat::zeros(lab.size(), CV_32F);
+  for (const cv::Mat& channel : channels) {
+    const cv::Mat away = channel - double(median_of(channel, mask));
+    sum += away.mul(away);
+  }
+  cv::sqrt(sum, sum);
+  return sum;
+}
+
+double part_of(const cv::Mat& mask, const cv::Mat& of) {
+  return double(cv::countNonZero(mask & of)) / std::max(1, cv::countNonZero(of));
+}
+
+bool hangs_together(const cv::Mat& ground) {
+  cv::Mat labels, stats, centroids;
+  const int count = cv::connectedComponentsWithStats(ground, labels, stats, centroids, 4);
+  int largest = 0;
+  for (int i = 1; i < count; ++i) largest = std::max(largest, stats.at<int>(i, cv::CC_STAT_AREA));
+  return largest >= kLeastTogether * cv::countNonZero(ground);
+}
+
+struct Ground {
+  GroundLight light;
+  float reach = 0;  // CIELAB
+};
+
+std::optional<Ground> plain_ground(const cv::Mat& photo) {
+  cv::Mat lab;
+  cv::cvtColor(smooth_of(copy_of(photo, kMostFitted_px2)), lab, cv::COLOR_BGR2Lab);
+  const cv::Mat edge = edge_mask(lab.size());
+  cv::Mat is_ground = edge & (difference_from_median(lab, edge) < kFirstReach);
+  float reach = kFirstReach, deviation = 0;
+  std::optional<GroundLight> light;
+  for (int fit = 0; fit < kFits; ++fit) {
+    if (cv::countNonZero(is_ground) == 0) return {};
+    light.emplace(lab, is_ground);
+    const cv::Mat away = difference_of(lab, light->over(lab.size()));
+    // The edge alone at first, where ground is most likely; at last all that is like it.
+    const cv::Mat all = fit < kFits / 2 ? edge : cv::Mat(lab.size(), CV_8U, cv::Scalar(255));
+    deviation = median_of(away, all & (away < reach));
+    reach = std::max(kLeastReach, kReach * deviation);
+    is_ground = all & (away < reach);
+  }
+  if (deviation > kMostDeviation || part_of(is_ground, edge) < kLeastAtEdge || !hangs_together(is_ground)) return {};
+  return Ground{*light, reach};
+}
+
+/// What differs enough from the ground and is no shadow: CV_8U, or nothing where elements stand out too little.
+std::optional<cv::Mat> standing_out(const cv::Mat& bgr, const Ground& ground) {
+  cv::Mat lab, inside;
+  cv::cvtColor(bgr, lab, cv::COLOR_BGR2Lab);
+  cv::Mat colour = ground.light.over(lab.size());
+  const cv::Mat difference = difference_of(lab, colour);
+  cv::cvtColor(colour, colour, cv::COLOR_Lab2BGR);
+  cv::dilate(difference, inside, round_window(2 * kEdgeReach_px + 1));
+  cv::Mat mask = (difference > double(ground.reach)) & (difference > 0.5 * inside);
+  const double contrast = double(median_of(difference, mask));
+  if (contrast < kLeastStandingOut * double(ground.reach)) return {};
+  mask.setTo(0, shadow_like(bgr, colour) & (difference < kMostShadow * contrast));
+  return mask;
+}
+
+}  // namespace
+
+std::optional<cv::Mat> elements_on_plain_ground(const cv::Mat& photo) {
+  if (std::min(photo.cols, photo.rows) < kLeastPhoto_px) return {};
+  const std::optional<Ground> ground = plain_ground(photo);
+  if (!ground) return {};
+  const std::optional<cv::Mat> mask = standing_out(smooth_of(copy_of(photo, kMostLookedAt_px2)), *ground);
+  if (!mask) return {};
+  cv::Mat labels;
+  cv::connectedComponents(*mask, labels, 4);
+  return solid_regions(labels, kLeastRegion_px2, 0);
+}
+
+}  // namespace tessera
