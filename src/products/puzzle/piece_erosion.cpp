@@ -21,9 +21,9 @@ constexpr std::size_t kSample = 16;
 /// How much better boundaries must run alike before pieces count as eroded: chance brings some per cent; a pixel that
 /// was lost of pieces of 60 to 160 px with tabs brings 45 to 100.
 constexpr double kLeastGain = 1.2;
-/// Boundaries tell only where it is seen when pieces are grown too far: by two steps, with tabs a third is left of what
-/// ran alike. Of polygons three quarters are left, and what is the most came about by chance.
-constexpr std::size_t kTooFar = 2;
+/// Boundaries tell only where it is seen when pieces are grown too far: by so many steps, with tabs two fifths or less are
+/// left of what ran alike. Of polygons three quarters are left, and what is the most came about by chance.
+constexpr std::size_t kTooFar = kPatience;
 constexpr double kMostTooFar = 0.5;
 /// In tolerances: what is lost at least where a frame says it, and at most, as pieces may as well be missing; and what
 /// is usual.
