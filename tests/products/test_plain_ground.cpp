@@ -33,8 +33,8 @@ cv::Mat pieces_mask() {
 cv::Mat photo_of(const cv::Mat& mask, const cv::Scalar& ground_bgr, double noise, bool has_shadow = true) {
   cv::Mat photo(mask.size(), CV_32FC3);
   cv::Mat shadow;
-  mask.convertTo(shadow, CV_32F, has_shadow ? 0.1 / 255 : 0);
-  const cv::Matx23f shift(1, 0, 4, 0, 1, 5);
+  mask.convertTo(shadow, CV_32F, has_shadow ? 0.2 / 255 : 0);
+  const cv::Matx23f shift(1, 0, 9, 0, 1, 10);
   cv::warpAffine(shadow, shadow, shift, shadow.size());
   cv::GaussianBlur(shadow, shadow, {}, 3);
   cv::RNG random(7);
@@ -104,6 +104,9 @@ TEST(PlainGround, OtherPhotosHaveNone) {
   EXPECT_FALSE(elements_on_plain_ground(photo_of(cv::Mat::zeros(300, 300, CV_8U), {90, 90, 90}, 3, false)))
       << "nothing but ground";
   EXPECT_FALSE(elements_on_plain_ground(photo_of(pieces_mask(), {120, 120, 120}, 60))) << "a rough ground";
+  cv::Mat two_grounds = photo_of(pieces_mask(), {200, 200, 200}, 2);
+  two_grounds.colRange(kWidth_px * 6 / 10, kWidth_px).setTo(cv::Scalar(60, 90, 60));
+  EXPECT_FALSE(elements_on_plain_ground(two_grounds)) << "two fifths of the edge show another ground";
   EXPECT_FALSE(elements_on_plain_ground(cv::Mat(4, 4, CV_8UC3, cv::Scalar(9, 9, 9))));
   EXPECT_FALSE(elements_on_plain_ground(cv::Mat()));
 }
