@@ -6,7 +6,7 @@
 namespace tessera {
 
 /// The part of the path that its clips let through. Where they cut nothing off it is the path itself, with its curves.
-/// Else it is polygons and lines, filled by the even-odd rule, nowhere farther than `tolerance` from the path, their
+/// Where they cut, the result is polygons and lines, filled by the even-odd rule, nowhere farther than `tolerance` from the path, their
 /// coordinates rounded to 1/256. It has no steps where nothing is seen.
 LayerPath clipped(LayerPath path, double tolerance);
 

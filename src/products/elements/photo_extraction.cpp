@@ -84,16 +84,19 @@ FoundMaps found_maps(const PhotoFile& photo, const ExtractionSettings& settings,
   return maps;
 }
 
-/// Of the photo. `touching` becomes touching_regions() of them, or empty where the search has taken those apart.
-LabelRuns labels_from(const FoundMaps& maps, const cv::Mat& picture, std::vector<bool>& touching) {
+/// The photo's labels: what lies apart, with what touches as the search has it.
+LabelRuns labels_from(const FoundMaps& maps, const cv::Mat& picture) {
   if (!maps.apart) return labels_of_photo(picture, maps.searched);
   const bool is_of_its_size = maps.apart->size() == picture.size();
   LabelRuns apart = is_of_its_size ? LabelRuns(*maps.apart) : scaled_labels(*maps.apart, picture.size());
-  touching = touching_regions(apart);
   if (maps.searched.empty()) return apart;
-  LabelRuns all = with_touching_apart(apart, touching, labels_of_photo(picture, maps.searched));
-  touching.clear();
-  return all;
+  return with_touching_apart(apart, touching_regions(apart), labels_of_photo(picture, maps.searched));
+}
+
+std::size_t touching_count(const LabelRuns& labels, const std::vector<PhotoElement>& elements) {
+  const std::vector<bool> touch = touching_regions(labels);
+  return std::size_t(std::count_if(elements.begin(), elements.end(),
+                                   [&](const PhotoElement& element) { return touch[std::size_t(element.label)]; }));
 }
 
 /// Before the photo is there.
@@ -139,16 +142,13 @@ Extraction extract_elements(const std::string& photo, const ExtractionSettings& 
   const cv::Mat given = searches ? cv::Mat() : given_labels(settings.labels, drawers);
   const cv::Mat picture = decoded(file, times, drawers);
   file.bytes = {};
-  std::vector<bool> touching;
   const LabelRuns labels =
-      searches ? labels_from(maps, picture, touching) : labels_for(settings.labels, given, photo, picture, times);
+      searches ? labels_from(maps, picture) : labels_for(settings.labels, given, photo, picture, times);
   Extraction extraction;
   extraction.least_px = std::max(settings.sizes.least_px, double(kLeastSize_px) / times);
   extraction.found = find_elements(labels, {extraction.least_px * times, settings.sizes.most_px * times});
   const std::vector<PhotoElement>& elements = extraction.found.elements;
-  for (const PhotoElement& element : elements) {
-    if (!touching.empty() && touching[std::size_t(element.label)]) ++extraction.touching;
-  }
+  if (searches && settings.element_px == 0) extraction.touching = touching_count(labels, elements);
   if (settings.ground_px > 0) add_ground(photo, picture, labels, settings, extraction);
   if (settings.with_overview) extraction.overview_png = png_of(elements_overview(picture, labels, elements));
   extraction.cut_outs = cut_outs(photo, picture, labels, elements);

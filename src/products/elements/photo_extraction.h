@@ -20,7 +20,8 @@ inline constexpr int kMostEnlarged = 8;
 
 /// All px are those of the photo as it is, whatever `enlarged` is.
 struct ExtractionSettings {
-  /// element_labels(), unless there are labels; 0: elements lie apart on a plain ground.
+  /// The short side of a typical element, px, for the search; not used with `labels`. 0: no search, as elements lie apart on
+  /// a plain ground.
   double element_px = 0;
   ElementSizes sizes;
   int enlarged = 1;            // times, 1 to kMostEnlarged: the photo is searched, cut up and shown so
@@ -31,7 +32,7 @@ struct ExtractionSettings {
 
 struct Extraction {
   FoundElements found;
-  std::size_t touching = 0;  // of them: look like several that touch, and no size says how to tell them apart
+  std::size_t touching = 0;  // elements that look like several which touch, where no size says how to tell them apart
   std::vector<CutOut> cut_outs;
   std::vector<std::uint8_t> overview_png;  // empty without with_overview
   std::vector<std::uint8_t> ground_png;    // empty without ground_px

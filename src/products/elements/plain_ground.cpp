@@ -14,29 +14,31 @@
 namespace tessera {
 namespace {
 
-/// Of the copy that is looked at, and of the one that the ground's colour is taken from.
+/// The pixels of the copy in which elements are found, and of the one that the ground's colour is taken from.
 constexpr double kMostLookedAt_px2 = 6e6, kMostFitted_px2 = 1e5;
-/// Noise of single pixels and of a JPEG's blocks is smoothed by so much.
+/// The Gaussian that takes out the noise of single pixels and of a JPEG's blocks.
 constexpr double kSmooth_px = 1;
-/// CIELAB: of the edge's pixels those so near to their median may be ground, before the light is known.
+/// Pixels of the photo's edge may be ground where they are so near to the edge's median (CIELAB), before the light is known.
 constexpr float kFirstReach = 25;
 constexpr int kFits = 8;
-/// Of the deviation of what counts as ground, CIELAB: how far ground reaches, and how rough plain ground is at most.
+/// The median difference of ground from its light (CIELAB) is its deviation. A pixel is ground up to kReach deviations, or
+/// kLeastReach. A ground with a larger deviation than the last is not plain.
 constexpr float kReach = 4, kLeastReach = 5, kMostDeviation = 3.5F;
-/// The part of the photo's edge, this wide by its shorter side, where plain ground must be seen.
+/// The edge is a band as wide as kEdge of the photo's shorter side. Plain ground shows in so much of it.
 constexpr double kEdge = 0.03, kLeastAtEdge = 0.75;
-/// Of the ground, what must hang together.
+/// The part of the ground that must hang together: joints between stones do not.
 constexpr double kLeastTogether = 0.9;
-/// How far elements stand out, by how far ground reaches; where it is less they are the ground's own roughness.
+/// Elements differ from the ground by so many times its reach, or they are the ground's own roughness.
 constexpr double kLeastStandingOut = 2;
-/// What is of the ground's hue, but darker, is a shadow up to this part of how far elements stand out. Hues: of 0 to 1.
+/// A pixel is a shadow where it is the ground's colour made darker (kSameHue: the rest, colours from 0 to 1), and differs
+/// from the ground by less than kMostShadow of what elements do.
 constexpr double kMostShadow = 0.4, kSameHue = 0.04;
-/// An edge lies where the difference is half of what it is so far inside.
+/// An element ends where the difference is half of what it is so far inside.
 constexpr int kEdgeReach_px = 2;
-/// Of a photo that holds elements and their ground.
+/// A photo with a shorter side than this holds no elements.
 constexpr int kLeastPhoto_px = 16;
 
-/// Of each pixel, CV_32F.
+/// How far the colours of two pictures are apart at each pixel: CV_32F.
 cv::Mat difference_of(const cv::Mat& a, const cv::Mat& b) {
   cv::Mat all(a.size(), CV_32F);
   for (int y = 0; y < a.rows; ++y) {
@@ -46,7 +48,7 @@ cv::Mat difference_of(const cv::Mat& a, const cv::Mat& b) {
   return all;
 }
 
-/// CV_8U: the ground's colour, darker.
+/// Marks pixels of the ground's colour that are darker than it: CV_8U.
 cv::Mat shadow_like(const cv::Mat& bgr, const cv::Mat& ground_bgr) {
   cv::Mat all(bgr.size(), CV_8U);
   for (int y = 0; y < bgr.rows; ++y) {
@@ -146,7 +148,8 @@ std::optional<Ground> plain_ground(const cv::Mat& photo) {
   return Ground{*light, reach};
 }
 
-/// What differs enough from the ground and is no shadow: CV_8U, or nothing where elements stand out too little.
+/// Marks what belongs to elements, as it differs enough from the ground and is no shadow: CV_8U. Nothing where elements
+/// stand out too little.
 std::optional<cv::Mat> standing_out(const cv::Mat& bgr, const Ground& ground) {
   cv::Mat lab, inside;
   cv::cvtColor(bgr, lab, cv::COLOR_BGR2Lab);

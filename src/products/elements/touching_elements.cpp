@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
+#include <map>
 #include <opencv2/imgproc.hpp>
 
 namespace tessera {
 namespace {
 
-/// Of what is within a region as thick as where it is thickest: its neck, where it touches another one, is thinner, and
-/// what is no thicker beside it is no element. The tab of a jigsaw's piece is a third as thick as the piece, whose waist
-/// is two thirds.
+/// Both are parts of how thick a region is where it is thickest. Where two elements touch, the region is thinner than
+/// kNeck; a part beyond such a neck is an element where it is thicker than kLeastElement. The tab of a jigsaw's piece is
+/// a third as thick as the piece: it is none.
 constexpr double kNeck = 0.35, kLeastElement = 0.6;
 
 bool is_several(const cv::Mat& region) {
@@ -21,13 +21,13 @@ bool is_several(const cv::Mat& region) {
   cv::minMaxLoc(thickness, nullptr, &most);
   cv::Mat parts;
   const int count = cv::connectedComponents(thickness > kNeck * most, parts, 8);
-  int elements = 0;
-  for (int part = 1; part < count; ++part) {
-    double in_part = 0;
-    cv::minMaxLoc(thickness, nullptr, &in_part, nullptr, nullptr, parts == part);
-    if (in_part > kLeastElement * most) ++elements;
+  std::vector<char> is_element(std::size_t(count), 0);
+  for (int y = 0; y < parts.rows; ++y) {
+    for (int x = 0; x < parts.cols; ++x) {
+      if (thickness.at<float>(y, x) > kLeastElement * most) is_element[std::size_t(parts.at<int>(y, x))] = 1;
+    }
   }
-  return elements > 1;
+  return std::count(is_element.begin(), is_element.end(), 1) > 1;
 }
 
 }  // namespace
@@ -45,11 +45,13 @@ LabelRuns with_touching_apart(const LabelRuns& apart, const std::vector<bool>& t
   std::vector<std::vector<LabelRun>> runs(1);
   std::vector<bool> is_replaced(touch.size(), false);
   for (std::size_t label = 1; label < searched.regions().size(); ++label) {
-    std::vector<double> shared_px2(touch.size(), 0);
+    std::map<int, int> shared_px2;  // with the ground and each region
     for (const LabelRun& run : searched.runs_of(label)) {
-      for (int x = run.x; x < run.x + run.length; ++x) ++shared_px2[std::size_t(whole.at<int>(run.y, x))];
+      for (int x = run.x; x < run.x + run.length; ++x) ++shared_px2[whole.at<int>(run.y, x)];
     }
-    const std::size_t in = std::size_t(std::max_element(shared_px2.begin(), shared_px2.end()) - shared_px2.begin());
+    const auto less = [](const auto& a, const auto& b) { return a.second < b.second; };
+    if (shared_px2.empty()) continue;
+    const auto in = std::size_t(std::max_element(shared_px2.begin(), shared_px2.end(), less)->first);
     if (!touch[in]) continue;
     is_replaced[in] = true;
     const auto found = searched.runs_of(label);

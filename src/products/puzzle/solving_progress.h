@@ -8,13 +8,13 @@
 
 namespace tessera {
 
-/// Of one puzzle.
+/// Follows the solving of one puzzle.
 class SolvingProgress {
  public:
   struct Shown {
     std::string label;  // of the bar: "matching" until pieces are laid, "laying" from then on
     std::size_t done = 0, of = 0;
-    std::string note;  // what is being done now, and for the how manieth time
+    std::string note;  // what is being done now, and with which arrangement
   };
 
   /// `done` never falls while the label stays, and the label changes once at most.
