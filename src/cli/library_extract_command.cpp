@@ -21,6 +21,7 @@
 #include "library/library_builder.h"
 #include "products/elements/cut_outs.h"
 #include "products/elements/photo_extraction.h"
+#include "run/messages/first_picture_warning.h"
 #include "terminal/progress_bar.h"
 #include "terminal/terminal.h"
 
@@ -235,6 +236,7 @@ int run(ExtractArguments arguments) {
   arguments.settings.with_overview = !arguments.overview.empty();
   Drawers drawers(photo_drawer_settings(rank_cores()));
   const std::vector<CutOut> cut_outs = all_cut_outs(arguments, drawers);
+  print_warning(first_picture_warning(arguments.photos));
   const LibraryBuildReport report = build(arguments, cut_outs, drawers);
   print_lines(build_summary(report));
   if (!report.written) throw InputError(arguments.output + " was not written: no element has a usable silhouette");

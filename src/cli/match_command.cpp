@@ -7,6 +7,7 @@
 #include "recognition/drawn_curves.h"
 #include "recognition/match_picture.h"
 #include "recognition/match_text.h"
+#include "run/messages/first_picture_warning.h"
 #include "terminal/exit_codes.h"
 #include "terminal/terminal.h"
 
@@ -57,6 +58,7 @@ int run(const MatchArguments& arguments) {
   Drawers drawers({});
   const MatchedCurves a = read_curves(arguments.a, arguments.open, drawers);
   const MatchedCurves b = read_curves(arguments.b, arguments.open, drawers);
+  print_warning(first_picture_warning(std::vector{arguments.a, arguments.b}));
   const std::vector<CurveMatch> matches = matched_curves(a, b, std::size_t(arguments.most));
   if (arguments.json) {
     print_lines(match_json(arguments.a, arguments.b, matches));

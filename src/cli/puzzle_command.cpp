@@ -23,6 +23,7 @@
 #include "products/puzzle/solving_progress.h"
 #include "program/list_option.h"
 #include "run/job_output.h"
+#include "run/messages/first_picture_warning.h"
 #include "run/progress/time_limit.h"
 #include "terminal/exit_codes.h"
 #include "terminal/progress_bar.h"
@@ -87,6 +88,7 @@ int make(MakeArguments arguments) {
   NewFolder new_folder(out);
   Drawers drawers(photo_drawer_settings(1));
   const MadePuzzle made = make_puzzle(request, drawers);
+  print_warning(first_picture_warning(std::vector{request.picture}));
   try {
     const comm::StopDelay delay;  // before, a signal ends the command at once
     new_folder.write(made.files, stop_check(comm::asked_by_signal));

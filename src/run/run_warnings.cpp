@@ -7,6 +7,7 @@
 #include "job/job_tables.h"
 #include "library/one_colour.h"
 #include "run/messages/collage_warnings.h"
+#include "run/messages/first_picture_warning.h"
 #include "run/messages/place_advice.h"
 #include "run/messages/written_keys.h"
 #include "run/unplaced_pieces.h"
@@ -58,6 +59,7 @@ void warn_of_problem(const CollageArguments& arguments, const CollageInput& inpu
   journal.warn(replaced_result_warning(input.earlier, job));
   journal.warn(idle_keys_warning_of(arguments, job));
   if (!arguments.refined) journal.warn(decimal_comma_warning(job));
+  if (!arguments.refined) journal.warn(first_picture_warning(job));
   journal.warn(unable_library_warning_of(arguments, problem));
   journal.warn(outline_alone_warning_of(arguments, problem));
   if (!arguments.refined) journal.warn(standing_warning_of(problem));  // a result's pieces lie as it put them

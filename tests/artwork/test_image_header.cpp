@@ -35,6 +35,17 @@ TEST(ImageHeader, SizeOfEveryFormat) {
   }
 }
 
+TEST(ImageHeader, AnimationsAndPagesAreSeveralPictures) {
+  for (const Bytes& bytes : samples()) EXPECT_FALSE(has_several_pictures(bytes));
+  const cv::Mat first = grey_page(3), second = cv::Mat(123, 457, CV_8UC3, cv::Scalar::all(50));
+  EXPECT_TRUE(has_several_pictures(test::animated_webp({first, second})));
+  EXPECT_TRUE(has_several_pictures(test::tiff_of_pages({first, second})));
+  Bytes animated = test::encoded(grey_page(4), ".png");
+  const Bytes control = {0, 0, 0, 8, 'a', 'c', 'T', 'L', 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0};
+  animated.insert(animated.begin() + 33, control.begin(), control.end());  // after the header's chunk
+  EXPECT_TRUE(has_several_pictures(animated));
+}
+
 TEST(ImageHeader, BmpFromTheTopHasNegativeHeight) {
   Bytes bytes = test::bmp_of(grey_page(3));
   const std::int32_t height = -123;

@@ -12,6 +12,7 @@ SvgOutlines some_outlines(int outlines) {
   SvgOutlines found{.outlines = {},
                     .unread_elements = 3,
                     .undrawn_elements = {"a", "b"},
+                    .masked_elements = {"masked"},
                     .far_elements = {"far", ""},
                     .says_unit = true,
                     .page_mm = {210, 297},
@@ -31,6 +32,7 @@ TEST(OutlinesCodec, WhatArrivesIsWhatWasSent) {
   const SvgOutlines sent = some_outlines(4), got = decode_outlines(encode_outlines(sent));
   EXPECT_EQ(got.unread_elements, 3);
   EXPECT_EQ(got.undrawn_elements, sent.undrawn_elements);
+  EXPECT_EQ(got.masked_elements, sent.masked_elements);
   EXPECT_EQ(got.far_elements, sent.far_elements);
   EXPECT_TRUE(got.says_unit);
   EXPECT_EQ(got.page_mm, sent.page_mm);

@@ -143,6 +143,44 @@ TEST(SvgOutlines, FiltersMasksMarkersAndDashesAreNotLookedAt) {
   EXPECT_EQ(boxes_of(found), (Texts{"a 0 0 9 9", "b 0 0 9 9", "c 50 50 9 9", "d 200 0 9 9", "e 0 0 9 9"}));
 }
 
+const std::string kMask = "<mask id='m'><rect width='3' height='3' fill='white'/></mask>";
+
+TEST(SvgOutlines, MasksAreTakenOffAndNamed) {
+  const std::string rect = "<rect width='9' height='9' ";
+  const Texts masked = {
+      rect + "id='a' mask='url(#m)'/>",
+      rect + "id='a' style='mask:url(#m)'/>",
+      rect + "id='a' style='mask:url(&quot;#m&quot;)!important;fill:red'/>",
+      "<style>#a{mask:url(#m)!important}</style>" + rect + "id='a' mask='none' style='mask:none'/>",
+      "<style>g .k{mask:url(#m)}</style><g><rect id='a' class='k' width='9' height='9'/></g>",
+      "<g mask='url(#m)'><g>" + rect + "id='a'/></g></g>",
+      "<defs><g id='shown'>" + rect + "mask='url(#m)'/></g></defs><use id='a' xlink:href='#shown'/>",
+      "<defs><g id='inner'>" + rect +
+          "mask='url(#m)'/></g><g id='outer'><use href='#inner'/></g></defs>"
+          "<use id='a' href='#outer'/>",
+      "<g id='cycle' mask='url(#m)'><use href='#cycle'/></g>" + rect + "id='a' mask='url(#m)'/>",
+  };
+  for (const std::string& content : masked) {
+    const SvgOutlines found = read(svg(kMask + content));
+    EXPECT_EQ(boxes_of(found), Texts{"a 0 0 9 9"}) << content;
+    EXPECT_EQ(found.masked_elements, Texts{"a"}) << content;
+  }
+}
+
+TEST(SvgOutlines, WhatHasNoMaskIsNotSaidToHaveOne) {
+  const std::string rect = "<rect id='a' width='9' height='9' ";
+  const Texts plain = {
+      rect + "mask='none'/>",
+      rect + "mask='url(#gone)'/>",
+      rect + "mask='url(#b)'/><defs><g id='b'/></defs>",
+      "<style>#a{mask:none}</style>" + rect + "mask='url(#m)'/>",
+      "<style>rect{mask:none!important}</style>" + rect + "style='mask:url(#m)'/>",
+      "<defs>" + rect + "mask='url(#m)'/></defs><rect id='c' width='9' height='9'/>",
+      rect + "/><g mask='url(#m)' display='none'><circle id='hidden' r='4'/></g>",
+  };
+  for (const std::string& content : plain) EXPECT_EQ(read(svg(kMask + content)).masked_elements, Texts{}) << content;
+}
+
 TEST(SvgOutlines, FillsGoBeforeStrokes) {
   const SvgOutlines found = read(svg(
       "<rect id='both' stroke='red' stroke-width='4' width='9' height='9'/>"

@@ -65,3 +65,18 @@ TESSERA_DRAWER=$PWD/missing run 1 collage job.toml --out none --quiet
 expect_word "missing"
 [[ ! -e none/pieces.geojson ]] || fail "a run began without the program that draws"
 echo "ok without the program that draws"
+
+# Of an animation the first picture is used, and that is said: once of each file, however many keys name it.
+rsvg-convert disc.svg -o disc.png
+"$(dirname "${BASH_SOURCE[0]}")/animated_png.py" disc.png moving.png
+told='moving.png: an animation, or several pages; only the first picture is used'
+run 0 collage job.toml --out moving --set canvas.file=moving.png --set colour.image=moving.png
+[[ $(grep -c "$told" errors) == 1 ]] || fail "no word of the other pictures of a canvas, or two"
+run 0 collage job.toml --out moving --set canvas.file=disc.png
+! grep -q 'only the first picture' errors || fail "a picture that is the only one is called one of several"
+cp moving.png photo.png
+run 0 puzzle make photo.png --pieces 4 --out pieces
+grep -q 'photo.png: an animation' errors || fail "no word of the other pictures of a photo"
+run 0 match moving.png disc.svg
+grep -q "$told" errors || fail "no word of the other pictures of a drawing"
+echo "ok animations"

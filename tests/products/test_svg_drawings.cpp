@@ -171,6 +171,14 @@ TEST(SvgDrawings, NothingVanishesWithoutAWord) {
              "left out 1 element with a coordinate that is no number or too large, allowed: 1e6 mm either way: f"}));
 }
 
+TEST(SvgDrawings, MasksThatAreTakenOffAreNamed) {
+  const SvgDrawings found =
+      svg("<mask id='m'><rect width='9' height='9' fill='white'/></mask><g mask='url(#m)'><rect id='a' width='30' "
+          "height='30'/><rect id='b' x='50' width='30' height='30'/></g><rect id='c' y='50' width='30' height='30'/>");
+  EXPECT_EQ(names_of(found), (Texts{"a", "b", "c"}));
+  EXPECT_EQ(found.notes, Texts{"a mask hides part of 2 elements, whose whole outline is cut: a, b"});
+}
+
 TEST(SvgDrawings, ABadOutlineBesideGoodOnesIsLeftOut) {
   const SvgDrawings found =
       svg("<rect id='good' width='30' height='30'/><rect x='5' y='5' width='5' height='5'/>"

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <string>
 #include <utility>
 #include <vector>
+
+#include "artwork/xml/xml_tree.h"
 
 namespace tessera {
 namespace {
@@ -157,6 +161,14 @@ std::vector<CssDeclaration> declarations_of(CssTokens content, TextOf text_of) {
   return declarations;
 }
 
+/// Where "!important" begins; npos: nowhere.
+std::size_t importance(const std::string& value) {
+  const std::size_t mark = value.rfind('!');
+  if (mark == std::string::npos) return mark;
+  std::string_view word = std::string_view(value).substr(mark + 1);
+  return ascii_lower_case(take_word(word)) == "important" ? mark : std::string::npos;
+}
+
 }  // namespace
 
 std::optional<std::string> local_css_value(std::string_view value, const std::string& id_prefix) {
@@ -180,6 +192,23 @@ std::string css_text_of(const std::vector<CssDeclaration>& declarations) {
   for (const CssDeclaration& declaration : declarations)
     text += (text.empty() ? "" : ";") + declaration.name + ":" + declaration.value;
   return text;
+}
+
+bool is_important(const std::string& value) { return importance(value) != std::string::npos; }
+
+std::map<std::string, std::string> counting_values(const std::vector<CssDeclaration>& declarations) {
+  std::map<std::string, std::string> values;
+  for (const CssDeclaration& declaration : declarations) {
+    const auto found = values.find(declaration.name);
+    if (found != values.end() && is_important(found->second) && !is_important(declaration.value)) continue;
+    values[declaration.name] = declaration.value;
+  }
+  return values;
+}
+
+std::string without_important(std::string value) {
+  if (is_important(value)) value.erase(importance(value));
+  return value;
 }
 
 }  // namespace tessera

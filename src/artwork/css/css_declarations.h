@@ -4,6 +4,7 @@
 // SVG's own ids. A function that is not in that list could load something, so that its declaration is dropped.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,6 +31,13 @@ std::vector<CssDeclaration> local_css_declarations(CssTokens content, const std:
 
 /// The same with all names and values as they are.
 std::vector<CssDeclaration> css_declarations(CssTokens content);
+
+/// Whether a value ends with "!important".
+bool is_important(const std::string& value);
+/// The value without its "!important", if it has one.
+std::string without_important(std::string value);
+/// For each property the value that counts: the last one, or the last one that is important.
+std::map<std::string, std::string> counting_values(const std::vector<CssDeclaration>& declarations);
 
 /// "name:value;name:value", for a style attribute.
 std::string css_text_of(const std::vector<CssDeclaration>& declarations);

@@ -103,32 +103,6 @@ class Resolver {
   std::optional<std::string> cycle_;    // the variable that was met again
 };
 
-/// Where "!important" begins; npos: nowhere.
-std::size_t importance(const std::string& value) {
-  const std::size_t mark = value.rfind('!');
-  if (mark == std::string::npos) return mark;
-  std::string_view word = std::string_view(value).substr(mark + 1);
-  return ascii_lower_case(take_word(word)) == "important" ? mark : std::string::npos;
-}
-
-bool is_important(const std::string& value) { return importance(value) != std::string::npos; }
-
-/// The declaration that counts, for each property: the last one, or the last one that is important.
-std::map<std::string, std::string> counting(const std::vector<CssDeclaration>& declarations) {
-  std::map<std::string, std::string> values;
-  for (const CssDeclaration& declaration : declarations) {
-    const auto found = values.find(declaration.name);
-    if (found != values.end() && is_important(found->second) && !is_important(declaration.value)) continue;
-    values[declaration.name] = declaration.value;
-  }
-  return values;
-}
-
-std::string without_important(std::string value) {
-  if (is_important(value)) value.erase(importance(value));
-  return value;
-}
-
 /// The value that a property takes when its var() has none. An inherited property has that of the outer element, any
 /// other its initial value.
 std::string unset_value(const std::string& name) {
@@ -186,7 +160,7 @@ class VariableWriter {
   /// as deep as the document (parsed_foreign_svg).
   void find(xmlNode* element, const Scope* outer) {
     Scope scope{.values = {}, .outer = outer};
-    const std::map<std::string, std::string> declared = counting(style_.declarations_of(element));
+    const std::map<std::string, std::string> declared = counting_values(style_.declarations_of(element));
     for (const auto& [name, value] : declared) {
       if (!name.starts_with("--")) continue;
       const std::string plain = without_important(value);

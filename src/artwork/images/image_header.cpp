@@ -67,6 +67,29 @@ std::optional<cv::Size2d> tiff_size(const ByteReader& r) {
   return size_of(width, height);
 }
 
+/// Whether an animation's chunk stands before the first pixels.
+bool is_animated_png(const ByteReader& r) {
+  std::size_t at = 8;
+  while (const Side length = r.integer(at, 4)) {
+    if (r.has(at + 4, "acTL")) return true;
+    if (r.has(at + 4, "IDAT")) return false;
+    at += 12 + std::size_t(*length);
+  }
+  return false;
+}
+
+bool is_animated_webp(const ByteReader& r) {
+  constexpr std::uint32_t kAnimated = 2;
+  return r.has(12, "VP8X") && (r.integer(20, 1).value_or(0) & kAnimated) != 0;
+}
+
+/// Whether another directory comes after the first one.
+bool has_several_pages(const ByteReader& r) {
+  const Side directory = r.integer(4, 4);
+  const Side entries = directory ? r.integer(*directory, 2) : std::nullopt;
+  return entries && r.integer(std::size_t(*directory) + 2 + 12 * std::size_t(*entries), 4).value_or(0) != 0;
+}
+
 }  // namespace
 
 ImageFormat image_format(std::span<const std::uint8_t> bytes) {
@@ -92,6 +115,17 @@ std::optional<cv::Size2d> image_size_from_header(std::span<const std::uint8_t> b
     case ImageFormat::none: return std::nullopt;
   }
   return std::nullopt;
+}
+
+bool has_several_pictures(std::span<const std::uint8_t> bytes) {
+  const ByteReader big(bytes, true);
+  const ByteReader little(bytes, false);
+  switch (image_format(bytes)) {
+    case ImageFormat::png: return is_animated_png(big);
+    case ImageFormat::webp: return is_animated_webp(little);
+    case ImageFormat::tiff: return has_several_pages(big.has(0, "MM") ? big : little);
+    default: return false;
+  }
 }
 
 }  // namespace tessera

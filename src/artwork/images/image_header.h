@@ -18,4 +18,7 @@ ImageFormat image_format(std::span<const std::uint8_t> bytes);
 /// tell. Never reads beyond `bytes`. Sides are as claimed: they may be 0 or huge, never negative.
 std::optional<cv::Size2d> image_size_from_header(std::span<const std::uint8_t> bytes);
 
+/// Whether an animation, or a file of several pages: readers take the first picture alone. Never reads beyond `bytes`.
+bool has_several_pictures(std::span<const std::uint8_t> bytes);
+
 }  // namespace tessera

@@ -6,6 +6,7 @@
 
 #include "artwork/images/alpha.h"
 #include "artwork/images/image_decoding.h"
+#include "artwork/images/image_header.h"
 #include "artwork/images/mask.h"
 #include "artwork/images/reduced_picture.h"
 #include "core/base/error.h"
@@ -83,11 +84,10 @@ std::unique_ptr<ArtworkPage> open_raster_page(std::span<const std::uint8_t> byte
   image.pixels =
       reduced_picture(image.pixels, kMostWorkedPixels);  // before it is turned, which takes its memory once more
   const bool lay_down = image.orientation >= 5;
-  const bool loses_pictures = image.has_others;
   const cv::Mat upright = seen_pixels(std::move(image));
   const cv::Size natural_size = lay_down ? cv::Size(stored.height, stored.width) : stored;
   return std::make_unique<RasterPage>(premultiplied(with_silhouette(upright, path, background)), natural_size,
-                                      loses_pictures);
+                                      has_several_pictures(bytes));
 }
 
 }  // namespace tessera

@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "artwork/css/svg_style.h"
+#include "artwork/outlines/svg_masks.h"
 #include "artwork/outlines/svg_outlines.h"
 #include "artwork/xml/xml_tree.h"
 #include "core/base/error.h"
@@ -63,7 +64,7 @@ xmlNode* chosen_of(xmlNode* one_of_many) {
 /// since librsvg 2.54 draws nothing of a layer in a <switch>, or another child.
 class LeafFinder {
  public:
-  LeafFinder(xmlNode* root, const std::string& path) : path_(path), root_(root) {
+  LeafFinder(xmlNode* root, const std::string& path) : path_(path), root_(root), masks_(root, path) {
     collect_ids(root);
     add_children(root);
   }
@@ -82,6 +83,7 @@ class LeafFinder {
       xmlSetProp(new_ids_[i].node, xml("id"), xml(new_ids_[i].id.c_str()));
       if (!styles[i].empty()) xmlSetProp(new_ids_[i].node, xml("style"), xml(styles[i].c_str()));
     }
+    masks_.take_off();
     for (xmlNode* node : hidden_) xmlSetProp(node, xml("style"), xml("display:none!important"));
     for (xmlNode* node : switches_) xmlNodeSetName(node, xml("g"));
   }
@@ -126,13 +128,14 @@ class LeafFinder {
       while (first_of_id_.contains(id));
       new_ids_.push_back({node, id, !own.empty()});
     }
-    leaves_.push_back({id, name, kShapes.contains(kind)});
+    leaves_.push_back({.id = id, .name = name, .is_masked = masks_.touch(node), .is_shape = kShapes.contains(kind)});
     if (leaves_.size() > kMostOutlineElements)
       throw InputError(path_ + ": " + too_many(kMostOutlineElements, "elements that are drawn"));
   }
 
   std::string path_;
   xmlNode* root_;
+  SvgMasks masks_;
   std::vector<SvgLeaf> leaves_;
   std::unordered_map<std::string, const xmlNode*> first_of_id_;
   std::vector<NewId> new_ids_;

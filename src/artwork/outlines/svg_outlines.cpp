@@ -39,7 +39,7 @@ constexpr double kTolerance_mm = 0.01;
 /// A style sheet that takes off what is no outline, and what would turn a layer into pixels. What the file itself calls
 /// "!important" goes before it.
 constexpr std::string_view kPlainStyle =
-    "*{filter:none!important;mask:none!important;marker-start:none!important;marker-mid:none!important;"
+    "*{filter:none!important;marker-start:none!important;marker-mid:none!important;"
     "marker-end:none!important;mix-blend-mode:normal!important;isolation:auto!important;"
     "stroke-dasharray:none!important}"
     "text,image,foreignObject{display:none!important}";
@@ -288,8 +288,10 @@ class OutlineReader {
       found.far_elements.push_back(leaf.name);
     else if (leaf.is_shape && drawn.outlines.empty())
       found.undrawn_elements.push_back(leaf.name);
-    else
+    else {
+      if (leaf.is_masked && leaf.is_shape) found.masked_elements.push_back(leaf.name);
       std::move(drawn.outlines.begin(), drawn.outlines.end(), std::back_inserter(found.outlines));
+    }
   }
 
   const SvgLeaves& leaves_;

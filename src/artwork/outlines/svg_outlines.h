@@ -28,6 +28,8 @@ struct SvgOutlines {
   int unread_elements = 0;                // texts, images and foreign objects that are drawn
   /// The names of elements that are hidden, transparent, damaged, without fill and stroke, or without a size.
   std::vector<std::string> undrawn_elements = {};
+  /// The names of elements of which a mask hides part: their outlines are those without it.
+  std::vector<std::string> masked_elements = {};
   std::vector<std::string> far_elements = {};  // the names of elements that reach too far, and are left out
   bool says_unit = false;                      // width or height names a unit of length
   cv::Size2d page_mm = {};                     // empty: the file does not say how large its page is
@@ -35,7 +37,7 @@ struct SvgOutlines {
   double program_px_per_inch = 0;  // px of an inch for that program; 0: CSS's, not known, or no size depends on it
 };
 
-/// The outlines of all elements. Filters, masks, markers and dashes are not looked at, and opacity only where it is 0.
+/// The outlines of all elements. Masks are taken off; filters, markers and dashes are not looked at, and opacity only where it is 0.
 /// `px_per_inch` says how large the file's px are. Takes as much time as drawing the SVG, and more with the square of the
 /// number of its elements. Throws InputError, naming `path`, where the bytes are no SVG or SVGZ, or break a limit (below, and
 /// svg_page.h).

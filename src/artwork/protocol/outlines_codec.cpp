@@ -17,6 +17,7 @@ struct OutlinesHeader {
   std::uint32_t undrawn_elements = 0;
   std::uint32_t says_unit = 0;
   std::uint32_t far_elements = 0;
+  std::uint64_t masked_elements = 0;
   std::uint64_t outlines = 0;
 };
 
@@ -65,6 +66,11 @@ class Reader {
     const std::span<const std::uint8_t> text = take(next<std::uint64_t>());
     return {text.begin(), text.end()};
   }
+  std::vector<std::string> next_names(std::uint64_t count) {
+    std::vector<std::string> names(checked_count(count, kMostOutlineElements));
+    for (std::string& name : names) name = next_text();
+    return names;
+  }
   PathStep next_step() {
     PathStep step{.command = next<char>()};
     if (std::string_view("MLCZ").find(step.command) == std::string_view::npos) throw_garbled();
@@ -111,10 +117,12 @@ std::vector<std::uint8_t> encode_outlines(const SvgOutlines& found) {
                             .undrawn_elements = std::uint32_t(found.undrawn_elements.size()),
                             .says_unit = found.says_unit,
                             .far_elements = std::uint32_t(found.far_elements.size()),
+                            .masked_elements = found.masked_elements.size(),
                             .outlines = found.outlines.size()});
   writer.add(found.program);
-  for (const std::string& name : found.undrawn_elements) writer.add(name);
-  for (const std::string& name : found.far_elements) writer.add(name);
+  for (const auto* names : {&found.undrawn_elements, &found.masked_elements, &found.far_elements}) {
+    for (const std::string& name : *names) writer.add(name);
+  }
   for (const SvgOutline& outline : found.outlines) {
     writer.add(OutlineHeader{outline.filled, outline.even_odd, outline.steps.size()});
     writer.add(outline.name);
@@ -132,10 +140,9 @@ SvgOutlines decode_outlines(std::span<const std::uint8_t> bytes) {
                     .page_mm = {header.page_width_mm, header.page_height_mm},
                     .program_px_per_inch = header.program_px_per_inch};
   found.program = reader.next_text();
-  for (std::size_t i = reader.checked_count(header.undrawn_elements, kMostOutlineElements); i > 0; --i)
-    found.undrawn_elements.push_back(reader.next_text());
-  for (std::size_t i = reader.checked_count(header.far_elements, kMostOutlineElements); i > 0; --i)
-    found.far_elements.push_back(reader.next_text());
+  found.undrawn_elements = reader.next_names(header.undrawn_elements);
+  found.masked_elements = reader.next_names(header.masked_elements);
+  found.far_elements = reader.next_names(header.far_elements);
   std::size_t steps_left = kMostOutlineSteps;
   for (std::size_t i = reader.checked_count(header.outlines, kMostOutlineSteps); i > 0; --i) {
     const auto of = reader.next<OutlineHeader>();

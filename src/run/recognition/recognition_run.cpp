@@ -10,6 +10,7 @@
 #include "library/storage/library_file.h"
 #include "recognition/drawn_curves.h"
 #include "recognition/library_lots.h"
+#include "run/messages/first_picture_warning.h"
 #include "run/recognition/recognition_files.h"
 #include "run/recognition/recognition_search.h"
 #include "terminal/exit_codes.h"
@@ -113,6 +114,7 @@ int lead(const RecognizeArguments& arguments, comm::Communicator& ranks) {
   if (!arguments.json.empty()) write_recognitions(arguments.json, arguments.library, queries, read.unread);
   if (!arguments.sheet.empty()) write_recognition_sheet(arguments.sheet, queries, read.drawn, found, library);
   if (!arguments.quiet) print_line("%zu shapes, %.1f s", library.size(), watch.seconds());
+  print_warning(first_picture_warning(read.files));
   for (const UnreadQuery& query : read.unread) print_warning("not looked for: " + query.reason);
   const bool all_found = std::all_of(queries.begin(), queries.end(),
                                      [&](const RecognisedQuery& query) { return query.found(arguments.least_score); });

@@ -25,7 +25,6 @@ struct DecodedImage {
   int orientation = 1;  // orientation.h; `pixels` are not turned yet
   /// The ICC profile of the colours, which `pixels` have still; empty where the file has none: sRGB.
   std::vector<std::uint8_t> profile = {};
-  bool has_others = false;  // pictures in the file, which are not read
 };
 
 /// A picture that cannot be decoded. The message says what is wrong and leaves the path to the caller.

@@ -241,7 +241,6 @@ DecodedImage read_tiff(std::span<const std::uint8_t> bytes, const ReadingRules& 
     const auto* begin = static_cast<const std::uint8_t*>(profile);
     image.profile.assign(begin, begin + profile_bytes);
   }
-  image.has_others = TIFFLastDirectory(tiff.get()) == 0;
   return image;
 }
 

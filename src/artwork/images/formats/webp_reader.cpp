@@ -52,8 +52,7 @@ DecodedImage read_webp(std::span<const std::uint8_t> bytes, const ReadingRules& 
   const WebPData data{bytes.data(), bytes.size()};
   return {.pixels = features.has_animation ? first_of_animation(data, features, rules)
                                            : still_picture(bytes, features, rules),
-          .profile = profile_of(data),
-          .has_others = features.has_animation != 0};
+          .profile = profile_of(data)};
 }
 
 }  // namespace tessera
