@@ -18,7 +18,7 @@ struct PuzzlePlace {
   int piece = 0;
   Similarity pose = {};
   std::vector<Beside> beside = {};  // of each point of its boundary
-  float pictures = 0;               // how well they agree, a sum over those points that touch
+  float agreement = 0;              // of pictures and boundaries, see_neighbour's sum
   float worth = 0;
   int whole_sides = 0;  // neighbours with which it shares one from corner to corner
 };
@@ -75,6 +75,9 @@ class PuzzleArranger {
   /// Takes out pieces that hardly touch the others: they do not belong to them, as a straight side agrees with any other.
   void drop_loose(Arrangement& in) const;
 
+  /// Takes out pieces beside which gaps are long beside what touches: they lie where others belong. The first one stays.
+  void drop_misfits(Arrangement& in) const;
+
   std::size_t placed(const Arrangement& in) const;
 
   /// Part of the boundary of all pieces that is beside a narrow gap.
@@ -91,7 +94,13 @@ class PuzzleArranger {
 
  private:
   std::vector<PosedPiece> neighbours(const PosedPiece& piece, const Arrangement& in, int but = -1) const;
-  float touching(const LaidPiece& laid, const Arrangement& in, float of_pictures = 0) const;
+  /// Parts of a piece's boundary, as it counts.
+  struct Boundary {
+    float touching = 0, beside_gaps = 0;
+    float agreement = 0;  // see_neighbour's
+  };
+  Boundary boundary_of(const LaidPiece& laid, const Arrangement& in) const;
+  void settle(PuzzlePlace& place, const std::vector<PosedPiece>& around) const;
   void appraise(PuzzlePlace& place) const;
   bool is_worth_laying(const PuzzlePlace& place) const;
   bool same_place(const PuzzlePlace& a, const PuzzlePlace& b) const;

@@ -6,12 +6,13 @@
 #include "core/base/stop.h"
 #include "core/geometry/closed_curve.h"
 #include "core/geometry/polygon.h"
+#include "products/puzzle/growth_between.h"
 #include "products/puzzle/piece_matches.h"
 
 namespace tessera {
 namespace {
 
-/// Distances that are tried: multiples of this part of a piece's size, up to so many, and halves at last.
+/// Distances that are tried: multiples of this part of a piece's size, up to so many. The best pairs tell the rest.
 constexpr float kStep = 1.f / 256;
 constexpr std::size_t kMostErosions = 12;
 /// So many steps after the best one none better is expected.
@@ -21,6 +22,8 @@ constexpr std::size_t kSample = 16;
 /// How much better boundaries must run alike before pieces count as eroded: chance brings some per cent; a pixel that
 /// was lost of pieces of 60 to 160 px with tabs brings 45 to 100.
 constexpr double kLeastGain = 1.2;
+/// Pairs that belong together are among the best: so much of what was found is looked at.
+constexpr std::size_t kBestPart = 4;
 /// Boundaries tell only where it is seen when pieces are grown too far: by so many steps, with tabs two fifths or less are
 /// left of what ran alike. Of polygons three quarters are left, and what is the most came about by chance.
 constexpr std::size_t kTooFar = kPatience;
@@ -29,6 +32,33 @@ constexpr double kMostTooFar = 0.5;
 /// is usual.
 constexpr float kLeastFilling = 0.125f, kMostFilling = 2;
 constexpr float kUsual[] = {0, 1, 0.5f};
+
+using Polygons = std::vector<std::vector<Vec2>>;
+
+std::vector<PuzzlePiece> grown_pieces(const Polygons& polygons, float distance, const PuzzleScale& scale,
+                                      const StopCheck& check_stop) {
+  std::vector<PuzzlePiece> pieces;
+  for (const std::vector<Vec2>& polygon : polygons) {
+    check_stop();
+    pieces.push_back(puzzle_piece(grown_polygon(polygon, distance), scale));
+  }
+  return pieces;
+}
+
+/// How much more the pieces must grow: the median of the pairs that meet best.
+float missing_growth(const std::vector<PuzzlePiece>& pieces, const PuzzleScale& scale, const StopCheck& check_stop) {
+  std::vector<GrowthBetween> found;
+  for (const SideMatch& side : sampled_sides(pieces, kSample, scale, check_stop)) {
+    const PosedPiece here{&pieces[std::size_t(side.piece)], {}};
+    const PosedPiece there{&pieces[std::size_t(side.match.piece)], side.match.here_from_there};
+    if (const auto growth = growth_between(there, here, scale)) found.push_back(*growth);
+  }
+  if (found.empty()) return 0;
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.rms < b.rms; });
+  found.resize((found.size() + kBestPart - 1) / kBestPart);
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.distance < b.distance; });
+  return found[found.size() / 2].distance;
+}
 
 }  // namespace
 
@@ -45,12 +75,10 @@ std::vector<Vec2> grown_polygon(const std::vector<Vec2>& polygon, float distance
 std::optional<float> erosion_of(const std::vector<std::vector<Vec2>>& polygons, const PuzzleScale& scale,
                                 const StopCheck& check_stop) {
   const auto length_at = [&](float steps) {
-    std::vector<PuzzlePiece> pieces;
-    for (const std::vector<Vec2>& polygon : polygons) {
-      check_stop();
-      pieces.push_back(puzzle_piece(grown_polygon(polygon, steps * kStep * scale.piece), scale));
-    }
-    return matched_length(pieces, kSample, scale, check_stop);
+    const auto pieces = grown_pieces(polygons, steps * kStep * scale.piece, scale, check_stop);
+    double length = 0;
+    for (const SideMatch& side : sampled_sides(pieces, kSample, scale, check_stop)) length += double(side.length());
+    return length;
   };
   std::vector<double> lengths = {length_at(0)};
   std::size_t best = 0;
@@ -61,13 +89,9 @@ std::optional<float> erosion_of(const std::vector<std::vector<Vec2>>& polygons, 
   const double most = lengths[best];
   if (lengths[std::min(best + kTooFar, lengths.size() - 1)] > kMostTooFar * most) return {};
   if (most < kLeastGain * lengths[0] || best == 0) return 0;
-  float at = float(best);
-  if (length_at(float(best) + 0.5f) > most) {
-    at += 0.5f;
-  } else if (length_at(float(best) - 0.5f) > most) {
-    at -= 0.5f;
-  }
-  return at * kStep * scale.piece;
+  const float step = kStep * scale.piece, about = float(best) * step;
+  return about +
+         std::clamp(missing_growth(grown_pieces(polygons, about, scale, check_stop), scale, check_stop), -step, step);
 }
 
 std::vector<float> likely_erosions(const std::vector<std::vector<Vec2>>& pieces, double frame_area,

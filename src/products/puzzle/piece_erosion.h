@@ -15,9 +15,9 @@ namespace tessera {
 /// The polygon (interior on its left) with its boundary moved outward by a distance that is small beside its parts.
 std::vector<Vec2> grown_polygon(const std::vector<Vec2>& polygon, float distance);
 
-/// The distance by which pieces must grow so that their boundaries run alike the farthest, in their unit; 0 where they
-/// fit as they are. Nothing where boundaries do not tell, as those of polygons: grown a little more or less, a straight
-/// side is as long as some other one. `watch` is called often; what it throws ends the search.
+/// The distance by which pieces must grow so that their boundaries run alike the farthest, in their unit, and meet; 0 where
+/// they fit as they are. Nothing where boundaries do not tell, as those of polygons: grown a little more or less, a straight
+/// side is as long as some other one. `check_stop` is called often; what it throws ends the search.
 std::optional<float> erosion_of(const std::vector<std::vector<Vec2>>& pieces, const PuzzleScale& scale,
                                 const StopCheck& check_stop);
 

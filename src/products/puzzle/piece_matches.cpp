@@ -98,12 +98,15 @@ bool fills(const PuzzleCorner& here, const PuzzleCorner& there, const Similarity
 
 /// Lengths count so much more where the pictures agree, and so much less where they do not.
 constexpr float kPictureShare = 0.5f;
+/// And so much less where boundaries run as far apart as is tolerated: those of strangers, where pieces are small.
+constexpr float kApartShare = 0.7f;
 
 struct Found {
   int piece;
   Run run;
   bool whole_side;
   float steps;  // of the run, with what the pictures say
+  float close;  // the same, less where both run apart
 };
 
 /// Along the run, mean.
@@ -124,7 +127,7 @@ float pictures_agree(const PuzzlePiece& here, const PuzzleCorner& ahead, const P
 
 void keep_best(std::vector<Found>& found, std::size_t most) {
   std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
-    return a.whole_side != b.whole_side ? a.whole_side : a.steps > b.steps;
+    return a.whole_side != b.whole_side ? a.whole_side : a.close > b.close;
   });
   if (found.size() > most) found.resize(most);
 }
@@ -148,7 +151,9 @@ void add_matches(const std::vector<PuzzlePiece>& pieces, std::size_t i, std::siz
                                   : fills(here, there, run.alignment.here_from_there, scale);
       if (run.steps == 0) continue;
       const float agreement = pictures_agree(pieces[i], here, pieces[j], there, run.steps, scale);
-      found.push_back({int(j), run, whole_side, float(run.steps) * (1 + kPictureShare * agreement)});
+      const float alike = float(run.steps) * (1 + kPictureShare * agreement);
+      const float close = alike * (1 - kApartShare * run.alignment.rms / scale.tolerance);
+      found.push_back({int(j), run, whole_side, alike, close});
     }
   }
   keep_best(found, pieces.size() > kFewPieces ? kMostTried : kMostTriedOfFew);
@@ -176,24 +181,26 @@ Matches piece_matches(const std::vector<PuzzlePiece>& pieces, const PuzzleScale&
   return matches;
 }
 
-double matched_length(const std::vector<PuzzlePiece>& pieces, std::size_t sample, const PuzzleScale& scale,
-                      const StopCheck& check_stop) {
+std::vector<SideMatch> sampled_sides(const std::vector<PuzzlePiece>& pieces, std::size_t sample,
+                                     const PuzzleScale& scale, const StopCheck& check_stop) {
   const std::size_t count = std::min(sample, pieces.size());
   Matches matches(pieces.size());
-  double length = 0;
+  std::vector<SideMatch> sides;
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = k * pieces.size() / count;
     for (std::size_t c = 0; c < pieces[i].corners.size(); ++c) {
       check_stop();
       matches[i].clear();
       add_matches(pieces, i, c, 0, scale, matches);
-      float longest = 0;
-      for (const PieceMatch& match : matches[i])
-        longest = std::max(longest, match.whole_side ? match.worth * (1 - match.apart) : 0);
-      length += double(longest);
+      SideMatch longest{int(i), {}};
+      for (const PieceMatch& match : matches[i]) {
+        const SideMatch side{int(i), match};
+        if (match.whole_side && side.length() > longest.length()) longest = side;
+      }
+      if (longest.length() > 0) sides.push_back(longest);
     }
   }
-  return length;
+  return sides;
 }
 
 void match_frame_anew(const std::vector<PuzzlePiece>& pieces, const PuzzleScale& scale, Matches& matches,

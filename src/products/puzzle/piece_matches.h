@@ -25,11 +25,18 @@ struct PieceMatch {
 std::vector<std::vector<PieceMatch>> piece_matches(const std::vector<PuzzlePiece>& pieces, const PuzzleScale& scale,
                                                    const std::function<void(std::size_t)>& watch);
 
-/// How far boundaries run alike: of `sample` pieces (all, if there are fewer) the best match ahead from each corner that
-/// is a whole side, a length that counts less the farther apart they are, summed up. `watch` is called before each
-/// corner.
-double matched_length(const std::vector<PuzzlePiece>& pieces, std::size_t sample, const PuzzleScale& scale,
-                      const StopCheck& check_stop);
+struct SideMatch {
+  int piece = 0;
+  PieceMatch match;
+
+  /// How far the boundaries run alike; it counts less the farther apart they are.
+  float length() const { return match.worth * (1 - match.apart); }
+};
+
+/// Of `sample` pieces (all, if there are fewer) the longest match ahead from each corner, if any is a whole side.
+/// `check_stop` is called before each corner.
+std::vector<SideMatch> sampled_sides(const std::vector<PuzzlePiece>& pieces, std::size_t sample,
+                                     const PuzzleScale& scale, const StopCheck& check_stop);
 
 /// The matches with the last piece, a frame, once more, as another frame stands there now.
 void match_frame_anew(const std::vector<PuzzlePiece>& pieces, const PuzzleScale& scale,

@@ -73,6 +73,14 @@ float pictures_agree(const PuzzlePiece& here, Vec2 at_here, Vec2 outside_here, c
   return a && b ? 1 - 2 * std::min(1.f, colour_distance(*a, *b) / scale.contrast) : 0;
 }
 
+/// From 1, where boundaries lie on each other, to -2, where they are so far apart as those of strangers often are. Straight
+/// lines say nothing: all of them are alike, and how far apart they lie is what the pieces have lost.
+float closeness(float distance, float bend, const PuzzleScale& scale) {
+  constexpr float kOfStrangers = 0.6f, kWorst = 3;
+  const float apart = distance / (kOfStrangers * scale.tolerance);
+  return bend * (1 - kWorst * std::min(1.f, apart * apart));
+}
+
 float see_neighbour(const PosedPiece& piece, const PosedPiece& neighbour, const PuzzleScale& scale,
                     std::vector<Beside>& beside) {
   const float reach = kWidestGap * scale.tolerance;
@@ -85,12 +93,23 @@ float see_neighbour(const PosedPiece& piece, const PosedPiece& neighbour, const 
     const Approach near = neighbour.piece->outline.approach(p, reach);
     if (near.distance >= reach) continue;
     beside[k] = near.distance <= scale.tolerance ? Beside::contact : Beside::gap;
-    if (beside[k] == Beside::gap || scale.contrast <= 0) continue;
+    if (beside[k] == Beside::gap) continue;
+    agreement += closeness(near.distance, piece.piece->bends[k], scale);
     const Vec2 along = piece.piece->directions[k], outside{along.y, -along.x};
     agreement += pictures_agree(*piece.piece, piece.piece->points[k], outside, *neighbour.piece, near.there,
                                 there_from_here.apply_direction(outside) * -1, scale);
   }
   return agreement;
+}
+
+Similarity moved(const PosedPiece& piece, Vec2 shift, double turn) {
+  const double length = std::sqrt(1 + turn * turn);
+  const Similarity turned{float(1 / length), float(turn / length), 0, 0};
+  const Vec2 centre = piece.pose.apply(piece.piece->centre);
+  const Vec2 at = centre - turned.apply(centre) + shift;
+  const Similarity pose = followed_by(piece.pose, {turned.a, turned.b, at.x, at.y});
+  const float unit = 1 / pose.scale();
+  return {pose.a * unit, pose.b * unit, pose.tx, pose.ty};
 }
 
 Similarity settled(PosedPiece piece, const std::vector<PosedPiece>& neighbours, const PuzzleScale& scale, int steps) {
@@ -116,12 +135,7 @@ Similarity settled(PosedPiece piece, const std::vector<PosedPiece>& neighbours, 
       }
     }
     const Eigen::Vector3d move = hessian.ldlt().solve(-gradient);
-    const double turn = move[2] / arm, length = std::sqrt(1 + turn * turn);
-    const Similarity turned{float(1 / length), float(turn / length), 0, 0};
-    const Vec2 shift = centre - turned.apply(centre) + Vec2{float(move[0]), float(move[1])};
-    Similarity moved = followed_by(piece.pose, {turned.a, turned.b, shift.x, shift.y});
-    const float unit = 1 / moved.scale();
-    piece.pose = {moved.a * unit, moved.b * unit, moved.tx, moved.ty};
+    piece.pose = moved(piece, {float(move[0]), float(move[1])}, move[2] / arm);
   }
   return piece.pose;
 }

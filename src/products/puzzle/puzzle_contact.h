@@ -40,10 +40,13 @@ float inside_from_edge(const PuzzleScale& scale);
 float pictures_agree(const PuzzlePiece& here, Vec2 at_here, Vec2 outside_here, const PuzzlePiece& there, Vec2 at_there,
                      Vec2 outside_there, const PuzzleScale& scale);
 
-/// Raises `beside`, one of each point of `piece`, by what `neighbour` is to it. Returns how well the pictures agree
-/// along the points that come into contact, as a sum over them.
+/// Raises `beside`, one of each point of `piece`, by what `neighbour` is to it. Returns how well the pictures agree and how
+/// close the boundaries run along the points that come into contact, as a sum over them.
 float see_neighbour(const PosedPiece& piece, const PosedPiece& neighbour, const PuzzleScale& scale,
                     std::vector<Beside>& beside);
+
+/// The piece's pose shifted, and turned about its centre by an angle with that tangent.
+Similarity moved(const PosedPiece& piece, Vec2 shift, double turn);
 
 /// The pose near by in which the boundary lies best along those of the neighbours: least squares of the distances,
 /// steps of Gauss and Newton. Along straight lines it stays.

@@ -89,17 +89,19 @@ float exact_corner(const std::vector<Vec2>& points, std::size_t k) {
   return best;
 }
 
-std::vector<float> weights_of(const std::vector<Vec2>& directions) {
+std::vector<float> bends_of(const std::vector<Vec2>& directions) {
   constexpr std::size_t kReach = 8;
-  constexpr float kStraight = 0.3f;
   const std::size_t n = directions.size();
-  std::vector<float> weights(n);
+  std::vector<float> bends(n);
   for (std::size_t k = 0; k < n; ++k) {
     const float turn = 1 - dot(directions[(k + n - kReach % n) % n], directions[(k + kReach) % n]);
-    weights[k] = kStraight + (1 - kStraight) * std::min(1.f, 4 * turn);
+    bends[k] = std::min(1.f, 4 * turn);
   }
-  return weights;
+  return bends;
 }
+
+/// What agreement of straight lines says, beside that of bends.
+constexpr float kStraight = 0.3f;
 
 /// Of the points of a grid over its box.
 Vec2 deepest_point(const PolygonIndex& outline) {
@@ -136,7 +138,8 @@ PuzzlePiece puzzle_piece(const std::vector<Vec2>& polygon, const PuzzleScale& sc
   const int count = std::max(4 * kCornerReach, int(length / scale.step + 0.5f));
   PuzzlePiece piece{.outline = PolygonIndex(Outline{{polygon}}), .points = resampled_closed(polygon, count)};
   piece.directions = directions_of(piece.points);
-  piece.weights = weights_of(piece.directions);
+  piece.bends = bends_of(piece.directions);
+  for (const float bend : piece.bends) piece.weights.push_back(kStraight + (1 - kStraight) * bend);
   piece.point_length = length / float(count);
   const AreaMoment moment = area_moment(polygon);
   piece.area = moment.area;

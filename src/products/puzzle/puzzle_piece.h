@@ -36,6 +36,7 @@ struct PuzzlePiece {
   PolygonIndex outline;
   std::vector<Vec2> points = {};      // even arclength, about one step apart
   std::vector<Vec2> directions = {};  // of the boundary there, unit length, interior on the left
+  std::vector<float> bends = {};      // how bent the boundary is there: 0 for a straight line, 1 for a bend
   std::vector<float> weights = {};    // what agreement there says: a bend is not found by chance, a straight line is
   float point_length = 0;             // of the boundary that each of them stands for
   std::vector<PuzzleCorner> corners = {};

@@ -149,11 +149,8 @@ class Solver {
   Arrangement solved(const std::vector<Arrangement>& starts, int widest) const {
     Arrangement best = starts.front();
     const auto follow = [&](const std::vector<Arrangement>& from, int width) {
-      Arrangement found = arranger_.followed_to_the_end(from, width);
-      arranger_.settle_all(found);
-      if (arranger_.is_frame(found.laid.front())) keep_within_frame(found, arranger_);
-      arranger_.drop_loose(found);
-      if (arranger_.coherence(found) > arranger_.coherence(best)) best = std::move(found);
+      const Arrangement found = filled_up(settled(arranger_.followed_to_the_end(from, width)));
+      if (arranger_.coherence(found) > arranger_.coherence(best)) best = found;
       return arranger_.whole(best);
     };
     for (const Arrangement& start : starts) {
@@ -164,6 +161,26 @@ class Solver {
       if (follow(starts, width)) return best;
     }
     return best;
+  }
+
+  Arrangement settled(Arrangement found) const {
+    arranger_.settle_all(found);
+    if (arranger_.is_frame(found.laid.front())) keep_within_frame(found, arranger_);
+    arranger_.drop_loose(found);
+    return found;
+  }
+
+  /// When all have settled there may be room where there was none, as small errors ran through all pieces before; and it
+  /// shows which lie where others belong.
+  Arrangement filled_up(Arrangement found) const {
+    while (true) {
+      Arrangement sound = found;
+      arranger_.drop_misfits(sound);
+      if (arranger_.placed(sound) == arranger_.pieces_count()) return found;
+      Arrangement fuller = settled(arranger_.followed_to_the_end({with_places(sound)}, 1));
+      if (arranger_.coherence(fuller) <= arranger_.coherence(found)) return found;
+      found = std::move(fuller);
+    }
   }
 
   /// What was laid alone, by each piece that may lie in a corner of the frame, or by its outer boundary.
@@ -338,10 +355,22 @@ class Solver {
   PuzzleArranger arranger_;
 };
 
+/// How much longer the pieces are when they are grown, as the square root of their area.
+double times_grown(const std::vector<std::vector<Vec2>>& before, const std::vector<std::vector<Vec2>>& after) {
+  double area_before = 0, area_after = 0;
+  for (const std::vector<Vec2>& polygon : before) area_before += signed_area(polygon);
+  for (const std::vector<Vec2>& polygon : after) area_after += signed_area(polygon);
+  return std::sqrt(area_after / area_before);
+}
+
+/// A frame that was made as large as all pieces grows with them.
 Solved solved_grown(const PuzzleInput& input, float erosion, int widest) {
   PuzzleInput grown = input;
   for (std::vector<Vec2>& polygon : grown.pieces) polygon = grown_polygon(polygon, erosion);
+  const double times = input.frame_fits || input.frame.empty() ? 1 : times_grown(input.pieces, grown.pieces);
+  for (Vec2& p : grown.frame) p = p * float(times);
   Solved solved = Solver(grown, widest).solve(grown);
+  solved.solution.scale /= times;
   solved.solution.erosion = erosion;
   return solved;
 }

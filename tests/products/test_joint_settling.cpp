@@ -1,0 +1,119 @@
+// Pieces that come to rest beside each other, and by how much they must grow to meet.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/geometry/closed_curve.h"
+#include "core/geometry/polygon.h"
+#include "products/puzzle/growth_between.h"
+#include "products/puzzle/joint_settling.h"
+#include "products/puzzle/piece_erosion.h"
+#include "products/puzzle/puzzle_cut.h"
+
+namespace tessera {
+namespace test_joint_settling {
+
+/// Pieces as they were cut, or smaller all round, where they lay in the picture.
+struct Cut {
+  PuzzleScale scale;
+  std::vector<PuzzlePiece> pieces;
+
+  Cut(int count, CutStyle style, float lost) {
+    std::vector<std::vector<Vec2>> polygons =
+        cut_puzzle({.width_px = 1200, .height_px = 900, .pieces = count, .style = style, .seed = 3});
+    std::vector<double> areas;
+    for (std::vector<Vec2>& polygon : polygons) {
+      polygon = grown_polygon(resampled_closed(polygon, 512), -lost);
+      areas.push_back(signed_area(polygon));
+    }
+    scale = PuzzleScale::of(areas);
+    for (const std::vector<Vec2>& polygon : polygons) pieces.push_back(puzzle_piece(polygon, scale));
+  }
+
+  PosedPiece posed(std::size_t i, Similarity pose = {1, 0, 0, 0}) const { return {&pieces[i], pose}; }
+
+  /// The first piece that comes after `i` and lies along it.
+  std::size_t neighbour_of(std::size_t i) const {
+    for (std::size_t j = i + 1; j < pieces.size(); ++j) {
+      std::vector<Beside> beside(pieces[i].points.size(), Beside::nothing);
+      see_neighbour(posed(i), posed(j), scale, beside);
+      if (std::count(beside.begin(), beside.end(), Beside::nothing) < std::ptrdiff_t(beside.size() * 9 / 10)) return j;
+    }
+    return i;
+  }
+};
+
+TEST(GrowthBetween, IsWhatTabsHaveLost) {
+  for (const float lost : {0.f, 0.8f, 1.6f}) {
+    const Cut cut(12, CutStyle::tabs, lost);
+    const std::size_t other = cut.neighbour_of(0);
+    ASSERT_NE(other, 0u);
+    const auto shifted = growth_between(cut.posed(0, {1, 0, 0.7f, -0.6f}), cut.posed(other), cut.scale);
+    ASSERT_TRUE(shifted);
+    EXPECT_NEAR(shifted->distance, lost, 0.15);
+    EXPECT_LT(shifted->rms, 0.2 + 0.3 * double(lost)) << "corners lose otherwise than sides";
+  }
+}
+
+TEST(GrowthBetween, IsNothingAlongAStraightLineOrFarAway) {
+  const Cut cut(12, CutStyle::rectangles, 1);
+  const auto along = growth_between(cut.posed(0), cut.posed(1), cut.scale);
+  ASSERT_TRUE(along);
+  EXPECT_NEAR(along->distance, 0.4, 0.25) << "a shift and the distance share the gap";
+  EXPECT_FALSE(growth_between(cut.posed(0, {1, 0, 5'000, 0}), cut.posed(1), cut.scale));
+}
+
+/// How far the pieces' centres are from where they belong, at most.
+float farthest_off(const std::vector<PosedPiece>& pieces) {
+  float farthest = 0;
+  for (const PosedPiece& piece : pieces)
+    farthest = std::max(farthest, norm(piece.pose.apply(piece.piece->centre) - piece.piece->centre));
+  return farthest;
+}
+
+/// A small error of each row and column adds up to one that no pair of neighbours shows.
+TEST(JointSettling, TakesOutWhatRunsThroughAllPieces) {
+  const Cut cut(98, CutStyle::tabs, 0);
+  std::vector<PosedPiece> pieces;
+  for (std::size_t i = 0; i < cut.pieces.size(); ++i)
+    pieces.push_back(cut.posed(i, {1, 0, 0.006f * cut.pieces[i].centre.x, -0.004f * cut.pieces[i].centre.y}));
+  pieces.front().pose = {1, 0, 0, 0};
+  ASSERT_GT(farthest_off(pieces), 4);
+  int told = 0;
+  settle_jointly(pieces, cut.scale, 3, [&] { ++told; });
+  EXPECT_LT(farthest_off(pieces), 0.5);
+  EXPECT_EQ(told, 3);
+  EXPECT_EQ(pieces.front().pose, (Similarity{1, 0, 0, 0}));
+}
+
+TEST(JointSettling, WhatIsAloneStays) {
+  const Cut cut(12, CutStyle::polygons, 0);
+  const Similarity away{0, 1, 9'000, 100};
+  std::vector<PosedPiece> pieces = {cut.posed(0), cut.posed(1, away)};
+  settle_jointly(pieces, cut.scale, 3, [] {});
+  EXPECT_NEAR(pieces[1].pose.tx, away.tx, 1e-3);
+  EXPECT_NEAR(pieces[1].pose.b, 1, 1e-6);
+}
+
+/// The pictures are not known here: what is left are the boundaries.
+float agreement(const Cut& cut, std::size_t i, std::size_t j, Vec2 shift) {
+  std::vector<Beside> beside(cut.pieces[i].points.size(), Beside::nothing);
+  return see_neighbour(cut.posed(i, {1, 0, shift.x, shift.y}), cut.posed(j), cut.scale, beside);
+}
+
+TEST(SeeNeighbour, BendsThatRunCloseSpeakForAPlaceAndThoseApartAgainstIt) {
+  const Cut cut(12, CutStyle::tabs, 0);
+  const std::size_t other = cut.neighbour_of(0);
+  EXPECT_GT(agreement(cut, 0, other, {}), 20);
+  const float apart = 0.6f * cut.scale.tolerance;
+  EXPECT_LT(agreement(cut, 0, other, {apart, apart}), -20);
+}
+
+TEST(SeeNeighbour, StraightLinesSayNothingByHowCloseTheyRun) {
+  const Cut cut(12, CutStyle::rectangles, 0);
+  // What there is comes of the corners; the whole side is four times as long.
+  for (const float times : {0.f, 0.6f}) EXPECT_NEAR(agreement(cut, 0, 1, {times * cut.scale.tolerance, 0}), 0, 32);
+}
+
+}  // namespace test_joint_settling
+}  // namespace tessera
