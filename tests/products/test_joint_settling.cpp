@@ -5,9 +5,9 @@
 
 #include "core/geometry/closed_curve.h"
 #include "core/geometry/polygon.h"
-#include "products/puzzle/growth_between.h"
-#include "products/puzzle/joint_settling.h"
-#include "products/puzzle/piece_erosion.h"
+#include "products/puzzle/laying/joint_settling.h"
+#include "products/puzzle/pieces/growth_between.h"
+#include "products/puzzle/pieces/piece_erosion.h"
 #include "products/puzzle/puzzle_cut.h"
 
 namespace tessera {

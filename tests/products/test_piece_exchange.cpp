@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/base/portable_math.h"
-#include "products/puzzle/piece_exchange.h"
+#include "products/puzzle/laying/piece_exchange.h"
 #include "products/puzzle/puzzle_truth.h"
 
 namespace tessera {

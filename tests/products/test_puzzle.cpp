@@ -8,11 +8,11 @@
 #include "core/base/portable_math.h"
 #include "core/geometry/closed_curve.h"
 #include "core/geometry/polygon.h"
-#include "products/puzzle/piece_erosion.h"
+#include "products/puzzle/laying/puzzle_solver.h"
+#include "products/puzzle/pieces/piece_erosion.h"
+#include "products/puzzle/pieces/puzzle_contact.h"
 #include "products/puzzle/polygon_parts.h"
-#include "products/puzzle/puzzle_contact.h"
 #include "products/puzzle/puzzle_cut.h"
-#include "products/puzzle/puzzle_solver.h"
 #include "products/puzzle/puzzle_truth.h"
 
 namespace tessera {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "products/puzzle/puzzle_solver.h"
+#include "products/puzzle/laying/puzzle_solver.h"
 #include "products/puzzle/puzzle_truth.h"
 
 namespace tessera {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "products/puzzle/puzzle_contact.h"
+#include "products/puzzle/pieces/puzzle_contact.h"
 
 namespace tessera {
 namespace {

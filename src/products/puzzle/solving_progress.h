@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "products/puzzle/puzzle_solver.h"
+#include "products/puzzle/laying/puzzle_solver.h"
 
 namespace tessera {
 

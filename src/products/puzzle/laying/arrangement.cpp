@@ -1,12 +1,12 @@
-#include "products/puzzle/arrangement.h"
+#include "products/puzzle/laying/arrangement.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
 
-#include "products/puzzle/joint_settling.h"
-#include "products/puzzle/puzzle_solver.h"
+#include "products/puzzle/laying/joint_settling.h"
+#include "products/puzzle/laying/puzzle_solver.h"
 
 namespace tessera {
 namespace {

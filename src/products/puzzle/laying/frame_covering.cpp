@@ -1,4 +1,4 @@
-#include "products/puzzle/frame_covering.h"
+#include "products/puzzle/laying/frame_covering.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "products/puzzle/puzzle_solver.h"
+#include "products/puzzle/laying/puzzle_solver.h"
 
 #include <algorithm>
 #include <array>
@@ -7,15 +7,15 @@
 #include <utility>
 
 #include "core/geometry/polygon.h"
-#include "products/puzzle/arrangement.h"
-#include "products/puzzle/frame_covering.h"
-#include "products/puzzle/piece_erosion.h"
-#include "products/puzzle/piece_exchange.h"
-#include "products/puzzle/piece_matches.h"
-#include "products/puzzle/poses_in_frame.h"
-#include "products/puzzle/puzzle_contact.h"
-#include "products/puzzle/puzzle_piece.h"
-#include "products/puzzle/within_frame.h"
+#include "products/puzzle/laying/arrangement.h"
+#include "products/puzzle/laying/frame_covering.h"
+#include "products/puzzle/laying/piece_exchange.h"
+#include "products/puzzle/laying/poses_in_frame.h"
+#include "products/puzzle/laying/within_frame.h"
+#include "products/puzzle/pieces/piece_erosion.h"
+#include "products/puzzle/pieces/piece_matches.h"
+#include "products/puzzle/pieces/puzzle_contact.h"
+#include "products/puzzle/pieces/puzzle_piece.h"
 
 namespace tessera {
 namespace {

@@ -1,4 +1,4 @@
-#include "products/puzzle/within_frame.h"
+#include "products/puzzle/laying/within_frame.h"
 
 #include <algorithm>
 #include <optional>

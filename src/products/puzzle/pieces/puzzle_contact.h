@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/geometry/similarity.h"
-#include "products/puzzle/puzzle_piece.h"
+#include "products/puzzle/pieces/puzzle_piece.h"
 
 namespace tessera {
 

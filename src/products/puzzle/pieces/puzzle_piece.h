@@ -7,7 +7,7 @@
 
 #include "core/geometry/polygon_index.h"
 #include "core/geometry/vec2.h"
-#include "products/puzzle/piece_picture.h"
+#include "products/puzzle/pieces/piece_picture.h"
 
 namespace tessera {
 

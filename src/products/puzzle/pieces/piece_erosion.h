@@ -8,7 +8,7 @@
 
 #include "core/base/stop.h"
 #include "core/geometry/vec2.h"
-#include "products/puzzle/puzzle_piece.h"
+#include "products/puzzle/pieces/puzzle_piece.h"
 
 namespace tessera {
 

@@ -1,4 +1,4 @@
-#include "products/puzzle/joint_settling.h"
+#include "products/puzzle/laying/joint_settling.h"
 
 #include <Eigen/SparseCholesky>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "products/puzzle/puzzle_piece.h"
+#include "products/puzzle/pieces/puzzle_piece.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "products/puzzle/piece_exchange.h"
+#include "products/puzzle/laying/piece_exchange.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 
 #include "core/geometry/similarity.h"
 #include "core/geometry/vec2.h"
-#include "products/puzzle/piece_picture.h"
+#include "products/puzzle/pieces/piece_picture.h"
 
 namespace tessera {
 

@@ -1,11 +1,11 @@
-#include "products/puzzle/piece_matches.h"
+#include "products/puzzle/pieces/piece_matches.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 #include "core/base/stop.h"
-#include "products/puzzle/puzzle_contact.h"
+#include "products/puzzle/pieces/puzzle_contact.h"
 
 namespace tessera {
 namespace {

@@ -1,4 +1,4 @@
-#include "products/puzzle/puzzle_contact.h"
+#include "products/puzzle/pieces/puzzle_contact.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

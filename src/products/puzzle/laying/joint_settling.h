@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "products/puzzle/puzzle_contact.h"
+#include "products/puzzle/pieces/puzzle_contact.h"
 
 namespace tessera {
 

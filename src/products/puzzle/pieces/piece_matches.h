@@ -7,7 +7,7 @@
 
 #include "core/base/stop.h"
 #include "core/geometry/similarity.h"
-#include "products/puzzle/puzzle_piece.h"
+#include "products/puzzle/pieces/puzzle_piece.h"
 
 namespace tessera {
 

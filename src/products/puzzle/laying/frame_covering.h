@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/base/stop.h"
-#include "products/puzzle/piece_matches.h"
-#include "products/puzzle/puzzle_contact.h"
+#include "products/puzzle/pieces/piece_matches.h"
+#include "products/puzzle/pieces/puzzle_contact.h"
 
 namespace tessera {
 

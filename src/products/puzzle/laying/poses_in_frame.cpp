@@ -1,4 +1,4 @@
-#include "products/puzzle/poses_in_frame.h"
+#include "products/puzzle/laying/poses_in_frame.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "products/puzzle/piece_matches.h"
-#include "products/puzzle/puzzle_contact.h"
-#include "products/puzzle/puzzle_piece.h"
+#include "products/puzzle/pieces/piece_matches.h"
+#include "products/puzzle/pieces/puzzle_contact.h"
+#include "products/puzzle/pieces/puzzle_piece.h"
 
 namespace tessera {
 

@@ -1,4 +1,4 @@
-#include "products/puzzle/piece_picture.h"
+#include "products/puzzle/pieces/piece_picture.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "products/puzzle/arrangement.h"
+#include "products/puzzle/laying/arrangement.h"
 
 namespace tessera {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/stop.h"
-#include "products/puzzle/puzzle_contact.h"
+#include "products/puzzle/pieces/puzzle_contact.h"
 
 namespace tessera {
 

@@ -1,4 +1,4 @@
-#include "products/puzzle/growth_between.h"
+#include "products/puzzle/pieces/growth_between.h"
 
 #include <Eigen/Dense>
 #include <cmath>

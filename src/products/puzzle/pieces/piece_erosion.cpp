@@ -1,4 +1,4 @@
-#include "products/puzzle/piece_erosion.h"
+#include "products/puzzle/pieces/piece_erosion.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -6,8 +6,8 @@
 #include "core/base/stop.h"
 #include "core/geometry/closed_curve.h"
 #include "core/geometry/polygon.h"
-#include "products/puzzle/growth_between.h"
-#include "products/puzzle/piece_matches.h"
+#include "products/puzzle/pieces/growth_between.h"
+#include "products/puzzle/pieces/piece_matches.h"
 
 namespace tessera {
 namespace {
