@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "artwork/outlines/flat_path.h"
@@ -158,6 +159,7 @@ TEST(SvgOutlines, MasksAreTakenOffAndNamed) {
       "<defs><g id='inner'>" + rect +
           "mask='url(#m)'/></g><g id='outer'><use href='#inner'/></g></defs>"
           "<use id='a' href='#outer'/>",
+      "<style>#a{mask:bogus!important}</style>" + rect + "id='a' mask='url(#m)'/>",
       "<g id='cycle' mask='url(#m)'><use href='#cycle'/></g>" + rect + "id='a' mask='url(#m)'/>",
   };
   for (const std::string& content : masked) {
@@ -172,13 +174,70 @@ TEST(SvgOutlines, WhatHasNoMaskIsNotSaidToHaveOne) {
   const Texts plain = {
       rect + "mask='none'/>",
       rect + "mask='url(#gone)'/>",
+      rect + "mask='url(#n)'/><mask xmlns='urn:x' id='n'/>",
+      "<defs><g id='s'><rect width='9' height='9'/></g><g id='s' mask='url(#m)'/></defs><use id='a' xlink:href='#s'/>",
       rect + "mask='url(#b)'/><defs><g id='b'/></defs>",
       "<style>#a{mask:none}</style>" + rect + "mask='url(#m)'/>",
       "<style>rect{mask:none!important}</style>" + rect + "style='mask:url(#m)'/>",
       "<defs>" + rect + "mask='url(#m)'/></defs><rect id='c' width='9' height='9'/>",
       rect + "/><g mask='url(#m)' display='none'><circle id='hidden' r='4'/></g>",
   };
-  for (const std::string& content : plain) EXPECT_EQ(read(svg(kMask + content)).masked_elements, Texts{}) << content;
+  for (const std::string& content : plain) {
+    const SvgOutlines found = read(svg(kMask + content));
+    EXPECT_EQ(found.masked_elements, Texts{}) << content;
+    EXPECT_EQ(found.outlines.size(), 1u) << content;
+  }
+}
+
+TEST(SvgOutlines, MasksThatAreNotFoundAreTakenOffAllTheSame) {
+  const std::string rect = "<rect id='a' width='9' height='9' ";
+  const Texts hidden = {
+      rect + "style='m\\61 sk:url(#m)'/>",
+      "<style>@import url(data:text/css,x);</style>" + rect + "mask='url(#m)'/>",
+  };
+  for (const std::string& content : hidden)
+    EXPECT_EQ(boxes_of(read(svg(kMask + content))), Texts{"a 0 0 9 9"}) << content;
+}
+
+TEST(SvgOutlines, MasksOfManyUsesTakeTimeByTheirNumber) {
+  std::string many = "<defs>" + kMask;
+  for (int i = 0; i < 20'000; ++i) many += "<g id='x' mask='url(#m)'/><use href='#x'/>";
+  const auto started = std::chrono::steady_clock::now();
+  EXPECT_EQ(names_of(read(svg(many + "</defs><rect id='a' width='9' height='9'/>"))), Texts{"a"});
+  EXPECT_LT(std::chrono::steady_clock::now() - started, std::chrono::seconds(20));
+}
+
+TEST(SvgOutlines, PatternsFillToTheEdgeWhateverTheyShow) {
+  const std::string pattern = "width='1' height='1' patternContentUnits='objectBoundingBox'>";
+  const SvgOutlines found = read(svg(
+      "<pattern id='p' " + pattern + "<image width='1' height='1' xlink:href='gone.png'/></pattern>" +
+      "<pattern id='q' xlink:href='#p'/><pattern id='u' " + pattern + "<use xlink:href='#i'/></pattern>" +
+      "<defs><image id='i' width='1' height='1' xlink:href='data:image/png;base64,AAAA'/></defs>" +
+      "<rect id='a' fill='url(#p)' width='9' height='9'/><rect id='b' fill='url(#q)' width='9' height='9'/>" +
+      "<rect id='c' fill='url(#u)' width='9' height='9'/><rect id='d' fill='url(#none) none' width='9' height='9'/>"));
+  EXPECT_EQ(boxes_of(found), (Texts{"a 0 0 9 9", "b 0 0 9 9", "c 0 0 9 9"}));
+}
+
+TEST(SvgOutlines, ContoursThatCrossAreOne) {
+  const auto area = [](const std::string& path) {
+    const SvgOutlines found = read(svg("<path id='a' " + path + "/>"));
+    return found.outlines.size() == 1 ? std::round(100 * area_of(found.outlines[0])) / 100 : -1.;
+  };
+  const auto contours = [](const std::string& path) {
+    const SvgOutlines found = read(svg("<path id='a' " + path + "/>"));
+    return found.outlines.empty() ? 0u : flat_path(found.outlines[0].steps, 0.01).size();
+  };
+  const std::string tee = "d='M10 10h40v10h-40zM25 10h10v40h-10z'";
+  EXPECT_EQ(contours(tee), 1u);
+  EXPECT_EQ(area(tee), 700);
+  EXPECT_EQ(contours("d='M0 0h30v30h-30zM20 20h30v30h-30z' fill-rule='evenodd'"), 2u)
+      << "what is filled twice is a hole";
+  EXPECT_EQ(contours("d='M0 0h30v30h-30zM30 0h30v30h-30z'"), 1u) << "side by side";
+  // These stay as they are, with their curves.
+  const SvgOutlines ring = read(svg("<path id='a' d='M10 10C10 40 40 40 40 10zM20 15h10v5h-10z'/>"));
+  EXPECT_TRUE(std::any_of(ring.outlines[0].steps.begin(), ring.outlines[0].steps.end(),
+                          [](const PathStep& step) { return step.command == 'C'; }));
+  EXPECT_EQ(contours("d='M0 0h30v30h-30zM50 50h30v30h-30z'"), 2u);
 }
 
 TEST(SvgOutlines, FillsGoBeforeStrokes) {
@@ -249,6 +308,16 @@ TEST(SvgOutlines, ProgramsWithPxOfTheirOwnAreTold) {
   EXPECT_EQ(illustrator.program_px_per_inch, 72);
   EXPECT_EQ(boxes_of(illustrator), Texts{"r 0 0 19.05 12.7"});
   EXPECT_EQ(read(svg("<rect id='r' width='72' height='36'/>", "viewBox='0 0 72 72'")).program_px_per_inch, 0);
+}
+
+TEST(SvgOutlines, OneSideAndTheViewBoxSayTheOtherSide) {
+  const std::string rect = "<rect id='r' width='50' height='20'/>", box = " viewBox='0 0 100 50'";
+  for (const char* page : {"width='100mm'", "width='100mm' height='auto'", "width='100mm' height='100%'",
+                           "height='50mm'", "width='10cm'", "height='141.732pt'"}) {
+    const SvgOutlines found = read(svg(rect, page + box));
+    EXPECT_EQ(boxes_of(found), Texts{"r 0 0 50 20"}) << page;
+    EXPECT_TRUE(found.says_unit) << page;
+  }
 }
 
 TEST(SvgOutlines, PxMayHaveAnotherSize) {

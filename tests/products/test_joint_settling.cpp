@@ -1,6 +1,7 @@
 // Pieces that come to rest beside each other, and by how much they must grow to meet.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/geometry/closed_curve.h"
@@ -55,7 +56,7 @@ TEST(GrowthBetween, IsWhatTabsHaveLost) {
   }
 }
 
-TEST(GrowthBetween, IsNothingAlongAStraightLineOrFarAway) {
+TEST(GrowthBetween, SharesTheGapWithTheShiftAlongAStraightLineAndIsNothingFarAway) {
   const Cut cut(12, CutStyle::rectangles, 1);
   const auto along = growth_between(cut.posed(0), cut.posed(1), cut.scale);
   ASSERT_TRUE(along);

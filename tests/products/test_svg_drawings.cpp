@@ -176,7 +176,9 @@ TEST(SvgDrawings, MasksThatAreTakenOffAreNamed) {
       svg("<mask id='m'><rect width='9' height='9' fill='white'/></mask><g mask='url(#m)'><rect id='a' width='30' "
           "height='30'/><rect id='b' x='50' width='30' height='30'/></g><rect id='c' y='50' width='30' height='30'/>");
   EXPECT_EQ(names_of(found), (Texts{"a", "b", "c"}));
-  EXPECT_EQ(found.notes, Texts{"a mask hides part of 2 elements, whose whole outline is cut: a, b"});
+  EXPECT_EQ(
+      found.notes,
+      Texts{"left out the mask of 2 elements, whose whole outline is cut (--leave-out NAME leaves one out): a, b"});
 }
 
 TEST(SvgDrawings, ABadOutlineBesideGoodOnesIsLeftOut) {

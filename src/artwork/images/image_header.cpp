@@ -71,7 +71,7 @@ std::optional<cv::Size2d> tiff_size(const ByteReader& r) {
 bool is_animated_png(const ByteReader& r) {
   std::size_t at = 8;
   while (const Side length = r.integer(at, 4)) {
-    if (r.has(at + 4, "acTL")) return true;
+    if (r.has(at + 4, "acTL")) return r.integer(at + 8, 4).value_or(0) > 1;
     if (r.has(at + 4, "IDAT")) return false;
     at += 12 + std::size_t(*length);
   }

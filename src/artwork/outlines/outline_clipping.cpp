@@ -1,6 +1,8 @@
 #include "artwork/outlines/outline_clipping.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <polyclipping/clipper.hpp>
 
 #include "artwork/outlines/flat_path.h"
@@ -94,6 +96,49 @@ void add(const clip::Paths& paths, bool closed, PathSteps& steps) {
   }
 }
 
+/// What tells a contour from those that come of cutting it.
+struct Trace {
+  clip::IntPoint low, high;  // its box
+  double area;
+  double slack;  // by how much rounding may change the area
+
+  bool is_near(const Trace& other) const {
+    constexpr clip::cInt kNear = 2;
+    const auto near = [](const clip::IntPoint& p, const clip::IntPoint& q) {
+      return std::abs(p.X - q.X) <= kNear && std::abs(p.Y - q.Y) <= kNear;
+    };
+    return near(low, other.low) && near(high, other.high) && std::abs(area - other.area) <= slack;
+  }
+};
+
+Trace trace_of(const clip::Path& contour) {
+  Trace trace{contour.front(), contour.front(), std::abs(clip::Area(contour)), 1};
+  for (std::size_t i = 0; i < contour.size(); ++i) {
+    const clip::IntPoint& p = contour[i];
+    const clip::IntPoint& next = contour[(i + 1) % contour.size()];
+    trace.low = {std::min(trace.low.X, p.X), std::min(trace.low.Y, p.Y)};
+    trace.high = {std::max(trace.high.X, p.X), std::max(trace.high.Y, p.Y)};
+    trace.slack += std::hypot(double(next.X - p.X), double(next.Y - p.Y));
+  }
+  return trace;
+}
+
+/// Whether each of `some` is one of `all`.
+bool are_among(const clip::Paths& some, const clip::Paths& all) {
+  constexpr clip::cInt kReach = 2;
+  std::multimap<clip::cInt, Trace> traces;  // by the left side of the box
+  for (const clip::Path& contour : all) {
+    if (contour.empty()) continue;
+    const Trace trace = trace_of(contour);
+    traces.emplace(trace.low.X, trace);
+  }
+  return std::all_of(some.begin(), some.end(), [&](const clip::Path& contour) {
+    const Trace trace = trace_of(contour);
+    return std::any_of(traces.lower_bound(trace.low.X - kReach), traces.upper_bound(trace.low.X + kReach),
+                       [&](const auto& other) { return trace.is_near(other.second); });
+  });
+}
+
 /// Most clips are the page, or a viewport, around all that they cut.
 bool surrounds(const LayerClip& by, const cv::Rect2d& box) {
   const std::optional<cv::Rect2d> window = level_rectangle(by.steps);
@@ -117,6 +162,21 @@ LayerPath clipped(LayerPath path, double tolerance) {
   path.steps.clear();
   add(left.closed, true, path.steps);
   add(left.open, false, path.steps);
+  return path;
+}
+
+LayerPath united(LayerPath path, double tolerance) {
+  if (!path.filled) return path;
+  const clip::PolyFillType rule = path.even_odd ? clip::pftEvenOdd : clip::pftNonZero;
+  clip::Paths contours;
+  for (const FlatSubpath& subpath : flat_path(path.steps, tolerance)) contours.push_back(whole(subpath.points));
+  if (contours.size() < 2) return path;
+  clip::Paths joined;
+  clip::SimplifyPolygons(contours, joined, rule);
+  if (are_among(joined, contours)) return path;
+  path.even_odd = true;
+  path.steps.clear();
+  add(joined, true, path.steps);
   return path;
 }
 

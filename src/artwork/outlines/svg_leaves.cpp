@@ -59,6 +59,13 @@ xmlNode* chosen_of(xmlNode* one_of_many) {
   return of_a_language;
 }
 
+/// A pattern fills an element to its edge, whatever it shows: a picture of it that is not read would be no fill at all.
+void fill_whole(xmlNode* pattern) {
+  xmlNode* const all = xmlNewChild(pattern, pattern->ns, xml("path"), nullptr);
+  xmlSetProp(all, xml("d"), xml("M-1e4-1e4H1e4V1e4H-1e4z"));
+  xmlSetProp(all, xml("style"), xml("fill:#000!important;stroke:none!important;display:inline!important"));
+}
+
 /// Finds the leaves, and what is to be changed so that librsvg draws each of them as a layer. Each leaf gets an id of its
 /// own, since librsvg takes the first element that has the id. Each <switch> becomes a group with one child that is seen,
 /// since librsvg 2.54 draws nothing of a layer in a <switch>, or another child.
@@ -84,6 +91,7 @@ class LeafFinder {
       if (!styles[i].empty()) xmlSetProp(new_ids_[i].node, xml("style"), xml(styles[i].c_str()));
     }
     masks_.take_off();
+    for (xmlNode* node : patterns_) fill_whole(node);
     for (xmlNode* node : hidden_) xmlSetProp(node, xml("style"), xml("display:none!important"));
     for (xmlNode* node : switches_) xmlNodeSetName(node, xml("g"));
   }
@@ -100,6 +108,7 @@ class LeafFinder {
   /// Recursion is as deep as the document, which parsed_foreign_svg bounds.
   void collect_ids(xmlNode* node) {
     if (const std::string id = attribute(node, "id"); !id.empty()) first_of_id_.emplace(id, node);
+    if (name_of(node) == "pattern" && xmlFirstElementChild(node)) patterns_.push_back(node);
     for (xmlNode* child = xmlFirstElementChild(node); child; child = xmlNextElementSibling(child)) collect_ids(child);
   }
 
@@ -139,7 +148,7 @@ class LeafFinder {
   std::vector<SvgLeaf> leaves_;
   std::unordered_map<std::string, const xmlNode*> first_of_id_;
   std::vector<NewId> new_ids_;
-  std::vector<xmlNode*> hidden_, switches_;
+  std::vector<xmlNode*> hidden_, switches_, patterns_;
   std::size_t made_ = 0;
   int unnamed_ = 0;
 };

@@ -7,22 +7,33 @@
 #include "artwork/css/css_tokens.h"
 #include "artwork/css/svg_style.h"
 #include "artwork/xml/xml_tree.h"
+#include "core/base/error.h"
 
 namespace tessera {
 namespace {
 
 constexpr std::string_view kMask = "mask";
 
-/// The id that a value names, url(#m) or url("#m"); "" for none.
-std::string named_id(const std::string& value) {
+/// What a value names, as in url(#m) or url("#m"); "" for none.
+std::string named(const std::string& value) {
   for (const CssToken& token : css_tokens(value)) {
-    const bool may_name = token.kind == CssKind::url || token.kind == CssKind::string;
-    if (may_name && token.text.starts_with('#')) return token.text.substr(1);
+    if (token.kind == CssKind::url || token.kind == CssKind::string) return token.text;
   }
   return "";
 }
 
-bool says_mask(const std::string& css) { return ascii_lower_case(css).find(kMask) != std::string::npos; }
+/// What librsvg would pass over does not count against what it reads.
+bool is_valid(const CssDeclaration& mask) {
+  const std::string value = without_important(mask.value);
+  std::string_view rest = value;
+  return !named(value).empty() || (take_word(rest) == "none" && take_word(rest).empty());
+}
+
+std::vector<CssDeclaration> mask_declarations(CssTokens content) {
+  std::vector<CssDeclaration> all = css_declarations(content);
+  std::erase_if(all, [](const CssDeclaration& one) { return one.name != kMask || !is_valid(one); });
+  return all;
+}
 
 /// Of an element and all below it, in the order of the document.
 template <class Visit>
@@ -32,14 +43,14 @@ void for_each_element(xmlNode* element, const Visit& visit) {
     for_each_element(child, visit);
 }
 
-/// A style sheet or a style attribute that speaks of masks.
-bool have_mask_styles(xmlNode* root) {
-  bool found = false;
-  for_each_element(root, [&](xmlNode* element) {
-    found = found || says_mask(attribute(element, "style")) ||
-            (name_of(element) == "style" && says_mask(content_of(element)));
-  });
-  return found;
+/// Nothing where the style sheets break a limit, or load others: then masks that they put on are taken off all the same, by
+/// the sheet that draws plainly, but nobody is told.
+std::optional<SvgStyle> mask_style(const xmlNode* root, const std::string& path) {
+  try {
+    return SvgStyle(root, path, mask_declarations);
+  } catch (const InputError&) {
+    return {};
+  }
 }
 
 /// The id that a <use> shows: SVG 2's href goes before xlink:href.
@@ -63,11 +74,10 @@ SvgMasks::SvgMasks(xmlNode* root, const std::string& path) {
 void SvgMasks::find(xmlNode* root, const std::string& path) {
   std::unordered_set<std::string> masks;
   for_each_element(root, [&](const xmlNode* element) {
-    if (name_of(element) == kMask) masks.insert(attribute(element, "id"));
+    if (name_of(element) == kMask && is_in_svg_namespace(element)) masks.insert("#" + attribute(element, "id"));
   });
   if (masks.empty()) return;
-  std::optional<SvgStyle> style;
-  if (have_mask_styles(root)) style.emplace(root, path, css_declarations);
+  std::optional<SvgStyle> style = mask_style(root, path);
   for_each_element(root, [&](xmlNode* element) {
     if (!is_in_svg_namespace(element)) return;
     std::string value = attribute(element, "mask");
@@ -75,23 +85,28 @@ void SvgMasks::find(xmlNode* root, const std::string& path) {
       const auto values = counting_values(style->declarations_of(element));
       if (const auto found = values.find(std::string(kMask)); found != values.end()) value = found->second;
     }
-    if (const std::string id = named_id(value); !id.empty() && masks.contains(id)) masked_.push_back(element);
+    if (masks.contains(named(value))) masked_.push_back(element);
   });
 }
 
-void SvgMasks::mark_what_shows(const xmlNode* root) {
-  std::unordered_map<std::string, std::vector<const xmlNode*>> uses_of;
-  for_each_element(const_cast<xmlNode*>(root), [&](const xmlNode* element) {
-    if (name_of(element) == "use") uses_of[shown_id(element)].push_back(element);
+void SvgMasks::mark_what_shows(xmlNode* root) {
+  std::unordered_map<std::string, const xmlNode*> first_of_id;
+  std::unordered_map<const xmlNode*, std::vector<const xmlNode*>> uses_of;
+  for_each_element(root, [&](const xmlNode* element) {
+    if (const std::string id = attribute(element, "id"); !id.empty()) first_of_id.emplace(id, element);
+  });
+  for_each_element(root, [&](const xmlNode* element) {
+    if (name_of(element) != "use") return;
+    if (const auto shown = first_of_id.find(shown_id(element)); shown != first_of_id.end())
+      uses_of[shown->second].push_back(element);
   });
   std::vector<const xmlNode*> to_mark(masked_.begin(), masked_.end());
   while (!to_mark.empty()) {
     const xmlNode* node = to_mark.back();
     to_mark.pop_back();
     for (; node && node->type == XML_ELEMENT_NODE && above_.insert(node).second; node = node->parent) {
-      const std::string id = attribute(node, "id");
-      if (id.empty()) continue;
-      for (const xmlNode* use : uses_of[id]) to_mark.push_back(use);
+      if (const auto uses = uses_of.find(node); uses != uses_of.end())
+        to_mark.insert(to_mark.end(), uses->second.begin(), uses->second.end());
     }
   }
 }

@@ -13,7 +13,7 @@ namespace tessera {
 class SvgMasks {
  public:
   /// Finds the elements that have a mask, by attribute, style attribute or style sheet. Throws InputError, beginning with
-  /// `path`, where the style sheets break a limit of svg_style.h.
+  /// `path`, where the declarations of all elements break a limit of svg_style.h.
   SvgMasks(xmlNode* root, const std::string& path);
 
   /// Whether a mask is on the element, on one around it, or in what it shows as a <use>.
@@ -24,7 +24,7 @@ class SvgMasks {
 
  private:
   void find(xmlNode* root, const std::string& path);
-  void mark_what_shows(const xmlNode* root);
+  void mark_what_shows(xmlNode* root);
 
   std::vector<xmlNode*> masked_;
   std::unordered_set<const xmlNode*> below_;  // in a masked element, or one itself

@@ -39,7 +39,7 @@ constexpr double kTolerance_mm = 0.01;
 /// A style sheet that takes off what is no outline, and what would turn a layer into pixels. What the file itself calls
 /// "!important" goes before it.
 constexpr std::string_view kPlainStyle =
-    "*{filter:none!important;marker-start:none!important;marker-mid:none!important;"
+    "*{filter:none!important;mask:none!important;marker-start:none!important;marker-mid:none!important;"
     "marker-end:none!important;mix-blend-mode:normal!important;isolation:auto!important;"
     "stroke-dasharray:none!important}"
     "text,image,foreignObject{display:none!important}";
@@ -243,7 +243,8 @@ class OutlineReader {
   }
 
   void add(const SvgLeaf& leaf, const LayerPath& path, std::vector<SvgOutline>& outlines) {
-    LayerPath seen = clipped(path, kTolerance_mm / unit_mm_);
+    const double tolerance = kTolerance_mm / unit_mm_;
+    LayerPath seen = united(clipped(path, tolerance), tolerance);
     if (seen.steps.empty()) return;
     steps_ += seen.steps.size();
     if (steps_ > kMostOutlineSteps) throw InputError(too_many(kMostOutlineSteps, "points and curves in a file"));

@@ -41,13 +41,32 @@ bool is_length(const RsvgLength& length) {
          length.unit == RSVG_UNIT_PT || length.unit == RSVG_UNIT_PC;
 }
 
-/// From width and height, else from the viewBox.
-std::optional<cv::Size2d> size_of_page(RsvgHandle* handle) {
+/// Nothing for a part of the window, or of a font's size.
+std::optional<double> in_px(bool given, const RsvgLength& length, double px_per_inch) {
+  if (!given) return std::nullopt;
+  switch (length.unit) {
+    case RSVG_UNIT_PX: return length.length;
+    case RSVG_UNIT_IN: return length.length * px_per_inch;
+    case RSVG_UNIT_CM: return length.length * px_per_inch / 2.54;
+    case RSVG_UNIT_MM: return length.length * px_per_inch / 25.4;
+    case RSVG_UNIT_PT: return length.length * px_per_inch / 72;
+    case RSVG_UNIT_PC: return length.length * px_per_inch / 6;
+    default: return std::nullopt;
+  }
+}
+
+/// From width and height; from one of them and the viewBox's shape, as a browser does it; else from the viewBox.
+std::optional<cv::Size2d> size_of_page(RsvgHandle* handle, double px_per_inch) {
   double width = 0, height = 0;
   if (rsvg_handle_get_intrinsic_size_in_pixels(handle, &width, &height)) return cv::Size2d(width, height);
   const Dimensions page = dimensions_of(handle);
-  if (page.has_view_box) return cv::Size2d(page.view_box.width, page.view_box.height);
-  return std::nullopt;
+  if (!page.has_view_box) return std::nullopt;
+  const cv::Size2d view_box(page.view_box.width, page.view_box.height);
+  const auto width_px = in_px(page.has_width, page.width, px_per_inch);
+  const auto height_px = in_px(page.has_height, page.height, px_per_inch);
+  if (width_px) return view_box * (*width_px / view_box.width);
+  if (height_px) return view_box * (*height_px / view_box.height);
+  return view_box;
 }
 
 /// From the origin to where the drawing ends.
@@ -72,7 +91,7 @@ SvgDocument::SvgDocument(std::span<const std::uint8_t> svg, const std::string& p
   rsvg_handle_set_dpi(handle_.get(), px_per_inch);
   loses_text_ = tessera::loses_text(svg);
   if (!has_fonts()) set_style("text{display:none!important}");
-  const std::optional<cv::Size2d> size = size_of_page(handle_.get());
+  const std::optional<cv::Size2d> size = size_of_page(handle_.get(), px_per_inch);
   sized_ = size.has_value();
   size_ = size ? *size : reach_of_drawing(handle_.get());
   if (!size && !(size_.width > 0 && size_.height > 0)) size_ = {1, 1};  // nothing is drawn on it

@@ -220,8 +220,8 @@ SvgDrawings svg_drawings(const SvgOutlines& outlines, const std::string& path,
       outlines.unread_elements, "element that is no outline: text or image; a drawing program makes paths of text",
       "elements that are no outlines: text or images; a drawing program makes paths of text", "", found.notes);
   if (const std::vector<std::string>& masked = outlines.masked_elements; !masked.empty()) {
-    found.notes.push_back("a mask hides part of " + count_text(masked.size(), "element") +
-                          ", whose whole outline is cut: " + some_of(masked));
+    found.notes.push_back("left out the mask of " + count_text(masked.size(), "element") +
+                          ", whose whole outline is cut (--leave-out NAME leaves one out): " + some_of(masked));
   }
   note_left_out(int(outlines.far_elements.size()),
                 "element with a coordinate that is no number or too large, allowed: 1e6 mm either way",

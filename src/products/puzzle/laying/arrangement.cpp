@@ -129,7 +129,7 @@ double PuzzleArranger::coherence(const Arrangement& in) const {
     const Boundary boundary = boundary_of(laid, in);
     sum += double(boundary.touching + kOfAgreement * boundary.agreement);
   }
-  return sum * std::max(kLeastCoherent, 1 - kGapsAgainst * gaps(in));
+  return std::max(0., sum) * std::max(kLeastCoherent, 1 - kGapsAgainst * gaps(in));
 }
 
 std::vector<PosedPiece> PuzzleArranger::neighbours(const PosedPiece& piece, const Arrangement& in, int but) const {
@@ -234,6 +234,7 @@ void PuzzleArranger::add_places_beside(const LaidPiece& laid, Arrangement& in) c
 
 void PuzzleArranger::find_places(Arrangement& in) const {
   in.places.clear();
+  in.frame_is_open = false;
   for (const LaidPiece& laid : in.laid) {
     if (!is_frame(laid)) add_places_beside(laid, in);
   }

@@ -36,8 +36,10 @@ class Pulls {
   std::vector<PosedPiece> moved_pieces() const {
     Eigen::SparseMatrix<double> hessian(gradient_.size(), gradient_.size());
     hessian.setFromTriplets(entries_.begin(), entries_.end());
-    const Eigen::VectorXd move = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(hessian).solve(-gradient_);
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(hessian);
     std::vector<PosedPiece> all = pieces_;
+    if (solver.info() != Eigen::Success) return all;
+    const Eigen::VectorXd move = solver.solve(-gradient_);
     for (std::size_t i = 1; i < all.size(); ++i) {
       const Eigen::Vector3d m = move.segment<3>(Eigen::Index(3 * (i - 1)));
       all[i].pose = moved(all[i], {float(m[0]), float(m[1])}, m[2] / arm_);

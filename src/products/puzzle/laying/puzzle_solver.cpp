@@ -36,6 +36,12 @@ constexpr double kFull = 0.985;
 constexpr std::size_t kMostMoves = 4;
 /// Scales less apart are one, as what fills the frame says it better.
 constexpr double kSameScale = 0.01;
+/// How often the holes of what was laid are filled, each time by at least so much of what the pieces have in common.
+constexpr int kMostFillings = 8;
+constexpr double kLeastFuller = 1e-6;
+/// Frames that are tried where nearly all pieces lie, and how much larger each is than the one before.
+constexpr int kLargerFrames = 4;
+constexpr double kLarger = 0.001;
 
 /// Mean distance of the pictures' colours between places of different pieces, along their boundaries; 0 without
 /// pictures, and of plain ones.
@@ -98,7 +104,9 @@ class Solver {
     if (frame_ < 0 || (arranger_.whole(alone) && fit_into_frame(alone))) return solution_of(std::move(alone));
     if (!input.frame_fits && take_scale(alone, input.frame) && fit_into_frame(alone))
       return solution_of(std::move(alone));
-    Solved solved = solution_of(solved_in_frame(alone));
+    Arrangement in_frame = solved_in_frame(alone);
+    if (!input.frame_fits) in_frame = in_larger_frames(std::move(in_frame), input.frame);
+    Solved solved = solution_of(std::move(in_frame));
     if (arranger_.whole(alone) && solved.solution.placed < int(arranger_.pieces_count()))
       solved.solution.without_frame = poses_of_pieces(alone);
     return solved;
@@ -173,14 +181,18 @@ class Solver {
   /// When all have settled there may be room where there was none, as small errors ran through all pieces before; and it
   /// shows which lie where others belong.
   Arrangement filled_up(Arrangement found) const {
-    while (true) {
+    double coherence = arranger_.coherence(found);
+    for (int round = 0; round < kMostFillings; ++round) {
       Arrangement sound = found;
       arranger_.drop_misfits(sound);
-      if (arranger_.placed(sound) == arranger_.pieces_count()) return found;
+      if (arranger_.placed(sound) == arranger_.pieces_count()) break;
       Arrangement fuller = settled(arranger_.followed_to_the_end({with_places(sound)}, 1));
-      if (arranger_.coherence(fuller) <= arranger_.coherence(found)) return found;
+      const double now = arranger_.coherence(fuller);
+      if (!(now > coherence * (1 + kLeastFuller))) break;
+      coherence = now;
       found = std::move(fuller);
     }
+    return found;
   }
 
   /// What was laid alone, by each piece that may lie in a corner of the frame, or by its outer boundary.
@@ -212,10 +224,32 @@ class Solver {
   bool take_scale(const Arrangement& alone, const std::vector<Vec2>& frame) {
     const auto pose = scaled_pose_in_frame(arranger_.laid_pieces(alone), pieces_[std::size_t(frame_)], scale_);
     if (!pose || std::abs(double(pose->scale()) - 1) < kSameScale) return false;
-    times_ = double(pose->scale());
+    set_scale(double(pose->scale()), frame);
+    return true;
+  }
+
+  void set_scale(double times, const std::vector<Vec2>& frame) {
+    times_ = times;
     pieces_[std::size_t(frame_)] = frame_piece(frame, times_);
     match_frame_anew(pieces_, scale_, matches_, tell_matching());
-    return true;
+  }
+
+  /// A scale that follows from areas is a little wrong where outlines are, and then the last row finds no room. Where most
+  /// pieces lie, the frame is made larger bit by bit.
+  Arrangement in_larger_frames(Arrangement best, const std::vector<Vec2>& frame) {
+    const double first = times_;
+    double best_times = times_;
+    for (int k = 1; k <= kLargerFrames; ++k) {
+      const std::size_t placed = arranger_.placed(best);
+      if (placed == arranger_.pieces_count() || 4 * placed < 3 * arranger_.pieces_count()) break;
+      set_scale(first / (1 + kLarger * k), frame);
+      Arrangement larger = filled_up(settled(best));
+      if (arranger_.placed(larger) <= placed || arranger_.coherence(larger) <= arranger_.coherence(best)) continue;
+      best = std::move(larger);
+      best_times = times_;
+    }
+    if (times_ != best_times) set_scale(best_times, frame);
+    return best;
   }
 
   /// As many pieces as fit together in the frame.

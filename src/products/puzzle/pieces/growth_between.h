@@ -13,8 +13,8 @@ struct GrowthBetween {
 };
 
 /// For two pieces that lie about where they belong, in the unit of the pieces. Least squares over the pose and the distance
-/// at once: a boundary that bends to all sides shows a gap all along, and no shift closes it. Along straight lines, which a shift
-/// brings together, the distance comes out as 0. Nothing where hardly a boundary is near the other.
+/// at once: a boundary that bends to all sides shows a gap all along, and no shift closes it. Along a straight line, which a shift
+/// brings together as well, the distance says nothing. Nothing where hardly a boundary is near the other.
 std::optional<GrowthBetween> growth_between(PosedPiece piece, const PosedPiece& neighbour, const PuzzleScale& scale);
 
 }  // namespace tessera

@@ -37,6 +37,14 @@ bool lies_in(const PosedPiece& a, const PosedPiece& b, const PuzzleScale& scale)
   return false;
 }
 
+/// From 1, where boundaries lie on each other, to -2, where they are so far apart as those of strangers often are. Straight
+/// lines say nothing: all of them are alike, and how far apart they lie is what the pieces have lost.
+float closeness(float distance, float bend, const PuzzleScale& scale) {
+  constexpr float kOfStrangers = 0.6f, kWorst = 3;
+  const float apart = distance / (kOfStrangers * scale.tolerance);
+  return bend * (1 - kWorst * std::min(1.f, apart * apart));
+}
+
 }  // namespace
 
 Similarity followed_by(const Similarity& here, const Similarity& there) {
@@ -71,14 +79,6 @@ float pictures_agree(const PuzzlePiece& here, Vec2 at_here, Vec2 outside_here, c
   const auto a = here.picture->at(at_here - outside_here * inside);
   const auto b = there.picture->at(at_there - outside_there * inside);
   return a && b ? 1 - 2 * std::min(1.f, colour_distance(*a, *b) / scale.contrast) : 0;
-}
-
-/// From 1, where boundaries lie on each other, to -2, where they are so far apart as those of strangers often are. Straight
-/// lines say nothing: all of them are alike, and how far apart they lie is what the pieces have lost.
-float closeness(float distance, float bend, const PuzzleScale& scale) {
-  constexpr float kOfStrangers = 0.6f, kWorst = 3;
-  const float apart = distance / (kOfStrangers * scale.tolerance);
-  return bend * (1 - kWorst * std::min(1.f, apart * apart));
 }
 
 float see_neighbour(const PosedPiece& piece, const PosedPiece& neighbour, const PuzzleScale& scale,
