@@ -172,6 +172,8 @@ TEST(DxfDrawings, RefusesDamage) {
   EXPECT_EQ(refused("AC1027\0\0"), "a.dxf: a DWG; save it as ASCII DXF");
   EXPECT_EQ(refused(dxf("0\nCIRCLE\n10\nnan\n20\n1\n40\n1\n")),
             "a.dxf: line 14: found \"nan\", allowed: a number from -1e12 to 1e12");
+  EXPECT_EQ(refused(dxf("0\nCIRCLE\n10\n1\n20\n1\n40\n10,75\n")),
+            "a.dxf: line 18: found \"10,75\", allowed: a number from -1e12 to 1e12");
   EXPECT_EQ(refused(dxf("0\nCIRCLE\n10\n1\n20\n1\n40\n1e300\n")),
             "a.dxf: line 18: found \"1e300\", allowed: a number from -1e12 to 1e12");
   EXPECT_EQ(refused("0\nSECTION\n2\nENTITIES\n0"), "a.dxf: line 5: ends within a pair of lines");

@@ -110,7 +110,7 @@ TEST(SvgDrawings, LinesBesideAContourDoItNoHarm) {
   ASSERT_EQ(names_of(tail), Texts{"s"});
   EXPECT_NEAR(area_of(tail.drawings[0].outline), 2500, 0.01);
   EXPECT_EQ(tail.notes, (Texts{"joined 4 open paths to 1 contour: ends less than 0.05 mm apart meet",
-                               "left out 1 chain of lines that does not close"}));
+                               "left out 1 chain of lines that does not close: t"}));
   std::string circle;
   for (int i = 0; i < 1'000; ++i) {
     const auto at = [](int k) {
@@ -153,7 +153,7 @@ TEST(SvgDrawings, OpenPathsThatAreFilledAreWhatIsFilled) {
                                 "<path d='M0 50H9'/></g>");
   EXPECT_EQ(names_of(found), (Texts{"f", "g"}));
   EXPECT_NEAR(area_of(found.drawings[0].outline), 200, 0.01);
-  EXPECT_EQ(found.notes, Texts{"left out 1 chain of lines that does not close"});
+  EXPECT_EQ(found.notes, Texts{"left out 1 chain of lines that does not close: path2"});
 }
 
 TEST(SvgDrawings, NothingVanishesWithoutAWord) {
@@ -164,7 +164,7 @@ TEST(SvgDrawings, NothingVanishesWithoutAWord) {
   EXPECT_EQ(names_of(found), (Texts{"a", "b"}));
   EXPECT_EQ(
       found.notes,
-      (Texts{"left out 2 chains of lines that do not close",
+      (Texts{"left out 2 chains of lines that do not close: polyline2, line3",
              "left out 1 element that is not drawn (hidden, transparent, empty, damaged, or with neither fill "
              "nor stroke): hid",
              "left out 1 element that is no outline: text or image; a drawing program makes paths of text",
@@ -235,7 +235,7 @@ TEST(NestInput, ReadsSvgsThroughADrawer) {
       (Texts{inkscape + ": written by Inkscape 0.91, which had 90 px an inch: its shapes take 25.4 x 12.7 mm then, "
                         "and 23.8 x 11.9 mm at CSS's 96, as they are read here; --dpi 90 or --dpi 96 says which",
              inkscape + " says no unit: 1 unit is taken as 1/96 inch, its page is 23.8 x 23.8 mm; width and height "
-                        "in mm in the SVG set it"}));
+                        "in mm in the SVG set it, --dpi says how many px an inch has"}));
   const NestInput at_90 = read_nest_input(inkscape, {.px_per_inch = 90, .left_out = {}});
   EXPECT_EQ(at_90.notes, Texts{});
   EXPECT_NEAR(box_of(at_90.sources.at(0).drawing.outline).width(), 25.4, 0.001);

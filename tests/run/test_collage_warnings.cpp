@@ -118,6 +118,9 @@ TEST(CollageWarnings, SizesThatDoNotRiseMayHaveDecimalCommas) {
       "pieces.scale_px = [30, 5, 60, 5] is 4 sizes, one after the other; where a decimal comma was meant, write a "
       "point: 30.5, not 30,5");
   EXPECT_EQ(warning("[pieces]\nscale_px = [20, 30, 60]\n"), "");
+  EXPECT_EQ(warning("[pieces]\nrotation_deg = [-7,5, 7,5]\n").substr(0, 50),
+            "pieces.rotation_deg = [-7, 5, 7, 5] is 4 angles, o");
+  EXPECT_EQ(warning("[pieces]\nrotation_deg = [0, 90, 180, 270]\n"), "");
   EXPECT_EQ(warning("[pieces]\nscale_px = [30, 60]\n"), "");
   EXPECT_EQ(warning("[pieces]\nscale_px = [[60, 90], [20, 30], [10, 15]]\n"), "") << "intervals come in any order";
   const std::string row = "[[shapes]]\nnames = 'owl'\nscale_px = ";

@@ -111,6 +111,7 @@ class FileReader {
 struct FolderFiles {
   std::vector<fs::path> drawings;
   std::set<std::string> others;  // called like drawings, and no regular files
+  std::set<std::string> unread;  // of other kinds
 };
 
 FolderFiles drawings_in(const fs::path& folder) {
@@ -118,8 +119,12 @@ FolderFiles drawings_in(const fs::path& folder) {
   std::error_code error;
   for (fs::directory_iterator at(folder, error); !error && at != fs::directory_iterator(); at.increment(error)) {
     const Kind kind = kind_of(at->path());
-    if (kind != Kind::svg && kind != Kind::dxf) continue;
     std::error_code ignored;
+    if (kind != Kind::svg && kind != Kind::dxf) {
+      const std::string name = printable_utf8(at->path().filename().string());
+      if (at->is_regular_file(ignored) && !name.starts_with('.')) files.unread.insert(name);
+      continue;
+    }
     if (at->is_regular_file(ignored))
       files.drawings.push_back(at->path());
     else
@@ -158,17 +163,24 @@ std::string joined(const std::set<std::string>& names) {
 }
 
 void add_folder(const fs::path& folder, FileReader& reader, NestInput& input) {
-  const auto [files, others] = drawings_in(folder);
+  const auto [files, others, unread] = drawings_in(folder);
   if (!others.empty()) {
     input.notes.push_back(
         shown_path(folder) + ": left out " +
         count_text(others.size(), "name that is no regular file: ", "names that are no regular files: ") +
         joined(others));
   }
+  if (!unread.empty()) {
+    input.notes.push_back(
+        shown_path(folder) + ": left out " +
+        count_text(unread.size(), "file that is neither SVG nor DXF: ", "files that are neither SVG nor DXF: ") +
+        joined(unread));
+  }
   std::size_t points = 0;
   for (const fs::path& file : files) {
     const std::size_t before = input.sources.size();
     reader.add(file);
+    if (input.sources.size() == before) input.notes.push_back(shown_path(file) + ": found no closed shape");
     name_by_file(file, before, input);
     if (input.sources.size() > kMostDrawings) {
       throw InputError(shown_path(folder) + ": found " + std::to_string(input.sources.size()) +

@@ -77,7 +77,7 @@ void UnknownUnits::tell(const std::string& path, NestInput& input) const {
     input.unit += (input.unit.empty() ? "" : ", or ") + unit;
   };
   input.notes.insert(input.notes.end(), own_px_.begin(), own_px_.end());
-  tell_of(svgs_, "1/96 inch", "width and height in mm in the SVG set it");
+  tell_of(svgs_, "1/96 inch", "width and height in mm in the SVG set it, --dpi says how many px an inch has");
   tell_of(dxfs_, "1 mm", "$INSUNITS in the DXF sets it");
 }
 

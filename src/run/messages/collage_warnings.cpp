@@ -190,7 +190,7 @@ std::string idle_keys_warning(const Job& job) {
 namespace {
 
 /// "30, 5, 60" where these intervals are single sizes, three or more, that do not rise; else empty.
-std::string sizes_that_do_not_rise(const std::vector<double>& intervals) {
+std::string values_that_do_not_rise(const std::vector<double>& intervals) {
   std::vector<double> sizes;
   std::string text;
   for (std::size_t i = 0; i + 1 < intervals.size(); i += 2) {
@@ -202,24 +202,28 @@ std::string sizes_that_do_not_rise(const std::vector<double>& intervals) {
 }
 
 /// Empty where `intervals` are no such sizes.
-std::string decimal_comma_text(const std::string& place, const std::vector<double>& intervals) {
-  const std::string sizes = sizes_that_do_not_rise(intervals);
-  if (sizes.empty()) return "";
-  return place + "scale_px = [" + sizes + "] is " + count_text(intervals.size() / 2, "size") +
+std::string decimal_comma_text(const std::string& place, const std::string& key, const std::vector<double>& intervals) {
+  const std::string values = values_that_do_not_rise(intervals);
+  if (values.empty()) return "";
+  return place + key + " = [" + values + "] is " +
+         count_text(intervals.size() / 2, key == "scale_px" ? "size" : "angle") +
          ", one after the other; where a decimal comma was meant, write a point: 30.5, not 30,5";
 }
 
 }  // namespace
 
 std::string decimal_comma_warning(const Job& job) {
-  std::vector<std::string> warnings = {
-      decimal_comma_text("pieces.", find_job_key("pieces", "scale_px")->get(job).numbers)};
-  std::size_t number = 0;
-  for (const JobRow& row : rows_of(job, "shapes")) {
-    ++number;
-    const auto sizes = row.find("scale_px");
-    if (sizes == row.end()) continue;
-    warnings.push_back(decimal_comma_text("[[shapes]] " + std::to_string(number) + ": ", sizes->second.numbers));
+  std::vector<std::string> warnings;
+  for (const char* key : {"scale_px", "rotation_deg"}) {
+    warnings.push_back(decimal_comma_text("pieces.", key, find_job_key("pieces", key)->get(job).numbers));
+    std::size_t number = 0;
+    for (const JobRow& row : rows_of(job, "shapes")) {
+      ++number;
+      const auto values = row.find(key);
+      if (values == row.end()) continue;
+      warnings.push_back(
+          decimal_comma_text("[[shapes]] " + std::to_string(number) + ": ", key, values->second.numbers));
+    }
   }
   return joined_warnings(warnings);
 }

@@ -53,7 +53,7 @@ std::string idle_shift_warning(const Job& job);
 /// The same of output.background_light.
 std::string idle_light_warning(const Job& job);
 
-/// Where scale_px of [pieces] or of a row of [[shapes]] is a list of three sizes or more that does not rise: 30,5 may have
+/// Where scale_px or rotation_deg of [pieces] or of a row of [[shapes]] is a list of three numbers or more that does not rise: 30,5 may have
 /// been meant as 30.5.
 std::string decimal_comma_warning(const Job& job);
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <fstream>
 
 #include "artwork/images/image_header.h"
 #include "core/base/error.h"
@@ -17,18 +16,16 @@ namespace {
 /// A file of more is refused by whoever reads pictures.
 constexpr std::size_t kMostPictureBytes = std::size_t(128) << 20;
 
-bool begins_as_picture(const std::string& path) {
-  std::array<char, 16> begin{};
-  std::ifstream(path, std::ios::binary).read(begin.data(), begin.size());
-  std::array<std::uint8_t, begin.size()> bytes{};
-  std::copy(begin.begin(), begin.end(), bytes.begin());
-  return image_format(bytes) != ImageFormat::none;
+bool may_have_several(ImageFormat format) {
+  return format == ImageFormat::png || format == ImageFormat::webp || format == ImageFormat::tiff;
 }
 
 bool has_several(const std::string& path) {
-  if (!begins_as_picture(path)) return false;
   try {
-    return has_several_pictures(read_regular_file(path, kMostPictureBytes));
+    std::array<std::uint8_t, 16> begin{};
+    const FileDescriptor file = open_regular_file(path);
+    read_at(path, file, 0, begin);
+    return may_have_several(image_format(begin)) && has_several_pictures(read_regular_file(path, kMostPictureBytes));
   } catch (const InputError&) {
     return false;
   }

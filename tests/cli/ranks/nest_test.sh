@@ -171,7 +171,7 @@ echo "ok library"
 # What an input without a unit is taken for is told, with the size that comes of it.
 echo '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 300"><path d="M0 0h80v40z"/></svg>' >moon.svg
 run 0 nest moon.svg --strip 40 --effort draft --quiet
-[[ $(cat errors) == 'tessera: warning: moon.svg says no unit: 1 unit is taken as 1/96 inch, its page is 105.8 x 79.4 mm; width and height in mm in the SVG set it' ]] ||
+[[ $(cat errors) == 'tessera: warning: moon.svg says no unit: 1 unit is taken as 1/96 inch, its page is 105.8 x 79.4 mm; width and height in mm in the SVG set it, --dpi says how many px an inch has' ]] ||
   fail "not what the unit is taken for"
 grep -q '^  unit            mm; 1 unit of the input is taken as 1/96 inch$' out/moon/card.txt || fail "the card does not name the unit"
 sed 's/viewBox/width="400" height="200" viewBox/' moon.svg >numbers.svg

@@ -25,6 +25,15 @@ void check_count(const char* what, std::size_t count, std::size_t allowed) {
   if (count > allowed) throw InputError(too_many(allowed, what + std::string(" in a file")));
 }
 
+/// "a, b, c and 3 more".
+std::string some_of(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kMost, names.size()); ++i)
+    text += (i > 0 ? ", " : "") + printable_utf8(cut_utf8(names[i], 40));
+  return names.size() > kMost ? text + " and " + std::to_string(names.size() - kMost) + " more" : text;
+}
+
 NestRing ring_of(const FlatSubpath& subpath) {
   NestRing ring;
   for (const cv::Point2d p : subpath.points) ring.push_back({p.x, p.y});
@@ -99,7 +108,8 @@ class SvgReader {
                       count_text(contours.size(), "contour") + ": ends less than " + significant(kJoinedEnds_mm, 2) +
                       " mm apart meet");
     }
-    note_left_out(open, "chain of lines that does not close", "chains of lines that do not close", "", notes);
+    note_left_out(open, "chain of lines that does not close", "chains of lines that do not close",
+                  some_of(names_but(contours)), notes);
   }
 
   std::vector<NestDrawing> take(std::vector<std::string>& notes) {
@@ -167,6 +177,20 @@ class SvgReader {
     return closed(std::move(all));
   }
 
+  /// Of the lines that are of none of the contours, each name once.
+  std::vector<std::string> names_but(const std::vector<JoinedContour>& contours) const {
+    std::set<std::size_t> joined;
+    for (const JoinedContour& contour : contours) {
+      for (const auto& line : contour.lines) joined.insert(std::size_t(line.number));
+    }
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      if (!joined.contains(i) && std::find(names.begin(), names.end(), names_[i]) == names.end())
+        names.push_back(names_[i]);
+    }
+    return names;
+  }
+
   std::string path_;
   std::vector<NamedContour> contours_;
   std::set<std::vector<std::pair<double, double>>> seen_;
@@ -186,15 +210,6 @@ bool is_bed(const std::vector<NestDrawing>& drawings) {
   const NestBox box = box_of(drawings.front().outline);
   const double area = box.width() * box.height();
   return std::abs(std::abs(signed_area(drawings.front().outline)) - area) < 1e-6 * area;
-}
-
-/// "a, b, c and 3 more".
-std::string some_of(const std::vector<std::string>& names) {
-  constexpr std::size_t kMost = 3;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(kMost, names.size()); ++i)
-    text += (i > 0 ? ", " : "") + printable_utf8(cut_utf8(names[i], 40));
-  return names.size() > kMost ? text + " and " + std::to_string(names.size() - kMost) + " more" : text;
 }
 
 }  // namespace
