@@ -96,7 +96,7 @@ void add(const clip::Paths& paths, bool closed, PathSteps& steps) {
   }
 }
 
-/// What tells a contour from those that come of cutting it.
+/// The box and the area of a contour. Contours that agree in both count as the same one.
 struct Trace {
   clip::IntPoint low, high;  // its box
   double area;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kMask = "mask";
 
-/// What a value names, as in url(#m) or url("#m"); "" for none.
+/// The target of a value such as url(#m) or url("#m"): "#m". Empty where the value has no target.
 std::string named(const std::string& value) {
   for (const CssToken& token : css_tokens(value)) {
     if (token.kind == CssKind::url || token.kind == CssKind::string) return token.text;
@@ -22,7 +22,7 @@ std::string named(const std::string& value) {
   return "";
 }
 
-/// What librsvg would pass over does not count against what it reads.
+/// Says whether librsvg takes this value of the property "mask". It ignores other values, so they must not replace valid ones.
 bool is_valid(const CssDeclaration& mask) {
   const std::string value = without_important(mask.value);
   std::string_view rest = value;
@@ -35,7 +35,7 @@ std::vector<CssDeclaration> mask_declarations(CssTokens content) {
   return all;
 }
 
-/// Of an element and all below it, in the order of the document.
+/// Calls `visit` for an element and for all elements below it, in the order of the document.
 template <class Visit>
 void for_each_element(xmlNode* element, const Visit& visit) {
   visit(element);
@@ -43,8 +43,8 @@ void for_each_element(xmlNode* element, const Visit& visit) {
     for_each_element(child, visit);
 }
 
-/// Nothing where the style sheets break a limit, or load others: then masks that they put on are taken off all the same, by
-/// the sheet that draws plainly, but nobody is told.
+/// Reads what the style sheets say about masks. Returns nothing where the sheets break a limit or load other sheets: then
+/// kPlainStyle (svg_outlines.cpp) still takes their masks off, but the elements are not named.
 std::optional<SvgStyle> mask_style(const xmlNode* root, const std::string& path) {
   try {
     return SvgStyle(root, path, mask_declarations);

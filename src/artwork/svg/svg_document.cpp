@@ -41,7 +41,7 @@ bool is_length(const RsvgLength& length) {
          length.unit == RSVG_UNIT_PT || length.unit == RSVG_UNIT_PC;
 }
 
-/// Nothing for a part of the window, or of a font's size.
+/// The length in px. Nothing for percentages, and for lengths in units of the font.
 std::optional<double> in_px(bool given, const RsvgLength& length, double px_per_inch) {
   if (!given) return std::nullopt;
   switch (length.unit) {

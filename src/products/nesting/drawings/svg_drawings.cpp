@@ -177,7 +177,7 @@ class SvgReader {
     return closed(std::move(all));
   }
 
-  /// Of the lines that are of none of the contours, each name once.
+  /// The names of the lines that belong to no contour, each name once.
   std::vector<std::string> names_but(const std::vector<JoinedContour>& contours) const {
     std::set<std::size_t> joined;
     for (const JoinedContour& contour : contours) {

@@ -13,8 +13,8 @@ namespace {
 
 /// What a boundary beside a gap costs, in parts of what one in contact is worth.
 constexpr float kGapCost = 1;
-/// What a boundary in contact is worth more where pictures and boundaries agree, and less where they do not: a bend's is 1, a
-/// straight line's 0.3.
+/// How much agreement (of pictures, and of how close boundaries run) adds to the worth of a boundary in contact;
+/// disagreement takes as much away. The boundary itself is worth 1 where it is bent and 0.3 where it is straight.
 constexpr float kOfAgreement = 0.5f;
 /// Of what is laid in one place: the best and so many others.
 constexpr std::size_t kMostBranches = 4;

@@ -8,7 +8,8 @@ namespace {
 
 /// In tolerances: boundaries that are farther apart do not pull.
 constexpr float kPullingReach = 2;
-/// What keeps a piece where nothing else does, in points of a boundary.
+/// A weak pull towards where a piece lies, as strong as that of so many boundary points. It decides only where no neighbour
+/// pulls.
 constexpr double kKeeping = 1e-3;
 
 /// How a point of a boundary moves along a normal with the two shifts and the turn of its piece.
@@ -48,8 +49,8 @@ class Pulls {
   }
 
  private:
-  /// What the points of a piece that lie near another one's boundary say of both. A frame's points say nothing that those
-  /// of the pieces along it do not.
+  /// Adds the pull between two pieces: each point of piece i that lies near the boundary of piece j. A frame has no points of
+  /// its own here; the pieces along it pull.
   void add(std::size_t i, std::size_t j) {
     const PosedPiece &here = pieces_[i], &there = pieces_[j];
     if (here.piece->area < 0) return;

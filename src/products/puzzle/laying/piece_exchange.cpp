@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "core/base/portable_math.h"
 #include "core/base/stop.h"
 
 namespace tessera {
@@ -28,12 +27,12 @@ constexpr float kStrangers = -0.3f;
 constexpr float kLeastSide = 0.1f;
 /// What fills a place in one way takes 2 KB: some 300 rectangles.
 constexpr std::size_t kMostWays = 200'000;
-/// Annealing, where exchanges alone leave it open: chains, steps of each for a piece; temperatures at first, in what a whole
-/// side of a piece could agree, by turns, as few pieces want more than many; and how often they halve.
-constexpr int kChains = 4;
-constexpr int kStepsOfPiece = 500;
-constexpr float kHot[2] = {2, 0.5f};
-constexpr float kHalvings = 5;
+/// Where exchanges alone leave a doubt, the places are filled anew from many beginnings, at most so many. One filling takes
+/// time with the square of the pieces, so that there are fewer beginnings where there are more pieces.
+constexpr int kBeginningsOfFew = 600;
+constexpr int kBeginningsBySquare = 300'000;
+/// Exchanges make a filling better by some tenths, and take most of the time: so much of the best one is worth them.
+constexpr float kWorthExchanging = 0.8f;
 
 bool is_turned_alike(const Similarity& a, const Similarity& b) { return a.a * b.a + a.b * b.b > 0.99f; }
 
@@ -99,14 +98,16 @@ class Exchange {
     }
   }
 
-  /// Chains of exchanges that are allowed to make it worse at first; the best end of all.
-  void anneal(const StopCheck& check_stop) {
-    const std::vector<Filling> start = fillings_;
+  /// Fills all slots anew from many beginnings and keeps the best filling. A beginning is one piece in one slot; the slot and
+  /// the piece that agree best with what lies are filled next. Swaps alone cannot move a group of pieces that fit each other.
+  void grow(const StopCheck& check_stop) {
     std::vector<Filling> best = fillings_;
     float most = agreement();
-    for (int chain = 0; chain < kChains; ++chain) {
-      fillings_ = start;
-      follow_chain(chain, check_stop);
+    const std::vector<Beginning> all = beginnings();
+    const std::size_t step = all.size() / std::size_t(most_beginnings()) + 1;
+    for (std::size_t k = 0; k < all.size(); k += step) {
+      check_stop();
+      if (!fill_from(all[k]) || agreement() < kWorthExchanging * most) continue;
       improve(check_stop);
       if (const float now = agreement(); now > most) {
         most = now;
@@ -317,19 +318,83 @@ class Exchange {
     fillings_[std::size_t(b)] = change.b;
   }
 
-  void follow_chain(int chain, const StopCheck& check_stop) {
-    const float side = 2 * float(contacts_.size()) / float(count()) / 4;
-    const int steps = kStepsOfPiece * count();
-    for (int step = 0; step < steps; ++step) {
-      if (step % count() == 0) check_stop();
-      const std::uint64_t bits = mix_bits((std::uint64_t(chain) << 32) + std::uint64_t(step));
-      const int a = int((bits & 0xffff) % std::uint64_t(count())),
-                b = int((bits >> 16 & 0xffff) % std::uint64_t(count()));
-      const Change change = best_change(a, b);
-      const float heat = kHot[chain % 2] * side * portable_exp2(-kHalvings * float(step) / float(steps));
-      const float drawn = unit_float(std::uint32_t(bits >> 32)) + 1e-9f;
-      if (change.a.way && change.gain >= heat * float(portable_log(double(drawn)))) apply(a, b, change);
+  struct Beginning {
+    int slot = 0;
+    Filling filling;
+  };
+
+  std::vector<Beginning> beginnings() const {
+    std::vector<Beginning> all;
+    for (int s = 0; s < count(); ++s) {
+      for (const auto& [piece, ways] : slot(s).fitting) {
+        for (const Way& way : ways) all.push_back({s, {piece, &way}});
+      }
     }
+    return all;
+  }
+
+  int most_beginnings() const { return std::clamp(kBeginningsBySquare / (count() * count()), 1, kBeginningsOfFew); }
+
+  /// What would fill a slot best beside what lies.
+  struct Offer {
+    Filling filling = {-1, nullptr};
+    float agreement = -1e9f;
+  };
+
+  /// False: a slot is left for which there is no piece.
+  bool fill_from(const Beginning& beginning) {
+    fillings_.assign(slots_.size(), Filling{-1, nullptr});
+    std::vector<bool> used(slots_.size(), false);
+    std::vector<Offer> offers(slots_.size());
+    const auto put = [&](int s, const Filling& filling) {
+      fillings_[std::size_t(s)] = filling;
+      used[std::size_t(filling.piece)] = true;
+    };
+    put(beginning.slot, beginning.filling);
+    int last = beginning.slot;
+    for (int filled = 1; filled < count(); ++filled) {
+      int next = -1;
+      for (int s = 0; s < count(); ++s) {
+        if (filling(s).way) continue;
+        Offer& offer = offers[std::size_t(s)];
+        const bool stale = !offer.filling.way || used[std::size_t(offer.filling.piece)] || touches(s, last);
+        if (stale) offer = best_offer(s, used);
+        if (offer.filling.way && (next < 0 || offer.agreement > offers[std::size_t(next)].agreement)) next = s;
+      }
+      if (next < 0) return false;
+      put(next, offers[std::size_t(next)].filling);
+      last = next;
+    }
+    return true;
+  }
+
+  bool touches(int s, int other) const {
+    return std::any_of(slot(s).ends.begin(), slot(s).ends.end(),
+                       [&](int end) { return contact(end).slots[1 - end % 2] == other; });
+  }
+
+  Offer best_offer(int s, const std::vector<bool>& used) const {
+    Offer best;
+    for (const auto& [piece, ways] : slot(s).fitting) {
+      if (used[std::size_t(piece)]) continue;
+      for (const Way& way : ways) {
+        const float agreement = agreement_with_filled(s, way);
+        if (agreement > best.agreement) best = {{piece, &way}, agreement};
+      }
+    }
+    return best;
+  }
+
+  float agreement_with_filled(int s, const Way& way) const {
+    const std::vector<int>& ends = slot(s).ends;
+    float sum = 0;
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+      const int across = contact(ends[k]).slots[1 - ends[k] % 2];
+      if (!filling(across).way) continue;
+      const auto &colour = way.colours[k], &beyond = filling(across).way->colours[place_of_end(across, ends[k] ^ 1)];
+      if (colour && beyond) sum += agreement_between(*colour, *beyond);
+    }
+    return sum;
   }
 
   const PuzzleScale scale_;
@@ -351,7 +416,7 @@ ExchangedPieces exchanged(const std::vector<PosedPiece>& laid, const PuzzleScale
   exchange.improve(check_stop);
   all.undecided = exchange.undecided(check_stop);
   if (all.undecided > 0 || exchange.has_poor_side()) {
-    exchange.anneal(check_stop);
+    exchange.grow(check_stop);
     all.undecided = exchange.undecided(check_stop);
   }
   all.poses = exchange.poses();
