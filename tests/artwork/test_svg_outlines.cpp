@@ -386,6 +386,32 @@ TEST(SvgOutlines, TextsAndImagesAreCountedWhereTheyAreDrawn) {
   EXPECT_EQ(names_of(found), Texts{"r"});
 }
 
+TEST(SvgOutlines, PicturesAreCountedUnlessTheyAreHidden) {
+  const std::string image = "<image width='9' height='9' xlink:href='data:image/png;base64,AAAA'",
+                    object = "<foreignObject width='9' height='9'";
+  const std::string rect = "<rect id='r' width='9' height='9'/>";
+  for (const std::string& one : {image, object}) {
+    const auto count = [&](const std::string& before, const std::string& attributes, const std::string& after = "") {
+      const SvgOutlines found = read(svg(before + one + attributes + "/>" + after + rect));
+      EXPECT_EQ(names_of(found), Texts{"r"});
+      return found.unread_elements;
+    };
+    EXPECT_EQ(count("", ""), 1);
+    EXPECT_EQ(count("<g opacity='0.5' visibility='hidden'>", " visibility='visible'", "</g>"), 1);
+    EXPECT_EQ(count("<style>.a{display:none!important}</style>", " style='display:inline'"), 1);
+    for (const std::string hides : {" display='none'", " visibility='hidden'", " opacity='0'", " class='a'",
+                                    " style='opacity:0%'", " visibility='collapse'"}) {
+      const std::string style = "<style>.a{display:none!important}</style>";
+      EXPECT_EQ(count(style, hides), 0) << hides;
+      EXPECT_EQ(count(style + "<g" + hides + ">", "", "</g>"), 0) << hides;
+    }
+    EXPECT_EQ(count("<defs>", "", "</defs>"), 0);
+  }
+  EXPECT_EQ(read(svg("<image xlink:href='gone.png'/><foreignObject/>" + rect)).unread_elements, 1) << "auto size";
+  EXPECT_EQ(read(svg("<image width='0' height='9' xlink:href='gone.png'/>" + rect)).unread_elements, 0);
+  EXPECT_EQ(read(svg(image + "/>")).unread_elements, 1) << "beside no outline";
+}
+
 TEST(SvgOutlines, EntitiesAndEncodingsAreRead) {
   const SvgOutlines entity = read(svg("<rect id='r' style='&st;' width='10' height='10'/>", kPage,
                                       "<!DOCTYPE svg [<!ENTITY st 'fill:red'><!ENTITY n 'e'>]>"));

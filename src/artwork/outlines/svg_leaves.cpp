@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <unordered_map>
@@ -9,6 +10,7 @@
 #include "artwork/css/svg_style.h"
 #include "artwork/outlines/svg_masks.h"
 #include "artwork/outlines/svg_outlines.h"
+#include "artwork/outlines/svg_visibility.h"
 #include "artwork/xml/xml_tree.h"
 #include "core/base/error.h"
 #include "core/base/too_many.h"
@@ -18,11 +20,12 @@ namespace {
 
 const std::set<std::string_view> kGroups = {"svg", "g", "a", "switch"};
 const std::set<std::string_view> kShapes = {"path", "rect", "circle", "ellipse", "polygon", "polyline", "line", "use"};
-const std::set<std::string_view> kOthers = {"text", "image", "foreignObject"};
+const std::set<std::string_view> kPictures = {"image", "foreignObject"};
 
 bool is_drawn_kind(const xmlNode* node) {
   const std::string_view kind = name_of(node);
-  return is_in_svg_namespace(node) && (kGroups.contains(kind) || kShapes.contains(kind) || kOthers.contains(kind));
+  return is_in_svg_namespace(node) &&
+         (kGroups.contains(kind) || kShapes.contains(kind) || kPictures.contains(kind) || kind == "text");
 }
 
 /// The version after the text `before`: its digits and dots.
@@ -137,14 +140,25 @@ class LeafFinder {
       while (first_of_id_.contains(id));
       new_ids_.push_back({node, id, !own.empty()});
     }
-    leaves_.push_back({.id = id, .name = name, .is_masked = masks_.touch(node), .is_shape = kShapes.contains(kind)});
+    leaves_.push_back({.id = id,
+                       .name = name,
+                       .is_masked = masks_.touch(node),
+                       .is_shape = kShapes.contains(kind),
+                       .is_seen_picture = kPictures.contains(kind) && visibility().shows(node)});
     if (leaves_.size() > kMostOutlineElements)
       throw InputError(path_ + ": " + too_many(kMostOutlineElements, "elements that are drawn"));
+  }
+
+  /// Made for the first picture: few drawings have one, and reading the style sheets takes time.
+  SvgVisibility& visibility() {
+    if (!visibility_) visibility_.emplace(root_, path_);
+    return *visibility_;
   }
 
   std::string path_;
   xmlNode* root_;
   SvgMasks masks_;
+  std::optional<SvgVisibility> visibility_;
   std::vector<SvgLeaf> leaves_;
   std::unordered_map<std::string, const xmlNode*> first_of_id_;
   std::vector<NewId> new_ids_;

@@ -164,8 +164,9 @@ double px_per_inch_of(std::string_view program) {
 
 /// Counts the texts, images and foreign objects that are drawn.
 int count_others(const SvgDocument& document, const std::vector<SvgLeaf>& leaves) {
-  return int(std::count_if(leaves.begin(), leaves.end(),
-                           [&](const SvgLeaf& leaf) { return !leaf.is_shape && document.draws_element(leaf.id); }));
+  return int(std::count_if(leaves.begin(), leaves.end(), [&](const SvgLeaf& leaf) {
+    return leaf.is_seen_picture || (!leaf.is_shape && document.draws_element(leaf.id));
+  }));
 }
 
 /// Asks librsvg for the paths. Each element is drawn once. The whole drawing tells whether any of them is unseen or too
