@@ -4,49 +4,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/geometry/closed_curve.h"
-#include "core/geometry/polygon.h"
+#include "cut_pieces.h"
 #include "products/puzzle/laying/joint_settling.h"
 #include "products/puzzle/pieces/growth_between.h"
-#include "products/puzzle/pieces/piece_erosion.h"
-#include "products/puzzle/puzzle_cut.h"
 
 namespace tessera {
 namespace test_joint_settling {
 
-/// Pieces as they were cut, or smaller all round, where they lay in the picture.
-struct Cut {
-  PuzzleScale scale;
-  std::vector<PuzzlePiece> pieces;
-
-  Cut(int count, CutStyle style, float lost) {
-    std::vector<std::vector<Vec2>> polygons =
-        cut_puzzle({.width_px = 1200, .height_px = 900, .pieces = count, .style = style, .seed = 3});
-    std::vector<double> areas;
-    for (std::vector<Vec2>& polygon : polygons) {
-      polygon = grown_polygon(resampled_closed(polygon, 512), -lost);
-      areas.push_back(signed_area(polygon));
-    }
-    scale = PuzzleScale::of(areas);
-    for (const std::vector<Vec2>& polygon : polygons) pieces.push_back(puzzle_piece(polygon, scale));
-  }
-
-  PosedPiece posed(std::size_t i, Similarity pose = {1, 0, 0, 0}) const { return {&pieces[i], pose}; }
-
-  /// The first piece that comes after `i` and lies along it.
-  std::size_t neighbour_of(std::size_t i) const {
-    for (std::size_t j = i + 1; j < pieces.size(); ++j) {
-      std::vector<Beside> beside(pieces[i].points.size(), Beside::nothing);
-      see_neighbour(posed(i), posed(j), scale, beside);
-      if (std::count(beside.begin(), beside.end(), Beside::nothing) < std::ptrdiff_t(beside.size() * 9 / 10)) return j;
-    }
-    return i;
-  }
-};
-
 TEST(GrowthBetween, IsWhatTabsHaveLost) {
   for (const float lost : {0.f, 0.8f, 1.6f}) {
-    const Cut cut(12, CutStyle::tabs, lost);
+    const CutPieces cut(12, CutStyle::tabs, lost);
     const std::size_t other = cut.neighbour_of(0);
     ASSERT_NE(other, 0u);
     const auto shifted = growth_between(cut.posed(0, {1, 0, 0.7f, -0.6f}), cut.posed(other), cut.scale);
@@ -57,7 +24,7 @@ TEST(GrowthBetween, IsWhatTabsHaveLost) {
 }
 
 TEST(GrowthBetween, SharesTheGapWithTheShiftAlongAStraightLineAndIsNothingFarAway) {
-  const Cut cut(12, CutStyle::rectangles, 1);
+  const CutPieces cut(12, CutStyle::rectangles, 1);
   const auto along = growth_between(cut.posed(0), cut.posed(1), cut.scale);
   ASSERT_TRUE(along);
   EXPECT_NEAR(along->distance, 0.4, 0.25) << "a shift and the distance share the gap";
@@ -74,7 +41,7 @@ float farthest_off(const std::vector<PosedPiece>& pieces) {
 
 /// A small error of each row and column adds up to one that no pair of neighbours shows.
 TEST(JointSettling, TakesOutWhatRunsThroughAllPieces) {
-  const Cut cut(98, CutStyle::tabs, 0);
+  const CutPieces cut(98, CutStyle::tabs, 0);
   std::vector<PosedPiece> pieces;
   for (std::size_t i = 0; i < cut.pieces.size(); ++i)
     pieces.push_back(cut.posed(i, {1, 0, 0.006f * cut.pieces[i].centre.x, -0.004f * cut.pieces[i].centre.y}));
@@ -88,7 +55,7 @@ TEST(JointSettling, TakesOutWhatRunsThroughAllPieces) {
 }
 
 TEST(JointSettling, WhatIsAloneStays) {
-  const Cut cut(12, CutStyle::polygons, 0);
+  const CutPieces cut(12, CutStyle::polygons, 0);
   const Similarity away{0, 1, 9'000, 100};
   std::vector<PosedPiece> pieces = {cut.posed(0), cut.posed(1, away)};
   settle_jointly(pieces, cut.scale, 3, [] {});
@@ -97,13 +64,13 @@ TEST(JointSettling, WhatIsAloneStays) {
 }
 
 /// The pictures are not known here: what is left are the boundaries.
-float agreement(const Cut& cut, std::size_t i, std::size_t j, Vec2 shift) {
+float agreement(const CutPieces& cut, std::size_t i, std::size_t j, Vec2 shift) {
   std::vector<Beside> beside(cut.pieces[i].points.size(), Beside::nothing);
   return see_neighbour(cut.posed(i, {1, 0, shift.x, shift.y}), cut.posed(j), cut.scale, beside);
 }
 
 TEST(SeeNeighbour, BendsThatRunCloseSpeakForAPlaceAndThoseApartAgainstIt) {
-  const Cut cut(12, CutStyle::tabs, 0);
+  const CutPieces cut(12, CutStyle::tabs, 0);
   const std::size_t other = cut.neighbour_of(0);
   EXPECT_GT(agreement(cut, 0, other, {}), 20);
   const float apart = 0.6f * cut.scale.tolerance;
@@ -111,7 +78,7 @@ TEST(SeeNeighbour, BendsThatRunCloseSpeakForAPlaceAndThoseApartAgainstIt) {
 }
 
 TEST(SeeNeighbour, StraightLinesSayNothingByHowCloseTheyRun) {
-  const Cut cut(12, CutStyle::rectangles, 0);
+  const CutPieces cut(12, CutStyle::rectangles, 0);
   // What there is comes of the corners; the whole side is four times as long.
   for (const float times : {0.f, 0.6f}) EXPECT_NEAR(agreement(cut, 0, 1, {times * cut.scale.tolerance, 0}), 0, 32);
 }

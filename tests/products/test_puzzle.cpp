@@ -476,9 +476,13 @@ Shuffled sawn(Shuffled puzzle) {
 
 TEST_P(Puzzles, SawnPiecesAreGrownAndFit) {
   Shuffled puzzle = sawn(shuffled(cut_puzzle(request_of(12, CutStyle::tabs, std::uint64_t(GetParam())))));
-  for (const float times : {0.f, 0.75f, 0.77f}) {  // without a frame, in it, and in one that follows from the areas
+  double area = 0;
+  for (const Polygon& piece : puzzle.input.pieces) area += signed_area(piece);
+  const float of_areas = float(std::sqrt(area / (kWidth_px * kHeight_px)));
+  ASSERT_LT(of_areas, 0.74f);
+  for (const float times : {0.f, 0.75f, of_areas}) {  // without a frame, in it, and in one that follows from the areas
     if (times > 0) puzzle.input.frame = frame_times(times);
-    puzzle.input.frame_fits = times < 0.76f;
+    puzzle.input.frame_fits = times != of_areas;
     const PuzzleSolution solution = solve_puzzle(puzzle.input);
     EXPECT_EQ(solution.placed, 12) << times;
     EXPECT_EQ(right(solution, puzzle, 4), 12) << times;
@@ -486,6 +490,7 @@ TEST_P(Puzzles, SawnPiecesAreGrownAndFit) {
     EXPECT_NEAR(solution.erosion, kSawn * 0.75, 0.6) << times;
     if (times > 0) {
       EXPECT_LT(farthest_beyond(solution, puzzle.input), 1) << times;
+      EXPECT_NEAR(solution.scale, times / 0.75f, 0.008) << times;
     }
   }
 }

@@ -198,9 +198,15 @@ void PuzzleArranger::lay(const PuzzlePlace& place, Arrangement& in) const {
   std::erase_if(in.places, [&](const PuzzlePlace& other) {
     return other.piece == place.piece || overlap(posed({other.piece, other.pose}), piece, scale_);
   });
-  for (PuzzlePlace& other : in.places) {
-    const PosedPiece p = posed({other.piece, other.pose});
-    if (may_touch(p, piece, 4 * scale_.tolerance)) settle(other, neighbours(p, in));
+  std::vector<PuzzlePlace> moved;
+  std::erase_if(in.places, [&](PuzzlePlace& other) {
+    if (!may_touch(posed({other.piece, other.pose}), piece, 4 * scale_.tolerance)) return false;
+    moved.push_back(std::move(other));
+    return true;
+  });
+  for (PuzzlePlace& other : moved) {
+    settle(other, neighbours(posed({other.piece, other.pose}), in));
+    add_place(std::move(other), in);
   }
   add_places_beside(in.laid.back(), in);
   if (in.places.size() <= kMostPlaces) return;
@@ -209,26 +215,34 @@ void PuzzleArranger::lay(const PuzzlePlace& place, Arrangement& in) const {
   in.places.resize(kMostPlaces);
 }
 
+/// Two matches may lead to one place: that has the whole sides of both.
+bool PuzzleArranger::joins_a_place(const PuzzlePlace& place, Arrangement& in) const {
+  const auto there =
+      std::find_if(in.places.begin(), in.places.end(), [&](const PuzzlePlace& p) { return same_place(p, place); });
+  if (there == in.places.end()) return false;
+  there->whole_sides += place.whole_sides;
+  appraise(*there);
+  return true;
+}
+
+void PuzzleArranger::add_place(PuzzlePlace place, Arrangement& in) const {
+  if (!joins_a_place(place, in)) in.places.push_back(std::move(place));
+}
+
 void PuzzleArranger::add_places_beside(const LaidPiece& laid, Arrangement& in) const {
   for (const PieceMatch& match : matches_[std::size_t(laid.piece)]) {
     if (match.piece == frame_ || in.used[std::size_t(match.piece)]) continue;
     PuzzlePlace place{.piece = match.piece,
                       .pose = followed_by(match.here_from_there, laid.pose),
                       .whole_sides = match.whole_side ? 1 : 0};
-    const auto there =
-        std::find_if(in.places.begin(), in.places.end(), [&](const PuzzlePlace& p) { return same_place(p, place); });
-    if (there != in.places.end()) {
-      there->whole_sides += place.whole_sides;
-      appraise(*there);
-      continue;
-    }
+    if (joins_a_place(place, in)) continue;  // before it comes to rest, which takes longer
     tell(in);
     const PosedPiece piece = posed({place.piece, place.pose});
     const std::vector<PosedPiece> around = neighbours(piece, in);
     if (std::any_of(around.begin(), around.end(), [&](const PosedPiece& p) { return overlap(piece, p, scale_); }))
       continue;
     settle(place, around);
-    if (place.worth > 0) in.places.push_back(std::move(place));
+    if (place.worth > 0) add_place(std::move(place), in);
   }
 }
 

@@ -105,6 +105,8 @@ class PuzzleArranger {
   bool is_worth_laying(const PuzzlePlace& place) const;
   bool same_place(const PuzzlePlace& a, const PuzzlePlace& b) const;
   bool rivals(const PuzzlePlace& a, const PuzzlePlace& b) const;
+  bool joins_a_place(const PuzzlePlace& place, Arrangement& in) const;
+  void add_place(PuzzlePlace place, Arrangement& in) const;
   void add_places_beside(const LaidPiece& laid, Arrangement& in) const;
   Arrangement with_open_frame(Arrangement one) const;
   void branch(const Arrangement& one, bool with_rivals, std::vector<Arrangement>& next) const;

@@ -1,0 +1,45 @@
+// A puzzle that was just cut, for tests of how pieces are laid.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "core/geometry/closed_curve.h"
+#include "core/geometry/polygon.h"
+#include "products/puzzle/pieces/piece_erosion.h"
+#include "products/puzzle/pieces/puzzle_contact.h"
+#include "products/puzzle/puzzle_cut.h"
+
+namespace tessera {
+
+/// Pieces as they were cut, or smaller all round, where they lay in the picture.
+struct CutPieces {
+  PuzzleScale scale;
+  std::vector<PuzzlePiece> pieces;
+
+  CutPieces(int count, CutStyle style, float lost) {
+    std::vector<std::vector<Vec2>> polygons =
+        cut_puzzle({.width_px = 1200, .height_px = 900, .pieces = count, .style = style, .seed = 3});
+    std::vector<double> areas;
+    for (std::vector<Vec2>& polygon : polygons) {
+      polygon = grown_polygon(resampled_closed(polygon, 512), -lost);
+      areas.push_back(signed_area(polygon));
+    }
+    scale = PuzzleScale::of(areas);
+    for (const std::vector<Vec2>& polygon : polygons) pieces.push_back(puzzle_piece(polygon, scale));
+  }
+
+  PosedPiece posed(std::size_t i, Similarity pose = {1, 0, 0, 0}) const { return {&pieces[i], pose}; }
+
+  /// The first piece that comes after `i` and lies along it.
+  std::size_t neighbour_of(std::size_t i) const {
+    for (std::size_t j = i + 1; j < pieces.size(); ++j) {
+      std::vector<Beside> beside(pieces[i].points.size(), Beside::nothing);
+      see_neighbour(posed(i), posed(j), scale, beside);
+      if (std::count(beside.begin(), beside.end(), Beside::nothing) < std::ptrdiff_t(beside.size() * 9 / 10)) return j;
+    }
+    return i;
+  }
+};
+
+}  // namespace tessera
