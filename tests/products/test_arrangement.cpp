@@ -30,6 +30,12 @@ struct Laying {
   }
 };
 
+/// In the middle of the puzzle's edge y = 0.
+bool at_upper_edge(const PuzzlePiece& piece) {
+  const Box box = bounding_box(piece.points);
+  return box.low.y < 1 && box.low.x > 1 && box.high.x < 1199;
+}
+
 bool lies(const Arrangement& in, int piece) {
   return std::any_of(in.laid.begin(), in.laid.end(), [&](const LaidPiece& laid) { return laid.piece == piece; });
 }
@@ -52,6 +58,29 @@ TEST(Arrangement, PiecesThatLieWhereOthersBelongAreTakenOut) {
   EXPECT_GE(wrong.laid.size(), laying.count - 2 - 8) << "their neighbours at most go with them";
   EXPECT_TRUE(lies(wrong, 0)) << "the first piece stays";
   EXPECT_EQ(laying.arranger.placed(wrong), wrong.laid.size());
+}
+
+TEST(Arrangement, PiecesThatHangOutsideByAStraightSideAreTakenOut) {
+  const Laying laying;
+  constexpr float kHalf = 0.5f;
+  Arrangement right = laying.all();
+  laying.arranger.drop_loose(kHalf, right);
+  EXPECT_EQ(right.laid.size(), laying.count) << "corners and edges stay";
+
+  // Most of the upper edge turned about, as one, and put upon where it was.
+  Arrangement hanging = laying.all();
+  std::vector<std::size_t> turned;
+  for (std::size_t i = 1; i < laying.count; ++i) {
+    if (!at_upper_edge(laying.cut.pieces[i])) continue;
+    hanging.laid[i].pose = {-1, 0, 1200, 0};
+    turned.push_back(i);
+  }
+  ASSERT_EQ(turned.size(), 3u);
+  laying.arranger.drop_loose(kLeastTouching, hanging);
+  EXPECT_EQ(hanging.laid.size(), laying.count) << "they touch each other, and the others by their straight sides";
+  laying.arranger.drop_loose(kHalf, hanging);
+  for (const std::size_t i : turned) EXPECT_FALSE(lies(hanging, int(i))) << i;
+  EXPECT_GE(hanging.laid.size(), laying.count - turned.size() - 2) << "corners beside them at most go with them";
 }
 
 /// The second neighbour leads to a place that the first one led to, too.

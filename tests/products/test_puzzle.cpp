@@ -268,6 +268,30 @@ TEST_P(Puzzles, PolygonsInAFrame) {
   EXPECT_EQ(right(solve_puzzle(puzzle.input), puzzle), 18);
 }
 
+/// As it is traced: corners are rounded, and each point is half a unit off.
+Polygon traced(const Polygon& piece) {
+  const int count = int(piece.size());
+  Polygon smooth;
+  for (int k = 0; k < count; ++k) {
+    Vec2 mean{};
+    for (int j = -3; j <= 3; ++j) {
+      const Vec2 p = piece[std::size_t((k + j + count) % count)];
+      mean = mean + Vec2{std::round(p.x), std::round(p.y)} * (1.f / 7);
+    }
+    smooth.push_back(mean);
+  }
+  return smooth;
+}
+
+/// Without a frame some pieces were laid outside, by their straight sides, and their places stayed open.
+TEST(LongPuzzle, TracedPiecesLeaveNoHoleWithoutAFrame) {
+  Shuffled puzzle = shuffled(cut_puzzle(request_of(143, CutStyle::tabs, 3)));
+  for (Polygon& piece : puzzle.input.pieces) piece = traced(piece);
+  const PuzzleSolution solution = solve_puzzle(puzzle.input);
+  EXPECT_EQ(solution.placed, 143);
+  EXPECT_EQ(right(solution, puzzle, 4), 143);
+}
+
 INSTANTIATE_TEST_SUITE_P(Seeds, Puzzles, testing::Values(1));
 INSTANTIATE_TEST_SUITE_P(LongSeeds, Puzzles, testing::Values(2, 3));
 

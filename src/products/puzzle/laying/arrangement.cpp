@@ -28,8 +28,6 @@ constexpr double kLeastCoherent = 0.05;
 /// the place would be worth where all of the boundary touched.
 constexpr float kLeastWorth = 0.3f;
 constexpr float kLeastPart = 0.5f;
-/// Part of a piece's boundary, as it counts, that touches others in the end.
-constexpr float kLeastTouching = 0.2f;
 /// Gaps beside a piece that lies where another belongs, in parts of what touches: 15 to 36 %, beside one that belongs there
 /// 7 % at most (400 pieces that have lost a pixel).
 constexpr float kMostBesideGaps = 0.12f;
@@ -95,11 +93,11 @@ PuzzleArranger::Boundary PuzzleArranger::boundary_of(const LaidPiece& laid, cons
   return {boundary.touching / all, boundary.beside_gaps / all, boundary.agreement / all};
 }
 
-void PuzzleArranger::drop_loose(Arrangement& in) const {
+void PuzzleArranger::drop_loose(float least_touching, Arrangement& in) const {
   for (bool dropped = true; dropped;) {
     dropped = false;
     for (std::size_t i = in.laid.size() - 1; i > 0; --i) {
-      if (boundary_of(in.laid[i], in).touching >= kLeastTouching) continue;
+      if (boundary_of(in.laid[i], in).touching >= least_touching) continue;
       in.used[std::size_t(in.laid[i].piece)] = false;
       in.laid.erase(in.laid.begin() + std::ptrdiff_t(i));
       dropped = true;

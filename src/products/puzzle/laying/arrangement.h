@@ -36,6 +36,10 @@ struct Arrangement {
   bool frame_is_open = false;  // pieces are looked for along the frame, too
 };
 
+/// Part of a piece's boundary, as it counts, that touches others in the end: a straight side agrees with any other, so that
+/// what touches less does not belong to them.
+inline constexpr float kLeastTouching = 0.2f;
+
 /// Lays pieces. It refers to what it is given, which may change between two calls.
 class PuzzleArranger {
  public:
@@ -72,8 +76,9 @@ class PuzzleArranger {
   /// All pieces settle along their neighbours; the first one stays.
   void settle_all(Arrangement& in) const;
 
-  /// Takes out pieces that hardly touch the others: they do not belong to them, as a straight side agrees with any other.
-  void drop_loose(Arrangement& in) const;
+  /// Takes out pieces of which less than this part of the boundary, as it counts, touches others, until none is left. The
+  /// first one stays.
+  void drop_loose(float least_touching, Arrangement& in) const;
 
   /// Takes out pieces beside which gaps are long beside what touches: they lie where others belong. The first one stays.
   void drop_misfits(Arrangement& in) const;

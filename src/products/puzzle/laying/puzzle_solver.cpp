@@ -36,6 +36,9 @@ constexpr double kFull = 0.985;
 constexpr std::size_t kMostMoves = 4;
 /// Scales less apart are one, as what fills the frame says it better.
 constexpr double kSameScale = 0.01;
+/// What touches less than this part may hang outside, by a straight side, while its place is a hole; a piece of the edge
+/// touches more.
+constexpr float kLeastHeld = 0.5f;
 /// How often the holes of what was laid are filled, each time by at least so much of what the pieces have in common.
 constexpr int kMostFillings = 8;
 constexpr double kLeastFuller = 1e-6;
@@ -174,25 +177,36 @@ class Solver {
   Arrangement settled(Arrangement found) const {
     arranger_.settle_all(found);
     if (arranger_.is_frame(found.laid.front())) keep_within_frame(found, arranger_);
-    arranger_.drop_loose(found);
+    arranger_.drop_loose(kLeastTouching, found);
     return found;
   }
 
   /// When all have settled there may be room where there was none, as small errors ran through all pieces before; and it
-  /// shows which lie where others belong.
+  /// shows which lie where others belong, or hang outside.
   Arrangement filled_up(Arrangement found) const {
     double coherence = arranger_.coherence(found);
+    bool hanging_too = false;
     for (int round = 0; round < kMostFillings; ++round) {
-      Arrangement sound = found;
-      arranger_.drop_misfits(sound);
-      if (arranger_.placed(sound) == arranger_.pieces_count()) break;
-      Arrangement fuller = settled(arranger_.followed_to_the_end({with_places(sound)}, 1));
+      Arrangement fuller = filled_again(found, hanging_too);
       const double now = arranger_.coherence(fuller);
-      if (!(now > coherence * (1 + kLeastFuller))) break;
-      coherence = now;
-      found = std::move(fuller);
+      if (now > coherence * (1 + kLeastFuller)) {
+        coherence = now;
+        found = std::move(fuller);
+      } else if (hanging_too) {
+        break;
+      } else {
+        hanging_too = true;
+      }
     }
     return found;
+  }
+
+  /// Without what lies where others belong, and with all that finds a place then.
+  Arrangement filled_again(Arrangement sound, bool hanging_too) const {
+    arranger_.drop_misfits(sound);
+    if (hanging_too) arranger_.drop_loose(kLeastHeld, sound);
+    if (arranger_.placed(sound) == arranger_.pieces_count()) return sound;
+    return settled(arranger_.followed_to_the_end({with_places(sound)}, 1));
   }
 
   /// What was laid alone, by each piece that may lie in a corner of the frame, or by its outer boundary.

@@ -88,7 +88,7 @@ Arrangement moved_into_frame(const Arrangement& alone, const Similarity& frame_f
   }
   arranger.settle_all(moved);
   keep_within_frame(moved, arranger);
-  arranger.drop_loose(moved);
+  arranger.drop_loose(kLeastTouching, moved);
   return moved;
 }
 
