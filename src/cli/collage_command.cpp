@@ -1,13 +1,24 @@
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "cli/collage_options.h"
+#include "cli/collage_source.h"
 #include "cli/commands.h"
+#include "cli/first_collage.h"
+#include "core/base/error.h"
+#include "program/list_option.h"
+#include "run/job_output.h"
 
 namespace tessera::cli {
 namespace {
 
 constexpr const char* kCollageExamples =
     "Examples:\n"
+    "  tessera collage my_drawings/                     a first collage: builds out/my_drawings.h5, writes\n"
+    "                                                   my_drawings.toml and runs it\n"
+    "  tessera collage my_drawings/ --canvas heart.svg --size 1200,800\n"
     "  tessera collage jobs/animals.toml\n"
     "  tessera collage jobs/animals.toml --out small --set 'pieces.scale_px=[14, 90]' --set seed=3\n"
     "  tessera collage my.toml --set quality=draft      a quick look: the first filling, not improved\n"
@@ -31,16 +42,58 @@ constexpr const char* kCollageExamples =
     "a piece is placed; where it is of another job, a line on stderr says so.\n"
     "Every key of a job: docs/job-format.md. Every file of a result: docs/result-format.md";
 
+struct CollageCommand {
+  CollageArguments collage;
+  FirstCollageArguments first;
+};
+
+/// --canvas and --size say what a first collage is to be; a job says it itself.
+void check_has_no_first_options(const FirstCollageArguments& first) {
+  const char* option = !first.canvas.empty() ? "--canvas" : first.size_px ? "--size" : nullptr;
+  if (!option) return;
+  const bool is_size = std::string(option) == "--size";
+  throw InputError(std::string(option) + ": allowed with a folder of drawings or a library; of a job " +
+                   (is_size ? "--set 'canvas.size_px=[W, H]'" : "--set canvas.file=FILE") + " says it");
+}
+
+int run(CollageCommand command, comm::Communicator& ranks) {
+  FirstCollageArguments& first = command.first;
+  const CollageSource source = collage_source(command.collage.job);
+  if (source == CollageSource::job) {
+    check_has_no_first_options(first);
+    return collage_exit_code(command.collage, ranks);
+  }
+  first.source = command.collage.job;
+  first.is_library = source == CollageSource::library;
+  command.collage.job = first_job_path(first.source);
+  // Rank 0 alone reads the drawings; the workers get the job from there, as any job.
+  if (ranks.rank() != 0) return collage_exit_code(command.collage, ranks);
+  const JobOutput output(command.collage, {}, false);
+  write_first_job(first, command.collage);
+  return collage_exit_code(command.collage, ranks);
+}
+
 }  // namespace
 
 void add_collage_command(CLI::App& app, Command& selected) {
-  const auto arguments = std::make_shared<CollageArguments>();
-  CLI::App* collage = app.add_subcommand("collage", "Make the collage that a job file describes");
+  const auto arguments = std::make_shared<CollageCommand>();
+  CLI::App* collage =
+      app.add_subcommand("collage", "Make the collage that a job describes, or a first one of a folder of drawings");
   collage->footer(kCollageExamples);
-  collage->add_option("JOB", arguments->job, "The job file")->required()->type_name("FILE");
-  add_collage_options(*collage, *arguments);
+  collage->add_option("JOB", arguments->collage.job, "A job file; or a folder of drawings, or a library")
+      ->required()
+      ->type_name("FILE|FOLDER");
+  collage
+      ->add_option("--canvas", arguments->first.canvas,
+                   "Of a folder: an SVG or a picture whose shape the drawings fill; default: a rectangle")
+      ->type_name("FILE");
+  add_list_option<int>(*collage, "--size",
+                       [arguments](std::vector<int> given) { arguments->first.size_px = std::move(given); },
+                       "Of a folder: width and height of the canvas, px; default: 1200,900, with --canvas 1200,1200",
+                       {.type_name = "W,H", .count = 2, .value = CLI::Range(16, 20'000)});
+  add_collage_options(*collage, arguments->collage);
   collage->callback([arguments, &selected] {
-    selected.run_on_all_ranks = [arguments](comm::Communicator& ranks) { return collage_exit_code(*arguments, ranks); };
+    selected.run_on_all_ranks = [arguments](comm::Communicator& ranks) { return run(*arguments, ranks); };
   });
 }
 

@@ -1,9 +1,9 @@
-#include "cli/library_build_command.h"
-#include "cli/library_extract_command.h"
-#include "cli/library_info_command.h"
-#include "cli/library_merge_command.h"
-#include "cli/library_styles_command.h"
-#include "cli/library_subset_command.h"
+#include "cli/library/library_build_command.h"
+#include "cli/library/library_extract_command.h"
+#include "cli/library/library_info_command.h"
+#include "cli/library/library_merge_command.h"
+#include "cli/library/library_styles_command.h"
+#include "cli/library/library_subset_command.h"
 
 namespace tessera::cli {
 

@@ -12,8 +12,9 @@ struct UnusedFile {
 };
 
 struct ArtworkFiles {
-  std::vector<std::string> paths;    // absolute, sorted bytewise, each file once however many links lead to it
-  std::vector<UnusedFile> left_out;  // folders that cannot be listed, pictures in formats that are not read, pipes
+  std::vector<std::string> paths;  // absolute, sorted bytewise, each file once however many links lead to it
+  std::vector<UnusedFile>
+      left_out;  // folders that cannot be listed or hold a collage, pictures in formats that are not read, pipes
 };
 
 /// `sources`: files, and folders, searched to any depth for files (not through links to folders) whose name matches the

@@ -386,6 +386,19 @@ TEST(SvgOutlines, TextsAndImagesAreCountedWhereTheyAreDrawn) {
   EXPECT_EQ(names_of(found), Texts{"r"});
 }
 
+std::string repeated(const std::string& text, int times) {
+  std::string all;
+  for (int i = 0; i < times; ++i) all += text;
+  return all;
+}
+
+TEST(SvgOutlines, ManyHiddenPicturesTakeTimeByTheirNumber) {
+  const auto started = std::chrono::steady_clock::now();
+  const std::string many = repeated("<image display='none' width='9' height='9'/>", 9'999);
+  EXPECT_EQ(read(svg(many + "<rect id='r' width='9' height='9'/>")).unread_elements, 0);
+  EXPECT_LT(std::chrono::steady_clock::now() - started, std::chrono::seconds(6)) << "0.6 s, not 12";
+}
+
 TEST(SvgOutlines, PicturesAreCountedUnlessTheyAreHidden) {
   const std::string image = "<image width='9' height='9' xlink:href='data:image/png;base64,AAAA'",
                     object = "<foreignObject width='9' height='9'";
@@ -398,7 +411,10 @@ TEST(SvgOutlines, PicturesAreCountedUnlessTheyAreHidden) {
     };
     EXPECT_EQ(count("", ""), 1);
     EXPECT_EQ(count("<g opacity='0.5' visibility='hidden'>", " visibility='visible'", "</g>"), 1);
-    EXPECT_EQ(count("<style>.a{display:none!important}</style>", " style='display:inline'"), 1);
+    EXPECT_EQ(count("<style>.a{display:none!important}</style>", " class='a' style='display:inline'"), 0);
+    EXPECT_EQ(count("", " display='none' style='display:bogus'"), 0) << "librsvg ignores what it does not know";
+    EXPECT_EQ(count("<style>@import url(data:text/css,)</style>", " style='display:none'"), 0) << "sheets do not count";
+    EXPECT_EQ(count("<style>" + repeated("g ", 500) + "image{fill:red}</style>", ""), 1) << "a sheet beyond the limits";
     for (const std::string hides : {" display='none'", " visibility='hidden'", " opacity='0'", " class='a'",
                                     " style='opacity:0%'", " visibility='collapse'"}) {
       const std::string style = "<style>.a{display:none!important}</style>";
@@ -409,6 +425,12 @@ TEST(SvgOutlines, PicturesAreCountedUnlessTheyAreHidden) {
   }
   EXPECT_EQ(read(svg("<image xlink:href='gone.png'/><foreignObject/>" + rect)).unread_elements, 1) << "auto size";
   EXPECT_EQ(read(svg("<image width='0' height='9' xlink:href='gone.png'/>" + rect)).unread_elements, 0);
+  EXPECT_EQ(read(svg("<image style='width:0' width='9' xlink:href='gone.png'/>" + rect)).unread_elements, 0);
+  EXPECT_EQ(read(svg("<foreignObject style='width:9px;height:9px'/>" + rect)).unread_elements, 1) << "a size by CSS";
+  const SvgOutlines used = read(
+      svg("<defs><g id='g'>" + rect + "<image xlink:href='gone.png'/></g></defs>" + "<use id='u' xlink:href='#g'/>"));
+  EXPECT_EQ(used.unread_elements, 1) << "what a <use> shows";
+  EXPECT_EQ(names_of(used), Texts{"u"});
   EXPECT_EQ(read(svg(image + "/>")).unread_elements, 1) << "beside no outline";
 }
 

@@ -1,7 +1,7 @@
 // What the library commands print: the progress line and the table at the end.
 #include <gtest/gtest.h>
 
-#include "cli/build_summary.h"
+#include "cli/library/build_summary.h"
 #include "terminal/progress_bar.h"
 
 namespace tessera::cli {

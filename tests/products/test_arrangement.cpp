@@ -84,7 +84,7 @@ TEST(Arrangement, PiecesThatHangOutsideByAStraightSideAreTakenOut) {
 }
 
 /// The second neighbour leads to a place that the first one led to, too.
-TEST(Arrangement, AHoleIsOnePlaceOfEachPieceWithTheSidesOfAllNeighbours) {
+TEST(Arrangement, AHoleIsOnePlaceOfEachPieceWithTheSidesOfAllMatches) {
   const Laying laying;
   std::size_t most = 0;
   for (std::size_t hole = 1; hole < laying.count; ++hole) {
@@ -105,7 +105,7 @@ TEST(Arrangement, AHoleIsOnePlaceOfEachPieceWithTheSidesOfAllNeighbours) {
     EXPECT_TRUE(laying.arranger.whole(in)) << hole;
     EXPECT_TRUE(in.places.empty()) << hole << ": no other place is left";
   }
-  EXPECT_GE(most, 4u) << "a piece inside has four neighbours";
+  EXPECT_GE(most, 4u) << "a piece inside has four sides";
 }
 
 /// While pieces are laid, places move: each two stay apart, or are one.

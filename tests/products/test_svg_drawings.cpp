@@ -167,7 +167,8 @@ TEST(SvgDrawings, NothingVanishesWithoutAWord) {
       (Texts{"left out 2 chains of lines that do not close: polyline2, line3",
              "left out 1 element that is not drawn (hidden, transparent, empty, damaged, or with neither fill "
              "nor stroke): hid",
-             "left out 1 element that is no outline: text or image; a drawing program makes paths of them",
+             "left out 1 element that is no outline: text or image; a drawing program makes paths of text, and traces "
+             "images",
              "left out 1 element with a coordinate that is no number or too large, allowed: 1e6 mm either way: f"}));
 }
 
@@ -247,7 +248,8 @@ TEST(NestInput, ReadsSvgsThroughADrawer) {
   const std::string nothing = folder.write("n.svg", document("<text y='9'>x</text>"));
   EXPECT_EQ(test::message_of([&] { read_nest_input(nothing); }),
             nothing + ": found no closed shape; open lines enclose nothing; " + nothing +
-                ": left out 1 element that is no outline: text or image; a drawing program makes paths of them");
+                ": left out 1 element that is no outline: text or image; a drawing program makes paths of text, and "
+                "traces images");
 }
 
 }  // namespace test_svg_drawings

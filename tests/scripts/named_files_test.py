@@ -40,8 +40,11 @@ def is_there(name):
     return any(glob.glob(root + name) or glob.glob(root + name + ".*") for root in ROOTS)
 
 
+os.chdir(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 missing = 0
+looked_at = 0
 for path in texts():
+    looked_at += 1
     with open(path, encoding="utf-8") as file:
         for number, line in enumerate(file, 1):
             names = FILE.findall(line)
@@ -51,4 +54,6 @@ for path in texts():
                 if not is_there(name):
                     print(f"{path}:{number}: {name} is not there", file=sys.stderr)
                     missing += 1
+if looked_at < 1000:
+    sys.exit(f"looked at {looked_at} files alone: this is not the root of the project")
 sys.exit(missing > 0)

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <optional>
 #include <set>
 #include <string_view>
 #include <unordered_map>
@@ -10,7 +9,7 @@
 #include "artwork/css/svg_style.h"
 #include "artwork/outlines/svg_masks.h"
 #include "artwork/outlines/svg_outlines.h"
-#include "artwork/outlines/svg_visibility.h"
+#include "artwork/outlines/svg_pictures.h"
 #include "artwork/xml/xml_tree.h"
 #include "core/base/error.h"
 #include "core/base/too_many.h"
@@ -74,7 +73,11 @@ void fill_whole(xmlNode* pattern) {
 /// since librsvg 2.54 draws nothing of a layer in a <switch>, or another child.
 class LeafFinder {
  public:
-  LeafFinder(xmlNode* root, const std::string& path) : path_(path), root_(root), masks_(root, path) {
+  LeafFinder(xmlNode* root, const std::string& path)
+      : path_(path),
+        root_(root),
+        masks_(root, path),
+        pictures_(root, path) {
     collect_ids(root);
     add_children(root);
   }
@@ -144,21 +147,16 @@ class LeafFinder {
                        .name = name,
                        .is_masked = masks_.touch(node),
                        .is_shape = kShapes.contains(kind),
-                       .is_seen_picture = kPictures.contains(kind) && visibility().shows(node)});
+                       .is_text = kind == "text",
+                       .shows_picture = pictures_.shown_by(node)});
     if (leaves_.size() > kMostOutlineElements)
       throw InputError(path_ + ": " + too_many(kMostOutlineElements, "elements that are drawn"));
-  }
-
-  /// Made for the first picture: few drawings have one, and reading the style sheets takes time.
-  SvgVisibility& visibility() {
-    if (!visibility_) visibility_.emplace(root_, path_);
-    return *visibility_;
   }
 
   std::string path_;
   xmlNode* root_;
   SvgMasks masks_;
-  std::optional<SvgVisibility> visibility_;
+  SvgPictures pictures_;
   std::vector<SvgLeaf> leaves_;
   std::unordered_map<std::string, const xmlNode*> first_of_id_;
   std::vector<NewId> new_ids_;

@@ -9,11 +9,12 @@
 namespace tessera {
 
 struct SvgLeaf {
-  std::string id;                // no other element of the text has it
-  std::string name;              // for people: its own id, or its kind and its number among the elements without one
-  bool is_masked = false;        // a mask hides part of it
-  bool is_shape = false;         // a path, a basic shape or a <use>; else text, an image or a foreign object
-  bool is_seen_picture = false;  // an image or a foreign object that is not hidden
+  std::string id;          // no other element of the text has it
+  std::string name;        // for people: its own id, or its kind and its number among the elements without one
+  bool is_masked = false;  // a mask hides part of it
+  bool is_shape = false;   // a path, a basic shape or a <use>; else text, an image or a foreign object
+  bool is_text = false;
+  bool shows_picture = false;  // an image or a foreign object that is seen; of a <use>: in what it shows, too
 };
 
 struct SvgLeaves {

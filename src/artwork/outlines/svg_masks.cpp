@@ -2,10 +2,10 @@
 
 #include <optional>
 #include <string_view>
-#include <unordered_map>
 
 #include "artwork/css/css_tokens.h"
 #include "artwork/css/svg_style.h"
+#include "artwork/outlines/svg_uses.h"
 #include "artwork/xml/xml_tree.h"
 #include "core/base/error.h"
 
@@ -53,13 +53,6 @@ std::optional<SvgStyle> mask_style(const xmlNode* root, const std::string& path)
   }
 }
 
-/// The id that a <use> shows: SVG 2's href goes before xlink:href.
-std::string shown_id(const xmlNode* use) {
-  const std::string plain = attribute(use, "href");
-  if (plain.empty()) return reference(use);
-  return plain.starts_with('#') ? plain.substr(1) : "";
-}
-
 }  // namespace
 
 SvgMasks::SvgMasks(xmlNode* root, const std::string& path) {
@@ -68,7 +61,7 @@ SvgMasks::SvgMasks(xmlNode* root, const std::string& path) {
     if (below_.contains(element)) continue;
     for_each_element(element, [&](const xmlNode* inside) { below_.insert(inside); });
   }
-  if (!masked_.empty()) mark_what_shows(root);
+  if (!masked_.empty()) above_ = elements_that_show({masked_.begin(), masked_.end()}, root);
 }
 
 void SvgMasks::find(xmlNode* root, const std::string& path) {
@@ -87,28 +80,6 @@ void SvgMasks::find(xmlNode* root, const std::string& path) {
     }
     if (masks.contains(named(value))) masked_.push_back(element);
   });
-}
-
-void SvgMasks::mark_what_shows(xmlNode* root) {
-  std::unordered_map<std::string, const xmlNode*> first_of_id;
-  std::unordered_map<const xmlNode*, std::vector<const xmlNode*>> uses_of;
-  for_each_element(root, [&](const xmlNode* element) {
-    if (const std::string id = attribute(element, "id"); !id.empty()) first_of_id.emplace(id, element);
-  });
-  for_each_element(root, [&](const xmlNode* element) {
-    if (name_of(element) != "use") return;
-    if (const auto shown = first_of_id.find(shown_id(element)); shown != first_of_id.end())
-      uses_of[shown->second].push_back(element);
-  });
-  std::vector<const xmlNode*> to_mark(masked_.begin(), masked_.end());
-  while (!to_mark.empty()) {
-    const xmlNode* node = to_mark.back();
-    to_mark.pop_back();
-    for (; node && node->type == XML_ELEMENT_NODE && above_.insert(node).second; node = node->parent) {
-      if (const auto uses = uses_of.find(node); uses != uses_of.end())
-        to_mark.insert(to_mark.end(), uses->second.begin(), uses->second.end());
-    }
-  }
 }
 
 bool SvgMasks::touch(const xmlNode* element) const { return below_.contains(element) || above_.contains(element); }

@@ -24,7 +24,6 @@ class SvgMasks {
 
  private:
   void find(xmlNode* root, const std::string& path);
-  void mark_what_shows(xmlNode* root);
 
   std::vector<xmlNode*> masked_;
   std::unordered_set<const xmlNode*> below_;  // in a masked element, or one itself

@@ -162,10 +162,10 @@ double px_per_inch_of(std::string_view program) {
   return minor.starts_with("91") || minor.starts_with("3") || minor.starts_with("4") ? 90 : 0;
 }
 
-/// Counts the texts, images and foreign objects that are drawn.
+/// Counts the texts, images and foreign objects that are seen, and each <use> that shows some.
 int count_others(const SvgDocument& document, const std::vector<SvgLeaf>& leaves) {
   return int(std::count_if(leaves.begin(), leaves.end(), [&](const SvgLeaf& leaf) {
-    return leaf.is_seen_picture || (!leaf.is_shape && document.draws_element(leaf.id));
+    return leaf.shows_picture || (leaf.is_text && document.draws_element(leaf.id));
   }));
 }
 

@@ -6,7 +6,7 @@
 
 namespace tessera {
 
-/// A label map (segmentation/region_labels.h) in which each part of the photo that stands out from its ground is one
+/// A label map (products/elements/segmentation/region_labels.h) in which each part of the photo that stands out from its ground is one
 /// region, connected by its pixels' sides and without holes; regions that touch are one. Nothing where the ground is not
 /// plain: it must be seen along most of the photo's edge, in one piece round the elements, in one colour but for the
 /// light, which may change slowly over the photo, and for noise. Soft shadows count as ground. `photo`: CV_8UC3 or

@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "files/atomic_file.h"
 #include "files/regular_file.h"
+#include "job/path_in_job.h"
 #include "products/elements/photo_extraction.h"
 #include "products/mosaic/face_search.h"
 #include "products/mosaic/haar_cascade_file.h"
@@ -19,7 +20,6 @@
 #include "products/mosaic/saliency.h"
 #include "products/mosaic/segmentation.h"
 #include "products/mosaic/size_map.h"
-#include "text/utf8_text.h"
 
 namespace tessera {
 namespace {
@@ -46,17 +46,6 @@ MosaicPlan plan_for(const MosaicRequest& request, const cv::Mat& image) {
   } catch (const InputError& error) {
     throw InputError(request.image + ": " + error.what());
   }
-}
-
-/// As the job names it: relative to the job's folder, unless it was given from the root. By names alone, as it is read:
-/// links are followed by nobody.
-std::string path_in_job(const std::string& path, const std::string& job) {
-  if (!is_utf8(path))
-    throw InputError(printable_utf8(path) + ": found a name that is not UTF-8, as a job's text must be");
-  const fs::path given(path);
-  if (given.is_absolute()) return path;
-  const fs::path from = fs::absolute(job).lexically_normal().parent_path();
-  return fs::absolute(given).lexically_normal().lexically_relative(from).string();
 }
 
 bool same_file(const std::string& one, const std::string& other) {

@@ -16,6 +16,7 @@
 #include "job/canvas/canvas_edge.h"
 #include "job/canvas/canvas_file.h"
 #include "job/canvas/canvas_page.h"
+#include "job/path_in_job.h"
 #include "job/toml_string.h"
 #include "library/library_view.h"
 #include "products/puzzle/frame_outline.h"
@@ -235,10 +236,7 @@ PuzzleAgreement agreement_with(const std::string& truth, const std::vector<Shape
 }
 
 std::string job_text(const SolvingRequest& request, const SolvedPuzzle& solved) {
-  const fs::path folder = fs::absolute(request.job).lexically_normal().parent_path();
-  const auto beside = [&](const std::string& path) {
-    return toml_string(fs::absolute(path).lexically_normal().lexically_relative(folder).string());
-  };
+  const auto beside = [&](const std::string& path) { return toml_string(path_in_job(path, request.job)); };
   const std::string canvas_file = request.frame_file.empty() ? "" : "file = " + beside(request.frame_file) + "\n";
   return std::string(kJobMark) + ": " + std::to_string(solved.placed) + " of " + count_text(solved.pieces, "piece") +
          ".\n"

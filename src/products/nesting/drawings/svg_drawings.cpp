@@ -232,8 +232,10 @@ SvgDrawings svg_drawings(const SvgOutlines& outlines, const std::string& path,
                 "elements that are not drawn (hidden, transparent, empty, damaged, or with neither fill nor stroke)",
                 some_of(outlines.undrawn_elements), found.notes);
   note_left_out(
-      outlines.unread_elements, "element that is no outline: text or image; a drawing program makes paths of them",
-      "elements that are no outlines: texts or images; a drawing program makes paths of them", "", found.notes);
+      outlines.unread_elements,
+      "element that is no outline: text or image; a drawing program makes paths of text, and traces images",
+      "elements that are no outlines: texts or images; a drawing program makes paths of text, and traces images", "",
+      found.notes);
   if (const std::vector<std::string>& masked = outlines.masked_elements; !masked.empty()) {
     found.notes.push_back("left out the mask of " + count_text(masked.size(), "element") +
                           ", whose whole outline is cut (--leave-out NAME leaves one out): " + some_of(masked));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "products/puzzle/laying/joint_settling.h"
@@ -18,8 +19,8 @@ constexpr float kGapCost = 1;
 constexpr float kOfAgreement = 0.5f;
 /// Of what is laid in one place: the best and so many others.
 constexpr std::size_t kMostBranches = 4;
-/// A place's contact is worth so much, by the neighbours with which it shares a side from corner to corner: one comes
-/// about by chance, two hardly.
+/// A place's contact is worth so much, by its matches from corner to corner (PuzzlePlace::whole_sides): one comes about by
+/// chance, two hardly.
 constexpr std::array<float, 4> kOfSides = {0.5f, 1, 2, 3};
 /// Coherence is next to nothing where a tenth of the boundaries is beside narrow gaps, and grows with the pieces still.
 constexpr double kGapsAgainst = 10;
@@ -196,12 +197,11 @@ void PuzzleArranger::lay(const PuzzlePlace& place, Arrangement& in) const {
   std::erase_if(in.places, [&](const PuzzlePlace& other) {
     return other.piece == place.piece || overlap(posed({other.piece, other.pose}), piece, scale_);
   });
-  std::vector<PuzzlePlace> moved;
-  std::erase_if(in.places, [&](PuzzlePlace& other) {
-    if (!may_touch(posed({other.piece, other.pose}), piece, 4 * scale_.tolerance)) return false;
-    moved.push_back(std::move(other));
-    return true;
+  const auto beside = std::stable_partition(in.places.begin(), in.places.end(), [&](const PuzzlePlace& other) {
+    return !may_touch(posed({other.piece, other.pose}), piece, 4 * scale_.tolerance);
   });
+  std::vector<PuzzlePlace> moved(std::make_move_iterator(beside), std::make_move_iterator(in.places.end()));
+  in.places.erase(beside, in.places.end());
   for (PuzzlePlace& other : moved) {
     settle(other, neighbours(posed({other.piece, other.pose}), in));
     add_place(std::move(other), in);
@@ -213,7 +213,7 @@ void PuzzleArranger::lay(const PuzzlePlace& place, Arrangement& in) const {
   in.places.resize(kMostPlaces);
 }
 
-/// Two matches may lead to one place: that has the whole sides of both.
+/// Two matches may lead to one place, which then counts the whole sides of both.
 bool PuzzleArranger::joins_a_place(const PuzzlePlace& place, Arrangement& in) const {
   const auto there =
       std::find_if(in.places.begin(), in.places.end(), [&](const PuzzlePlace& p) { return same_place(p, place); });

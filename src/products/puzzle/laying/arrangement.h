@@ -20,7 +20,7 @@ struct PuzzlePlace {
   std::vector<Beside> beside = {};  // of each point of its boundary
   float agreement = 0;              // of pictures and boundaries, see_neighbour's sum
   float worth = 0;
-  int whole_sides = 0;  // neighbours with which it shares one from corner to corner
+  int whole_sides = 0;  // matches from corner to corner that led to it; one side may have several
 };
 
 struct LaidPiece {
@@ -76,8 +76,8 @@ class PuzzleArranger {
   /// All pieces settle along their neighbours; the first one stays.
   void settle_all(Arrangement& in) const;
 
-  /// Takes out pieces of which less than this part of the boundary, as it counts, touches others, until none is left. The
-  /// first one stays.
+  /// Takes out pieces of which less than this part of the boundary, as it counts, touches others, until no such piece is
+  /// left. The first piece stays.
   void drop_loose(float least_touching, Arrangement& in) const;
 
   /// Takes out pieces beside which gaps are long beside what touches: they lie where others belong. The first one stays.

@@ -36,8 +36,7 @@ constexpr double kFull = 0.985;
 constexpr std::size_t kMostMoves = 4;
 /// Scales less apart are one, as what fills the frame says it better.
 constexpr double kSameScale = 0.01;
-/// What touches less than this part may hang outside, by a straight side, while its place is a hole; a piece of the edge
-/// touches more.
+/// A piece of which less than this part touches others may hang outside, by a straight side, while its place is a hole.
 constexpr float kLeastHeld = 0.5f;
 /// How often the holes of what was laid are filled, each time by at least so much of what the pieces have in common.
 constexpr int kMostFillings = 8;
@@ -182,31 +181,40 @@ class Solver {
   }
 
   /// When all have settled there may be room where there was none, as small errors ran through all pieces before; and it
-  /// shows which lie where others belong, or hang outside.
+  /// shows which lie where others belong, or hang outside. What has more in common wins, even with a piece less: the next
+  /// round may lay that again.
   Arrangement filled_up(Arrangement found) const {
     double coherence = arranger_.coherence(found);
-    bool hanging_too = false;
     for (int round = 0; round < kMostFillings; ++round) {
-      Arrangement fuller = filled_again(found, hanging_too);
-      const double now = arranger_.coherence(fuller);
-      if (now > coherence * (1 + kLeastFuller)) {
+      bool better = false;
+      for (const bool hanging_too : {false, true}) {
+        const Arrangement sound = without_misfits(found, hanging_too);
+        if (sound.laid.size() == found.laid.size() &&
+            (hanging_too || arranger_.placed(sound) == arranger_.pieces_count()))
+          continue;
+        Arrangement fuller = settled(arranger_.followed_to_the_end({with_places(sound)}, 1));
+        const double now = arranger_.coherence(fuller);
+        better = now > coherence * (1 + kLeastFuller);
+        if (!better) continue;
         coherence = now;
         found = std::move(fuller);
-      } else if (hanging_too) {
         break;
-      } else {
-        hanging_too = true;
       }
+      if (!better) break;
     }
     return found;
   }
 
-  /// Without what lies where others belong, and with all that finds a place then.
-  Arrangement filled_again(Arrangement sound, bool hanging_too) const {
+  /// Without pieces that lie where others belong. `hanging_too`: and without those that hang; none of these where taking
+  /// them out would leave less than half, as of pieces with straight sides, which touch each other little.
+  Arrangement without_misfits(const Arrangement& found, bool hanging_too) const {
+    Arrangement sound = found;
     arranger_.drop_misfits(sound);
-    if (hanging_too) arranger_.drop_loose(kLeastHeld, sound);
-    if (arranger_.placed(sound) == arranger_.pieces_count()) return sound;
-    return settled(arranger_.followed_to_the_end({with_places(sound)}, 1));
+    if (!hanging_too) return sound;
+    Arrangement held = sound;
+    arranger_.drop_loose(kLeastHeld, held);
+    if (held.laid.size() == sound.laid.size() || 2 * held.laid.size() < sound.laid.size()) return found;
+    return held;
   }
 
   /// What was laid alone, by each piece that may lie in a corner of the frame, or by its outer boundary.

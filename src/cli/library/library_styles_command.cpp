@@ -1,4 +1,4 @@
-#include "cli/library_styles_command.h"
+#include "cli/library/library_styles_command.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/library_info_command.h"
+#include "cli/library/library_info_command.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "core/style/style_groups.h"

@@ -1,15 +1,16 @@
-#include "cli/library_build_command.h"
+#include "cli/library/library_build_command.h"
 
 #include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "artwork/drawers/drawers.h"
-#include "cli/build_summary.h"
-#include "cli/library_output.h"
+#include "cli/library/build_summary.h"
+#include "cli/library/library_output.h"
 #include "comm/stop_signals.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
@@ -17,7 +18,6 @@
 #include "files/atomic_file.h"
 #include "files/output_lock.h"
 #include "library/left_out_list.h"
-#include "library/library_builder.h"
 #include "terminal/progress_bar.h"
 #include "terminal/terminal.h"
 
@@ -34,17 +34,11 @@ constexpr char kLibraryBuildExamples[] =
     "Not GIF, PDF, EPS and others: convert them to SVG or PNG. Files that cannot be used are skipped: the first are\n"
     "named at the end, all of them, with the reasons, in LIB.left_out.txt.";
 
-struct BuildArguments {
-  std::vector<std::string> sources;
-  std::string output;
-  std::string glob;
-  LibraryBuildSettings settings;
-};
-
 LibraryBuildReport build_with_progress(const BuildArguments& arguments, const ArtworkFiles& files) {
-  ProgressBar bar("library", files.paths.size());
+  std::optional<ProgressBar> bar;
+  if (!arguments.quiet) bar.emplace("library", files.paths.size());
   const BuildProgress progress = [&](std::size_t done, std::size_t shapes) {
-    bar.update(done, count_text(shapes, "shape"));
+    if (bar) bar->update(done, count_text(shapes, "shape"));
   };
   Drawers drawers({.processes = arguments.settings.files_at_a_time});
   const LibraryBuildReport report = build_library(files, arguments.output, arguments.settings,
@@ -90,7 +84,9 @@ void check_is_number(const char* option, float value) {
   if (std::isnan(value)) throw InputError(std::string(option) + ": found nan, allowed: a number");
 }
 
-int run(const BuildArguments& arguments) {
+}  // namespace
+
+void build_library_file(const BuildArguments& arguments) {
   check_is_number("--edge-opacity", arguments.settings.tracing.rules.edge_opacity);
   check_is_number("--delta-tau", arguments.settings.tracing.pad.delta_tau);
   const auto start = std::chrono::steady_clock::now();
@@ -103,9 +99,10 @@ int run(const BuildArguments& arguments) {
   check_is_not_built_from(files.paths, arguments.output);
   const LibraryBuildReport report = build_with_progress(arguments, files);
   const comm::StopDelay delay;  // for the list that belongs to it
-  print_lines(build_summary(report));
+  if (!arguments.quiet) print_lines(build_summary(report));
   if (!report.written) throw_not_written(arguments, report);
   write_left_out_list(arguments.output, report);
+  if (arguments.quiet) return;
   if (!left_out_list(report).empty()) {
     print_line("all that was left out: %s", left_out_path(arguments.output).c_str());
   }
@@ -113,10 +110,7 @@ int run(const BuildArguments& arguments) {
   print_line("%s, %.1f MB, %.1f s; of %s", arguments.output.c_str(),
              double(std::filesystem::file_size(arguments.output)) * 1e-6, elapsed_s.count(),
              build_counts(report).c_str());
-  return 0;
 }
-
-}  // namespace
 
 // A table, an option a row.
 void add_library_build_command(CLI::App& library, Command& selected) {
@@ -161,7 +155,12 @@ void add_library_build_command(CLI::App& library, Command& selected) {
                    "Their base interval of integral curvature, rad; the same goes for match.delta_tau")
       ->check(CLI::Range(0.05, 1.0))
       ->capture_default_str();
-  build->callback([arguments, &selected] { selected.run = [arguments] { return run(*arguments); }; });
+  build->callback([arguments, &selected] {
+    selected.run = [arguments] {
+      build_library_file(*arguments);
+      return 0;
+    };
+  });
 }
 
 }  // namespace tessera::cli

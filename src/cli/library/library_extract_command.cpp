@@ -1,4 +1,4 @@
-#include "cli/library_extract_command.h"
+#include "cli/library/library_extract_command.h"
 
 #include <cmath>
 #include <cstdio>
@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "artwork/drawers/drawers.h"
-#include "cli/build_summary.h"
-#include "cli/library_output.h"
+#include "cli/library/build_summary.h"
+#include "cli/library/library_output.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "core/base/rank_pool.h"

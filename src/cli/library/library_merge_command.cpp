@@ -1,9 +1,9 @@
-#include "cli/library_merge_command.h"
+#include "cli/library/library_merge_command.h"
 
 #include <memory>
 #include <string>
 
-#include "cli/library_output.h"
+#include "cli/library/library_output.h"
 
 namespace tessera::cli {
 namespace {

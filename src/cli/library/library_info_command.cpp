@@ -1,4 +1,4 @@
-#include "cli/library_info_command.h"
+#include "cli/library/library_info_command.h"
 
 #include <memory>
 #include <set>

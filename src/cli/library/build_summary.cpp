@@ -1,4 +1,4 @@
-#include "cli/build_summary.h"
+#include "cli/library/build_summary.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,9 +1,9 @@
-#include "cli/library_subset_command.h"
+#include "cli/library/library_subset_command.h"
 
 #include <memory>
 #include <string>
 
-#include "cli/library_output.h"
+#include "cli/library/library_output.h"
 #include "core/base/error.h"
 
 namespace tessera::cli {

@@ -1,8 +1,8 @@
-#include "cli/library_output.h"
+#include "cli/library/library_output.h"
 
 #include <filesystem>
 
-#include "cli/build_summary.h"
+#include "cli/library/build_summary.h"
 #include "comm/stop_signals.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"

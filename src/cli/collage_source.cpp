@@ -1,0 +1,72 @@
+#include "cli/collage_source.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+
+#include "core/base/error.h"
+#include "files/regular_file.h"
+#include "result/folder/result_manifest.h"
+#include "terminal/shell_word.h"
+
+namespace tessera::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 9> kPictures = {".svg",  ".svgz", ".png", ".webp", ".tif",
+                                                       ".tiff", ".bmp",  ".jpg", ".jpeg"};
+constexpr std::string_view kHdf5Signature("\x89HDF\r\n\x1a\n", 8);
+
+bool is_picture(const fs::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return std::find(kPictures.begin(), kPictures.end(), extension) != kPictures.end();
+}
+
+/// False also where the file cannot be read: who reads the job says why.
+bool is_hdf5(const std::string& path) {
+  try {
+    std::array<std::uint8_t, kHdf5Signature.size()> first = {};
+    const std::size_t count = read_at(path, open_regular_file(path), 0, first);
+    return count == first.size() && std::equal(first.begin(), first.end(), kHdf5Signature.begin(),
+                                               [](std::uint8_t a, char b) { return a == std::uint8_t(b); });
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+[[noreturn]] void refuse_result(const std::string& path) {
+  const std::string folder = shell_word(path);
+  throw InputError(path + ": found the folder of a result, allowed: a job, or a folder of drawings; tessera draw " +
+                   folder + " draws its pictures again, tessera refine " + folder +
+                   " changes it (see tessera refine --help), tessera collage " +
+                   shell_word(fs::path(path) / "job.toml") + " makes it again");
+}
+
+[[noreturn]] void refuse_picture(const std::string& path) {
+  const std::string picture = shell_word(path);
+  throw InputError(path +
+                   ": found a picture, allowed: a job, or a folder of drawings; tessera collage FOLDER --canvas " +
+                   picture + " fills its shape with the drawings in FOLDER, tessera mosaic " + picture +
+                   " LIB.h5 shows it by the colours of a library's drawings");
+}
+
+}  // namespace
+
+CollageSource collage_source(const std::string& path) {
+  std::error_code error;
+  if (fs::is_directory(path, error)) {
+    if (fs::exists(fs::path(path) / kManifestName, error) && fs::exists(fs::path(path) / "pieces.geojson", error))
+      refuse_result(path);
+    return CollageSource::drawings;
+  }
+  if (is_picture(path) && fs::exists(path, error)) refuse_picture(path);
+  return is_hdf5(path) ? CollageSource::library : CollageSource::job;
+}
+
+}  // namespace tessera::cli

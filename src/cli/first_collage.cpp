@@ -1,0 +1,139 @@
+#include "cli/first_collage.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <system_error>
+
+#include "cli/library/library_build_command.h"
+#include "comm/stop_signals.h"
+#include "core/base/count_text.h"
+#include "core/base/error.h"
+#include "core/base/rank_pool.h"
+#include "files/atomic_file.h"
+#include "files/output_folder.h"
+#include "files/regular_file.h"
+#include "job/canvas/canvas_file.h"
+#include "job/job_file.h"
+#include "job/path_in_job.h"
+#include "library/library_view.h"
+#include "products/first_collage/first_job.h"
+#include "terminal/shell_word.h"
+#include "terminal/terminal.h"
+
+namespace tessera::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kLibraryFolder = "out";
+/// The box round the shape of --canvas.
+constexpr int kBox_px = 1200;
+constexpr std::size_t kMostJobBytes = std::size_t(1) << 20;
+
+/// The last part of the path, also of ".", "drawings/" and a path with "..".
+std::string name_of_source(const std::string& source) {
+  fs::path path = fs::absolute(source).lexically_normal();
+  if (!path.has_filename()) path = path.parent_path();
+  return fs::is_directory(source) ? path.filename().string() : path.stem().string();
+}
+
+/// When the last of the drawings, or of the folders that list them, was changed.
+fs::file_time_type newest_in(const std::string& folder) {
+  std::error_code error;
+  fs::file_time_type newest = fs::last_write_time(folder, error);
+  const auto options = fs::directory_options::skip_permission_denied;
+  for (fs::recursive_directory_iterator at(folder, options, error); !error && at != fs::recursive_directory_iterator();
+       at.increment(error)) {
+    std::error_code gone;
+    const fs::file_time_type time = at->last_write_time(gone);
+    if (!gone) newest = std::max(newest, time);
+  }
+  return newest;
+}
+
+bool is_up_to_date(const std::string& library, const std::string& folder) {
+  std::error_code error;
+  const fs::file_time_type built = fs::last_write_time(library, error);
+  return !error && newest_in(folder) < built;
+}
+
+/// Returns the library of the drawings.
+std::string library_of(const FirstCollageArguments& first, bool quiet) {
+  if (first.is_library) return first.source;
+  const std::string library = (fs::path(kLibraryFolder) / (name_of_source(first.source) + ".h5")).string();
+  if (is_up_to_date(library, first.source)) {
+    if (!quiet) {
+      print_line("%s is used as it is: nothing in %s is newer; remove it to build it again", library.c_str(),
+                 first.source.c_str());
+    }
+    return library;
+  }
+  make_folder(kLibraryFolder);
+  BuildArguments build{.sources = {first.source}, .output = library, .glob = {}, .settings = {}, .quiet = quiet};
+  build.settings.files_at_a_time = rank_cores();
+  build_library_file(build);
+  return library;
+}
+
+FirstCanvas canvas_of(const FirstCollageArguments& first, const std::string& job) {
+  FirstCanvas canvas;
+  if (!first.canvas.empty())
+    canvas = {.file = path_in_job(first.canvas, job), .width_px = kBox_px, .height_px = kBox_px};
+  if (first.size_px) {
+    canvas.width_px = first.size_px->at(0);
+    canvas.height_px = first.size_px->at(1);
+  }
+  canvas.area_px2 = double(canvas.width_px) * canvas.height_px;
+  if (first.canvas.empty()) return canvas;
+  CanvasSpec spec;
+  spec.file = fs::absolute(first.canvas).lexically_normal().string();
+  spec.width_px = canvas.width_px;
+  spec.height_px = canvas.height_px;
+  canvas.area_px2 = load_canvas(spec).area_px2;
+  return canvas;
+}
+
+/// Nothing that somebody has written or changed is replaced.
+void check_job_is_ours(const std::string& job) {
+  if (!fs::exists(job)) return;
+  const std::vector<std::uint8_t> bytes = read_regular_file(job, kMostJobBytes);
+  if (is_unedited_first_job({bytes.begin(), bytes.end()})) return;
+  throw InputError(job + ": is there already, and was written or changed by somebody; tessera collage " +
+                   shell_word(job) + " runs it as it is; remove it, or give it another name, to begin anew");
+}
+
+/// What is wrong with --set is wrong with the command: it leaves nothing behind.
+void write_checked(const CollageArguments& collage, const std::string& text) {
+  const comm::StopDelay delay;
+  const bool is_new = !fs::exists(collage.job);
+  write_file_atomically(collage.job, text);
+  try {
+    load_job(collage.job, collage.overrides);
+  } catch (const InputError&) {
+    std::error_code ignored;
+    if (is_new) fs::remove(collage.job, ignored);
+    throw;
+  }
+}
+
+}  // namespace
+
+std::string first_job_path(const std::string& source) { return name_of_source(source) + ".toml"; }
+
+void write_first_job(const FirstCollageArguments& first, const CollageArguments& collage) {
+  check_job_is_ours(collage.job);
+  const FirstCanvas canvas = canvas_of(first, collage.job);  // a slip of the pen costs no time
+  const std::string library = library_of(first, collage.quiet);
+  const std::size_t shapes = LibraryView({.files = {library}, .names = {}}).size();
+  write_checked(collage, first_job(name_of_source(first.source), path_in_job(library, collage.job), shapes, canvas));
+  if (collage.quiet) return;
+  const FirstSizes sizes = first_sizes(canvas.area_px2, shapes);
+  print_line("%s: %d x %d px%s, pieces of %g to %g px out of %s; change what you like in it, then: tessera collage %s",
+             collage.job.c_str(), canvas.width_px, canvas.height_px,
+             first.canvas.empty() ? "" : (" round " + first.canvas).c_str(), sizes.smallest_px, sizes.largest_px,
+             count_text(shapes, "shape").c_str(), shell_word(collage.job).c_str());
+  print_now();
+}
+
+}  // namespace tessera::cli

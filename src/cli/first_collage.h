@@ -1,0 +1,27 @@
+// tessera collage FOLDER: from drawings to a library and a job that suits them, which is then run as any job.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "run/collage_run.h"
+
+namespace tessera::cli {
+
+struct FirstCollageArguments {
+  std::string source;  // a folder of drawings, or a library
+  bool is_library = false;
+  std::string canvas;                       // SVG or image whose shape is filled; empty: a rectangle
+  std::optional<std::vector<int>> size_px;  // width and height of the canvas, or of the box round its shape
+};
+
+/// The job of a first collage: named like the source, in the working directory.
+std::string first_job_path(const std::string& source);
+
+/// On rank 0 alone. Builds the library out/NAME.h5 where it is missing or older than the drawings, and writes
+/// `collage.job`, unless it is there as it would be written. Says on stdout what it did, unless `collage.quiet`. Throws InputError where the
+/// source, the canvas or an override is of no use, and where somebody has changed the job; EnvironmentError.
+void write_first_job(const FirstCollageArguments& first, const CollageArguments& collage);
+
+}  // namespace tessera::cli

@@ -1,0 +1,32 @@
+// The job of a first collage: what suits the drawings and the canvas, without any wish of the user.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace tessera {
+
+struct FirstCanvas {
+  std::string file;  // as the job names it; empty: a rectangle
+  int width_px = 1200;
+  int height_px = 900;
+  double area_px2 = 0;  // of what is to be filled
+};
+
+/// Sizes of the pieces, px of the canvas.
+struct FirstSizes {
+  double smallest_px = 0;
+  double largest_px = 0;  // five times the smallest: with more, pieces would not move together
+};
+
+/// Sizes with which about as many pieces fill the area as there are shapes, 60 at least and 250 at most.
+FirstSizes first_sizes(double area_px2, std::size_t shapes);
+
+/// The text of the job. `library`: as the job names it. `source`: what the drawings are called, for people.
+std::string first_job(const std::string& source, const std::string& library, std::size_t shapes,
+                      const FirstCanvas& canvas);
+
+/// Whether the text is from first_job() and nobody has changed it since.
+bool is_unedited_first_job(const std::string& text);
+
+}  // namespace tessera
