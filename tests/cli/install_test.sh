@@ -48,11 +48,11 @@ grep -q "\"command_line\": \"tessera collage $share/jobs/heart.toml" result/card
   fail "another command in the card"
 echo "ok a library and a collage"
 
-# The lines of the README for the jobs that came with it, with other drawings and fewer pieces.
+# The lines of docs/guide/install.md for the jobs that came with it, with other drawings and fewer pieces.
 # shellcheck disable=SC2016  # as it stands there
 for line in 'cp -r $HOME/tessera/share/tessera/jobs .' 'mkdir out' 'tessera library build /usr/share/openclipart' \
   '-o out/animals.h5' 'tessera collage jobs/animals.toml'; do
-  grep -qF -- "$line" "$share/README.md" || fail "the README lacks: $line"
+  grep -qF -- "$line" "$share/docs/guide/install.md" || fail "docs/guide/install.md lacks: $line"
 done
 cp -r "$share/jobs" .
 mkdir out
