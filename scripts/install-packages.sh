@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # scripts/install-packages.sh [SECTION...]: installs what these sections of scripts/packages.txt name and this machine
-# lacks: program (the default), tests, long-tests. Does nothing, in no time, where all is there.
+# lacks: program (the default), tests, long-tests, docs. Does nothing, in no time, where all is there.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

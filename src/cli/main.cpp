@@ -17,6 +17,7 @@ void add_commands(CLI::App& app, Command& selected) {
   app.footer(
       "First steps:\n"
       "  tessera devices                                  what this machine computes on\n"
+      "  tessera collage my_drawings/                     a first collage of a folder's drawings\n"
       "  tessera library build my_svgs/ -o my.h5          a library from artwork\n"
       "  tessera collage my_job.toml                      a collage from it (docs/job-format.md)\n"
       "  mpirun -n 3 tessera collage my_job.toml          the same on a master and two workers\n"

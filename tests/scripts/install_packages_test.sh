@@ -85,7 +85,7 @@ output=$(awk '/^\[/ { exit } NF && $1 !~ /^#/' "$list")
 expect 'no package stands before the first heading' [ -z "$output" ]
 output=$(awk 'NF && $1 !~ /^#/ { print $1 }' "$list" | sort | uniq -d)
 expect 'no heading and no package stands twice' [ -z "$output" ]
-expect 'the sections' [ "$(grep '^\[' "$list" | paste -sd ' ')" = '[program] [tests] [long-tests]' ]
+expect 'the sections' [ "$(grep '^\[' "$list" | paste -sd ' ')" = '[program] [tests] [long-tests] [docs]' ]
 
 # asked_of_apt ARGUMENT...: the packages that apt is asked for on a machine that has none of them, one a line.
 cp "$list" "$sandbox/scripts"
