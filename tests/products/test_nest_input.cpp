@@ -4,9 +4,13 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/base/error.h"
+#include "products/nesting/nest_input.h"
 #include "products/nesting/nest_instance.h"
+#include "support/scratch_folder.h"
 
 namespace tessera {
 namespace test_nest_input {
@@ -150,6 +154,33 @@ TEST(NestInstance, BoundsHostileOnes) {
   EXPECT_EQ(refused(instance(R"({"shape": {"type": "polygon", "data": {"outer": [[0,0],[9,0],[0,9]], "inner": [)" +
                              holes + "]}}}")),
             "a.json: found more than 200000 points in a file; allowed: 200000 or fewer");
+}
+
+/// A DXF of lines through these points, closed.
+std::string dxf(const std::vector<std::pair<int, int>>& points) {
+  std::string text = "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n90\n" + std::to_string(points.size()) + "\n70\n1\n";
+  for (const auto& [x, y] : points) text += "10\n" + std::to_string(x) + "\n20\n" + std::to_string(y) + "\n";
+  return text + "0\nENDSEC\n0\nEOF\n";
+}
+
+TEST(NestInput, AllFilesOfAFolderThatCannotBeUsedAreToldAtOnce) {
+  const test::ScratchFolder folder;
+  folder.write("b.dxf", dxf({{0, 0}, {9, 0}, {0, 9}}));
+  folder.write("readme.txt", "no drawing");
+  const std::string path = folder.path(".");
+  const NestInput input = read_nest_input(path);
+  EXPECT_EQ(input.sources.size(), 1u);
+  ASSERT_FALSE(input.notes.empty());
+  EXPECT_NE(input.notes[0].find("left out 1 file that is neither SVG nor DXF: readme.txt"), std::string::npos);
+
+  folder.write("a.dxf", dxf({{0, 0}, {9, 9}, {9, 0}, {0, 9}}));
+  const std::string alone = refusal([&] { read_nest_input(path); });
+  EXPECT_NE(alone.find("a.dxf: "), std::string::npos);
+  EXPECT_EQ(alone.find("more file"), std::string::npos);
+  folder.write("c.dxf", "AutoCAD Binary DXF\r\n");
+  folder.write("d.dxf", "no DXF");
+  const std::string all = refusal([&] { read_nest_input(path); });
+  EXPECT_EQ(all, alone + "; 2 more files cannot be used: c.dxf, d.dxf");
 }
 
 }  // namespace test_nest_input

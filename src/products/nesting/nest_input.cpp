@@ -177,9 +177,19 @@ void add_folder(const fs::path& folder, FileReader& reader, NestInput& input) {
         joined(unread));
   }
   std::size_t points = 0;
+  std::string refusal;            // of the first file that cannot be used
+  std::set<std::string> refused;  // the others: all are told at once
   for (const fs::path& file : files) {
     const std::size_t before = input.sources.size();
-    reader.add(file);
+    try {
+      reader.add(file);
+    } catch (const InputError& error) {
+      if (refusal.empty())
+        refusal = error.what();
+      else
+        refused.insert(printable_utf8(file.filename().string()));
+      continue;
+    }
     if (input.sources.size() == before) input.notes.push_back(shown_path(file) + ": found no closed shape");
     name_by_file(file, before, input);
     if (input.sources.size() > kMostDrawings) {
@@ -191,6 +201,12 @@ void add_folder(const fs::path& folder, FileReader& reader, NestInput& input) {
       throw InputError(shown_path(folder) + ": " + too_many(kMostFolderPoints, "points in its files"));
     }
   }
+  if (refusal.empty()) return;
+  if (!refused.empty()) {
+    refusal += "; " + count_text(refused.size(), "more file cannot be used: ", "more files cannot be used: ") +
+               joined(refused);
+  }
+  throw InputError(refusal);
 }
 
 NestRing in_mm(const std::vector<Vec2>& curve, double mm) {
