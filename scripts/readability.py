@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+"""scripts/readability.py [COMMIT]: words in a sentence of the documents and of the comments over declarations; how many sentences are
+longer than 25 words, and how many comments begin in the middle. A hint for who writes, not a gate."""
+
+import os
+import re
+import subprocess
+import sys
+
+LONG_SENTENCE = 25
+# A comment that begins so has no subject: "Of the pieces of a window, as they change."
+FRAGMENT = re.compile(r"(Of|By|That|Those|Which|What|Where|How|As|In|On|For|From|With|Without|To be|Nothing|None|Or|Also|The same)\b")
+GROUPS = {
+    "README.md": r"README\.md$",
+    "docs/guide": r"docs/guide/.*\.md$",
+    "reference and concepts": r"docs/(?!guide|gallery|measurements|scaling)[^/]*\.md$",
+    "measurements": r"docs/(measurements|scaling)\.md$",
+    "ARCHITECTURE.md": r"ARCHITECTURE\.md$",
+    "comments in headers": r"(src|include)/.*\.h$",
+}
+
+
+def files(commit):
+    """(path, text) of all files, of a commit or of the working tree."""
+    if commit:
+        names = subprocess.run(["git", "ls-tree", "-r", "--name-only", commit], capture_output=True, text=True, check=True).stdout
+        wanted = [name for name in names.split("\n") if any(re.match(p, name) for p in GROUPS.values())]
+        for name in wanted:
+            yield name, subprocess.run(["git", "show", f"{commit}:{name}"], capture_output=True, text=True, check=True).stdout
+        return
+    for root in ("src", "include", "docs", "."):
+        for folder, folders, names in os.walk(root):
+            if root == ".":
+                folders.clear()
+            for name in names:
+                path = os.path.normpath(os.path.join(folder, name))
+                if any(re.match(p, path) for p in GROUPS.values()):
+                    with open(path, encoding="utf-8") as file:
+                        yield path, file.read()
+
+
+def prose_of_page(text):
+    text = re.sub(r"^```.*?^```$", "", text, flags=re.M | re.S)
+    text = re.sub(r"^    .*$|^\|.*$|^#.*$|^\[?!\[.*$", "", text, flags=re.M)
+    text = re.sub(r"`[^`\n]*`", "X", text)
+    text = re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", text)
+    return re.split(r"\n\s*\n|\n\s*[-*\d]+[. ] ?", text)
+
+
+def comments_of(text):
+    """Blocks of lines that begin with /// or, at the top of a file, with //."""
+    return [re.sub(r"^\s*///? ?", "", block, flags=re.M)
+            for block in re.findall(r"(?:^[ \t]*///.*\n)+|\A(?:// .*\n)+", text, flags=re.M)]
+
+
+def sentences_of(paragraph):
+    text = re.sub(r"\s+", " ", paragraph).strip()
+    return [s for s in re.split(r"(?<=[.!?:;])\s+(?=[A-Z`\"(])", text) if len(s.split()) > 2]
+
+
+def main(commit):
+    os.chdir(os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+    counts = {group: [0, 0, 0, 0, 0] for group in GROUPS}  # sentences, words, long ones, blocks, fragments
+    for path, text in files(commit):
+        group = next(g for g, p in GROUPS.items() if re.match(p, path))
+        count = counts[group]
+        for block in comments_of(text) if path.endswith(".h") else prose_of_page(text):
+            sentences = sentences_of(block)
+            if not sentences:
+                continue
+            count[3] += 1
+            count[4] += bool(FRAGMENT.match(sentences[0]))
+            for sentence in sentences:
+                words = len(sentence.split())
+                count[0] += 1
+                count[1] += words
+                count[2] += words > LONG_SENTENCE
+    print("| | sentences | words in one | longer than 25 words | begin in the middle |\n|---|---|---|---|---|")
+    for group, (sentences, words, long_ones, blocks, fragments) in counts.items():
+        if sentences:
+            print(f"| {group} | {sentences} | {words / sentences:.1f} | {100 * long_ones / sentences:.0f} % | {100 * fragments / blocks:.0f} % |")
+
+
+main(sys.argv[1] if len(sys.argv) > 1 else None)
