@@ -47,13 +47,14 @@ struct CollageCommand {
   FirstCollageArguments first;
 };
 
-/// --canvas and --size say what a first collage is to be; a job says it itself.
+/// --job, --canvas and --size say what a first collage is to be; a job says it itself.
 void check_has_no_first_options(const FirstCollageArguments& first) {
-  const char* option = !first.canvas.empty() ? "--canvas" : first.size_px ? "--size" : nullptr;
-  if (!option) return;
-  const bool is_size = std::string(option) == "--size";
-  throw InputError(std::string(option) + ": allowed with a folder of drawings or a library; of a job " +
-                   (is_size ? "--set 'canvas.size_px=[W, H]'" : "--set canvas.file=FILE") + " says it");
+  constexpr const char* kAllowed = ": allowed with a folder of drawings or a library";
+  if (!first.job.empty()) throw InputError(std::string("--job") + kAllowed);
+  if (!first.canvas.empty())
+    throw InputError(std::string("--canvas") + kAllowed + "; of a job --set canvas.file=FILE says it");
+  if (first.size_px)
+    throw InputError(std::string("--size") + kAllowed + "; of a job --set 'canvas.size_px=[W, H]' says it");
 }
 
 int run(CollageCommand command, comm::Communicator& ranks) {
@@ -65,7 +66,7 @@ int run(CollageCommand command, comm::Communicator& ranks) {
   }
   first.source = command.collage.job;
   first.is_library = source == CollageSource::library;
-  command.collage.job = first_job_path(first.source);
+  command.collage.job = first_job_path(first);
   // Rank 0 alone reads the drawings; the workers get the job from there, as any job.
   if (ranks.rank() != 0) return collage_exit_code(command.collage, ranks);
   const JobOutput output(command.collage, {}, false);
@@ -87,6 +88,11 @@ void add_collage_command(CLI::App& app, Command& selected) {
       ->add_option("--canvas", arguments->first.canvas,
                    "Of a folder: an SVG or a picture whose shape the drawings fill; default: a rectangle")
       ->type_name("FILE");
+  collage
+      ->add_option("--job", arguments->first.job,
+                   "Of a folder: the job file to write; default: <name of the folder>.toml, with --canvas "
+                   "<name>_<canvas>.toml")
+      ->type_name("FILE.toml");
   add_list_option<int>(*collage, "--size",
                        [arguments](std::vector<int> given) { arguments->first.size_px = std::move(given); },
                        "Of a folder: width and height of the canvas, px; default: 1200,900, with --canvas 1200,1200",

@@ -65,7 +65,11 @@ CollageSource collage_source(const std::string& path) {
       refuse_result(path);
     return CollageSource::drawings;
   }
-  if (is_picture(path) && fs::exists(path, error)) refuse_picture(path);
+  if (!fs::exists(path, error) && fs::path(path).extension() != ".toml")
+    throw InputError(path +
+                     ": no such file or folder; allowed: a job file, a folder of drawings, or a library; a name with "
+                     "spaces needs quotes");
+  if (is_picture(path)) refuse_picture(path);
   return is_hdf5(path) ? CollageSource::library : CollageSource::job;
 }
 

@@ -7,8 +7,8 @@ namespace tessera::cli {
 
 enum class CollageSource { job, drawings, library };
 
-/// What the path is, by its kind and its first bytes. Throws InputError, with the command that is right, where it is the
-/// folder of a result or a picture.
+/// What the path is, by its kind and its first bytes. Throws InputError: for the folder of a result and a picture with the right
+/// command, and where nothing is there and the name is not that of a job (.toml).
 CollageSource collage_source(const std::string& path);
 
 }  // namespace tessera::cli

@@ -100,7 +100,7 @@ void check_job_is_ours(const std::string& job) {
   const std::vector<std::uint8_t> bytes = read_regular_file(job, kMostJobBytes);
   if (is_unedited_first_job({bytes.begin(), bytes.end()})) return;
   throw InputError(job + ": is there already, and was written or changed by somebody; tessera collage " +
-                   shell_word(job) + " runs it as it is; remove it, or give it another name, to begin anew");
+                   shell_word(job) + " runs it as it is; --job FILE.toml writes another one");
 }
 
 /// What is wrong with --set is wrong with the command: it leaves nothing behind.
@@ -119,7 +119,11 @@ void write_checked(const CollageArguments& collage, const std::string& text) {
 
 }  // namespace
 
-std::string first_job_path(const std::string& source) { return name_of_source(source) + ".toml"; }
+std::string first_job_path(const FirstCollageArguments& first) {
+  if (!first.job.empty()) return first.job;
+  const std::string canvas = first.canvas.empty() ? "" : "_" + fs::path(first.canvas).stem().string();
+  return name_of_source(first.source) + canvas + ".toml";
+}
 
 void write_first_job(const FirstCollageArguments& first, const CollageArguments& collage) {
   check_job_is_ours(collage.job);

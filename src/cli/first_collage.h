@@ -12,12 +12,14 @@ namespace tessera::cli {
 struct FirstCollageArguments {
   std::string source;  // a folder of drawings, or a library
   bool is_library = false;
+  std::string job;                          // the file to write; empty: named like the source and the canvas
   std::string canvas;                       // SVG or image whose shape is filled; empty: a rectangle
   std::optional<std::vector<int>> size_px;  // width and height of the canvas, or of the box round its shape
 };
 
-/// The job of a first collage: named like the source, in the working directory.
-std::string first_job_path(const std::string& source);
+/// The job of a first collage, in the working directory: named like the source and the canvas, so that the drawings in
+/// a heart do not replace those in a rectangle. `first.job` where that is not empty.
+std::string first_job_path(const FirstCollageArguments& first);
 
 /// On rank 0 alone. Builds the library out/NAME.h5 where it is missing or older than the drawings, and writes
 /// `collage.job`, unless it is there as it would be written. Says on stdout what it did, unless `collage.quiet`. Throws InputError where the

@@ -90,6 +90,12 @@ std::string next_command(const MosaicArguments& arguments) {
 void write_job(const MosaicArguments& arguments) {
   MosaicRequest request = arguments.request;
   if (std::isnan(request.shift)) throw InputError("--shift: found nan, allowed: a number");
+  for (const std::string& path : request.libraries) {
+    std::error_code error;
+    if (!std::filesystem::is_directory(path, error)) continue;
+    throw InputError(path + ": found a folder, allowed: a library; tessera library build " + shell_word(path) +
+                     " -o LIB.h5 makes one of its drawings");
+  }
   const LibraryView library({.files = request.libraries, .names = {}});  // a slip of the pen costs no time
   request.shapes = library.size();
   request.face_cascade = face_cascade_file();

@@ -9,12 +9,12 @@ namespace tessera {
 namespace test_first_job {
 
 TEST(FirstJob, SizesFollowTheCanvasAndTheNumberOfShapes) {
-  EXPECT_EQ(first_sizes(1'000'000, 193).smallest_px, 29) << "about as jobs/animals.toml has it";
-  for (const std::size_t few : {1, 60}) EXPECT_EQ(first_sizes(1'000'000, few).smallest_px, 52) << few;
-  for (const std::size_t many : {250, 100'000}) EXPECT_EQ(first_sizes(1'000'000, many).smallest_px, 25) << many;
+  EXPECT_EQ(first_sizes(1'000'000, 193).smallest_px, 28) << "about as jobs/animals.toml has it";
+  for (const std::size_t few : {1, 150}) EXPECT_EQ(first_sizes(1'000'000, few).smallest_px, 32) << few;
+  for (const std::size_t many : {300, 100'000}) EXPECT_EQ(first_sizes(1'000'000, many).smallest_px, 24) << many;
   EXPECT_EQ(first_sizes(4'000'000, 193).smallest_px, 58);
   EXPECT_EQ(first_sizes(1'000, 193).smallest_px, 8);
-  EXPECT_EQ(first_sizes(1'000'000, 193).largest_px, 5 * 29);
+  EXPECT_EQ(first_sizes(1'000'000, 193).largest_px, 5 * 28);
 }
 
 TEST(FirstJob, NamesWhatItWasGiven) {

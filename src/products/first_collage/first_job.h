@@ -19,7 +19,8 @@ struct FirstSizes {
   double largest_px = 0;  // five times the smallest: with more, pieces would not move together
 };
 
-/// Sizes with which about as many pieces fill the area as there are shapes, 60 at least and 250 at most.
+/// Sizes for about as many pieces as there are shapes, but for 150 at least (fewer look empty) and 300 at most (more take
+/// minutes). Both are whole and even.
 FirstSizes first_sizes(double area_px2, std::size_t shapes);
 
 /// The text of the job. `library`: as the job names it. `source`: what the drawings are called, for people.

@@ -14,7 +14,7 @@ make_drawings drawings
 quick=(--set quality=draft --set stop.pieces=5 --set output.width_px=100)
 run 0 collage drawings/ "${quick[@]}"
 grep -q '^out/drawings.h5, .* of 5 files: 5 shapes' output || fail "does not say what the library holds"
-grep -q '^drawings.toml: 1200 x 900 px, pieces of 54 to 270 px out of 5 shapes; .*: tessera collage drawings.toml$' output ||
+grep -q '^drawings.toml: 1200 x 900 px, pieces of 34 to 170 px out of 5 shapes; .*: tessera collage drawings.toml$' output ||
   fail "does not say what the job is"
 grep -qx 'written to out/drawings' output || fail "does not say where the picture is"
 [[ -s out/drawings/collage.png && -s out/drawings.h5 && ! -s errors ]] || fail "no picture, or a warning"
@@ -37,12 +37,14 @@ run 0 collage out/drawings.h5 "${quick[@]}" --out of_library
 grep -q '^drawings.toml: .* out of 6 shapes' output || fail "a library is no drawings"
 echo "ok again"
 
+cp drawings.toml six.toml
 draw_svg disc "M50 5 A45 45 0 1 1 49.9 5Z"
 run 0 collage drawings --canvas disc.svg --size 400,300 "${quick[@]}"
-grep -q '^drawings.toml: 400 x 300 px round disc.svg, pieces of 12 to 60 px' output || fail "not the shape of the disc"
-grep -qx 'file = "disc.svg"' drawings.toml && grep -q '^size_px = \[400, 300\]' drawings.toml || fail "no canvas in the job"
+grep -q '^drawings_disc.toml: 400 x 300 px round disc.svg, pieces of 8 to 40 px' output || fail "not the shape of the disc"
+cmp drawings.toml six.toml && [[ -s out/drawings_disc/collage.png ]] || fail "the drawings in a disc replace those in a rectangle"
+grep -qx 'file = "disc.svg"' drawings_disc.toml && grep -q '^size_px = \[400, 300\]' drawings_disc.toml || fail "no canvas in the job"
 mkdir elsewhere
-(cd elsewhere && run 0 collage ../drawings --canvas ../disc.svg "${quick[@]}" --quiet && grep -qx 'file = "../disc.svg"' drawings.toml) ||
+(cd elsewhere && run 0 collage ../drawings --canvas ../disc.svg "${quick[@]}" --quiet && grep -qx 'file = "../disc.svg"' drawings_disc.toml) ||
   fail "paths seen from the job"
 run 0 collage drawings.toml --set output.width_px=100 --set quality=draft --set stop.pieces=2 --out by_job
 echo "ok canvas"
@@ -54,7 +56,9 @@ echo "ok in the folder"
 
 echo '# mine' >>drawings.toml
 run 2 collage drawings "${quick[@]}"
-expect_word 'drawings.toml: is there already, and was written or changed by somebody; tessera collage drawings.toml runs it'
+expect_word 'drawings.toml: is there already, and was written or changed by somebody; tessera collage drawings.toml runs it as it is; --job FILE.toml writes another one'
+run 0 collage drawings --job more.toml "${quick[@]}" --quiet
+[[ -s more.toml && -s out/more/collage.png ]] || fail "--job does not give the job another name"
 [[ $(tail -n 1 drawings.toml) == '# mine' ]] || fail "an edited job was replaced"
 rm drawings.toml
 run 2 collage drawings --set pieces.scale=3
@@ -70,6 +74,8 @@ expect_word 'no artwork in empty'
 [[ ! -e empty.toml && ! -e out/empty.h5 && ! -e out/empty ]] || fail "an empty folder leaves files"
 run 2 collage first.toml --size 400,300
 expect_word "--size: allowed with a folder of drawings or a library; of a job --set 'canvas.size_px=[W, H]' says it"
+run 2 collage first.toml --job other.toml
+expect_word '--job: allowed with a folder of drawings or a library'
 run 2 collage first.toml --canvas disc.svg
 expect_word '--canvas: allowed with a folder of drawings or a library; of a job --set canvas.file=FILE says it'
 echo "ok mistakes"
@@ -81,5 +87,7 @@ run 2 collage disc.svg
 expect_word 'tessera collage FOLDER --canvas disc.svg fills its shape'
 expect_word 'tessera mosaic disc.svg LIB.h5 shows it'
 run 2 collage none
-expect_word 'job file none: not found'
+expect_word 'none: no such file or folder; allowed: a job file, a folder of drawings, or a library; a name with spaces needs quotes'
+run 2 collage none.toml
+expect_word 'job file none.toml: not found'
 echo "ok no jobs"

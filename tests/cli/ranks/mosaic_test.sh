@@ -74,6 +74,8 @@ run 2 mosaic drawings/leaf.svg own.h5 --job-only
 expect_word 'found an SVG, needed: a picture of pixels; rsvg-convert -w 2000 FILE.svg -o FILE.png draws one'
 run 2 mosaic none.png own.h5 --job-only
 expect_word 'none.png: '
+run 2 mosaic sun.png drawings --job-only --job none.toml
+expect_word 'drawings: found a folder, allowed: a library; tessera library build drawings -o LIB.h5 makes one of its drawings'
 run 2 mosaic sun.png none.h5 --job-only --job none.toml
 expect_word 'none.h5: '
 run 2 mosaic sun.svg own.h5 --job-only --job none.toml
