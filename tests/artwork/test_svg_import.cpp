@@ -1,10 +1,9 @@
 // Untrusted SVGs inside another document: nothing of theirs runs, loads or clashes.
 #include <gtest/gtest.h>
 
-#include <chrono>
-
 #include "artwork/svg/svg_import.h"
 #include "core/base/error.h"
+#include "core/base/processor_time.h"
 #include "support/scratch_folder.h"
 
 namespace tessera {
@@ -104,9 +103,9 @@ TEST(SvgImport, AnEntityBombIsRefusedQuickly) {
     for (int k = 0; k < 10; ++k) bomb += "&l" + std::to_string(i - 1) + ";";
     bomb += "\">";
   }
-  const auto start = std::chrono::steady_clock::now();
+  const double start_s = processor_time_s();
   EXPECT_THROW(import(bomb + R"~(]><svg xmlns="http://www.w3.org/2000/svg"><text>&l11;</text></svg>)~"), InputError);
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(3));
+  EXPECT_LT(processor_time_s() - start_s, 3);
 }
 
 TEST(SvgImport, DeepNestingIsRefused) {
