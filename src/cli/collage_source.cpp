@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdint>
 #include <filesystem>
 #include <string_view>
 
 #include "core/base/error.h"
 #include "files/regular_file.h"
-#include "result/folder/result_manifest.h"
+#include "library/artwork_files.h"
 #include "terminal/shell_word.h"
 
 namespace tessera::cli {
@@ -17,16 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 9> kPictures = {".svg",  ".svgz", ".png", ".webp", ".tif",
-                                                       ".tiff", ".bmp",  ".jpg", ".jpeg"};
 constexpr std::string_view kHdf5Signature("\x89HDF\r\n\x1a\n", 8);
-
-bool is_picture(const fs::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  return std::find(kPictures.begin(), kPictures.end(), extension) != kPictures.end();
-}
 
 /// False also where the file cannot be read: who reads the job says why.
 bool is_hdf5(const std::string& path) {
@@ -61,15 +51,14 @@ bool is_hdf5(const std::string& path) {
 CollageSource collage_source(const std::string& path) {
   std::error_code error;
   if (fs::is_directory(path, error)) {
-    if (fs::exists(fs::path(path) / kManifestName, error) && fs::exists(fs::path(path) / "pieces.geojson", error))
-      refuse_result(path);
+    if (is_result_folder(path)) refuse_result(path);
     return CollageSource::drawings;
   }
   if (!fs::exists(path, error) && fs::path(path).extension() != ".toml")
     throw InputError(path +
                      ": no such file or folder; allowed: a job file, a folder of drawings, or a library; a name with "
                      "spaces needs quotes");
-  if (is_picture(path)) refuse_picture(path);
+  if (has_artwork_name(path)) refuse_picture(path);
   return is_hdf5(path) ? CollageSource::library : CollageSource::job;
 }
 

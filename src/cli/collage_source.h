@@ -1,4 +1,4 @@
-// What tessera collage is given: a job, or drawings for a first collage.
+// Tells apart what tessera collage may be given: a job, a folder of drawings, or a library.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@ namespace tessera::cli {
 
 enum class CollageSource { job, drawings, library };
 
-/// What the path is, by its kind and its first bytes. Throws InputError: for the folder of a result and a picture with the right
-/// command, and where nothing is there and the name is not that of a job (.toml).
+/// Tells what the path is, by its kind and its first bytes. Throws InputError for the folder of a result and for a picture, with
+/// the right command, and where nothing is there and the name is not that of a job (.toml).
 CollageSource collage_source(const std::string& path);
 
 }  // namespace tessera::cli

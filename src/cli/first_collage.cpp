@@ -1,6 +1,5 @@
 #include "cli/first_collage.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <system_error>
@@ -38,37 +37,10 @@ std::string name_of_source(const std::string& source) {
   return fs::is_directory(source) ? path.filename().string() : path.stem().string();
 }
 
-/// When the last of the drawings, or of the folders that list them, was changed.
-fs::file_time_type newest_in(const std::string& folder) {
-  std::error_code error;
-  fs::file_time_type newest = fs::last_write_time(folder, error);
-  const auto options = fs::directory_options::skip_permission_denied;
-  for (fs::recursive_directory_iterator at(folder, options, error); !error && at != fs::recursive_directory_iterator();
-       at.increment(error)) {
-    std::error_code gone;
-    const fs::file_time_type time = at->last_write_time(gone);
-    if (!gone) newest = std::max(newest, time);
-  }
-  return newest;
-}
-
-bool is_up_to_date(const std::string& library, const std::string& folder) {
-  std::error_code error;
-  const fs::file_time_type built = fs::last_write_time(library, error);
-  return !error && newest_in(folder) < built;
-}
-
-/// Returns the library of the drawings.
+/// Returns the library of the drawings. A folder's library is built each time: another folder may have the same name.
 std::string library_of(const FirstCollageArguments& first, bool quiet) {
   if (first.is_library) return first.source;
   const std::string library = (fs::path(kLibraryFolder) / (name_of_source(first.source) + ".h5")).string();
-  if (is_up_to_date(library, first.source)) {
-    if (!quiet) {
-      print_line("%s is used as it is: nothing in %s is newer; remove it to build it again", library.c_str(),
-                 first.source.c_str());
-    }
-    return library;
-  }
   make_folder(kLibraryFolder);
   BuildArguments build{.sources = {first.source}, .output = library, .glob = {}, .settings = {}, .quiet = quiet};
   build.settings.files_at_a_time = rank_cores();
@@ -94,7 +66,7 @@ FirstCanvas canvas_of(const FirstCollageArguments& first, const std::string& job
   return canvas;
 }
 
-/// Nothing that somebody has written or changed is replaced.
+/// Throws InputError where somebody has written or changed the job: it is not replaced then.
 void check_job_is_ours(const std::string& job) {
   if (!fs::exists(job)) return;
   const std::vector<std::uint8_t> bytes = read_regular_file(job, kMostJobBytes);
@@ -103,7 +75,7 @@ void check_job_is_ours(const std::string& job) {
                    shell_word(job) + " runs it as it is; --job FILE.toml writes another one");
 }
 
-/// What is wrong with --set is wrong with the command: it leaves nothing behind.
+/// Writes the job. A mistake in --set is a mistake of the whole command: the new job is removed again.
 void write_checked(const CollageArguments& collage, const std::string& text) {
   const comm::StopDelay delay;
   const bool is_new = !fs::exists(collage.job);

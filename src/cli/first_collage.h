@@ -21,9 +21,9 @@ struct FirstCollageArguments {
 /// a heart do not replace those in a rectangle. `first.job` where that is not empty.
 std::string first_job_path(const FirstCollageArguments& first);
 
-/// On rank 0 alone. Builds the library out/NAME.h5 where it is missing or older than the drawings, and writes
-/// `collage.job`, unless it is there as it would be written. Says on stdout what it did, unless `collage.quiet`. Throws InputError where the
-/// source, the canvas or an override is of no use, and where somebody has changed the job; EnvironmentError.
+/// To be called on rank 0 alone. Builds the library out/NAME.h5 of a folder and writes `collage.job`. Says on stdout what it did,
+/// unless `collage.quiet`. Throws InputError where the source, the canvas or an override is of no use, and where somebody has
+/// changed the job; EnvironmentError.
 void write_first_job(const FirstCollageArguments& first, const CollageArguments& collage);
 
 }  // namespace tessera::cli

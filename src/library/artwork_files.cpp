@@ -57,19 +57,13 @@ bool is_artwork(const fs::path& file) {
   return contains(kExtensions, extension) || contains(kOtherExtensions, extension);
 }
 
-/// A folder in which tessera collage has put its pictures (docs/result-format.md): they are no drawings of a library.
-bool is_result(const fs::path& folder) {
-  std::error_code error;
-  return fs::exists(folder / "manifest.json", error) && fs::exists(folder / "pieces.geojson", error);
-}
-
 /// Adds all files in the folder and its folders to `files`.
 void search_folder(const fs::path& folder, std::vector<fs::path>& files, ArtworkFiles& found) {
   std::error_code error;
   for (fs::directory_iterator at(folder, error); !error && at != fs::directory_iterator(); at.increment(error)) {
     std::error_code ignored;
     if (at->is_directory(ignored) && !at->is_symlink(ignored)) {
-      if (!is_result(at->path()))
+      if (!is_result_folder(at->path()))
         search_folder(at->path(), files, found);
       else
         found.left_out.push_back({at->path(), "the folder of a collage"});
@@ -111,6 +105,14 @@ void sort_by_path(std::vector<UnusedFile>& files) {
 }
 
 }  // namespace
+
+bool has_artwork_name(const std::string& path) { return contains(kExtensions, extension_of(path)); }
+
+bool is_result_folder(const std::string& folder) {
+  std::error_code error;
+  return fs::exists(fs::path(folder) / "manifest.json", error) &&
+         fs::exists(fs::path(folder) / "pieces.geojson", error);
+}
 
 ArtworkFiles find_artwork(const std::vector<std::string>& sources, const std::string& glob) {
   ArtworkFiles found;

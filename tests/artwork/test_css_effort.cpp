@@ -24,7 +24,7 @@ std::string import(const std::string& sheet, const std::string& body) {
   return import_svg(svg("<style>" + sheet + "</style>" + body), "file", "s", {100, 50});
 }
 
-/// Of the processor: what else the machine does counts for nothing.
+/// Measures processor time: other work of the machine does not count.
 class Clock {
  public:
   double seconds() const { return processor_time_s() - begin_; }

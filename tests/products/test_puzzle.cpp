@@ -268,7 +268,7 @@ TEST_P(Puzzles, PolygonsInAFrame) {
   EXPECT_EQ(right(solve_puzzle(puzzle.input), puzzle), 18);
 }
 
-/// As it is traced: corners are rounded, and each point is half a unit off.
+/// Returns the piece as a scan gives it: corners are rounded, and each point is up to half a unit off.
 Polygon traced(const Polygon& piece) {
   const int count = int(piece.size());
   Polygon smooth;

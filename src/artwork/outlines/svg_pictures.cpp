@@ -80,7 +80,7 @@ class PictureSearch {
     return is_in_svg_namespace(element) && (name_of(element) == "image" || name_of(element) == kForeignObject);
   }
 
-  /// What style sheets and the style attribute say.
+  /// Returns the properties that style sheets and the style attribute give the element.
   Values declared(const xmlNode* element) {
     try {
       if (!style_ && sheets_count_) style_.emplace(root_, path_, declarations_about_sight);

@@ -1,4 +1,4 @@
-// Which elements of a foreign SVG show others: what is in them, and what a <use> refers to.
+// Finds the elements of a foreign SVG that show others: those around them, and each <use> that refers to one.
 #pragma once
 
 #include <libxml/tree.h>

@@ -23,16 +23,19 @@ cp out/drawings/pieces.geojson first.geojson
 echo "ok picture"
 
 run 0 collage drawings "${quick[@]}"
-grep -qx 'out/drawings.h5 is used as it is: nothing in drawings is newer; remove it to build it again' output ||
-  fail "builds the library again"
 cmp drawings.toml first.toml && cmp out/drawings/pieces.geojson first.geojson || fail "another collage"
 run_on_ranks 3 0 collage drawings "${quick[@]}" --quiet
 cmp out/drawings/pieces.geojson first.geojson || fail "another collage on three ranks"
 [[ ! -s output ]] || fail "--quiet prints"
-sleep 0.01
 draw_svg drawings/house "M10 50 L50 10 L90 50 V90 H10Z"
 run 0 collage drawings "${quick[@]}"
 grep -q '^out/drawings.h5, .* of 6 files: 6 shapes' output || fail "does not see the new drawing"
+# Another folder of the same name, and older: it is its drawings that count.
+mkdir -p other/drawings && cp -p drawings/star.svg drawings/leaf.svg other/drawings
+touch -d '2001-01-01' other/drawings other/drawings/*
+run 0 collage other/drawings "${quick[@]}"
+grep -q '^out/drawings.h5, .* of 2 files: 2 shapes' output || fail "takes the drawings of another folder"
+run 0 collage drawings "${quick[@]}" --quiet
 run 0 collage out/drawings.h5 "${quick[@]}" --out of_library
 grep -q '^drawings.toml: .* out of 6 shapes' output || fail "a library is no drawings"
 echo "ok again"

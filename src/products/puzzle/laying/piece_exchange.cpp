@@ -335,7 +335,7 @@ class Exchange {
 
   int most_beginnings() const { return std::clamp(kBeginningsBySquare / (count() * count()), 1, kBeginningsOfFew); }
 
-  /// What would fill a slot best beside what lies.
+  /// Finds the piece that would fill a slot best, beside the pieces that lie.
   struct Offer {
     Filling filling = {-1, nullptr};
     float agreement = -1e9f;
