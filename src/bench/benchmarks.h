@@ -134,4 +134,14 @@ struct ScalingOptions {
 /// Strong and weak scaling over the workers, a core each, beside Amdahl's law; also writes CSV and a plot.
 Report bench_scaling(const Setting& setting, const ScalingOptions& options);
 
+struct ConceptsOptions {
+  std::string library;
+  std::string folder;      // where the figures are written
+  std::string shape = {};  // whose PAD is shown; empty: the first one
+  std::string devices = "all";
+};
+/// Draws the figures of docs/concepts, each of one stage of the pipeline: shapes.svg, target.svg and so on. Their bytes are
+/// the same on every machine.
+void draw_concepts(const ConceptsOptions& options);
+
 }  // namespace tessera::bench

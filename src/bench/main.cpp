@@ -313,13 +313,33 @@ void add_descriptors(CLI::App& bench, Command& selected) {
   CLI::App* sub = add_benchmark(bench, selected, "descriptors",
                                 "The same collage with PADs, shape context and Hu moments: pieces placed a minute",
                                 [options](const Setting& s) { return bench_descriptors(s, *options); });
-  sub->add_option("--shapes", options->shapes,
-                  "Folder of silhouettes: PNGs, white on black, of each name before the last dash the first; default: blobs "
-                  "made from formulas")
+  sub->add_option(
+         "--shapes", options->shapes,
+         "Folder of silhouettes: PNGs, white on black, of each name before the last dash the first; default: blobs "
+         "made from formulas")
       ->type_name("FOLDER");
   sub->add_option("--minutes", options->minutes, "Processor time of each method")->type_name("M")->default_str("1");
   sub->add_option("--pieces", options->pieces, "A method ends after so many pieces; default: when all are placed")
       ->type_name("N");
+}
+
+/// No benchmark: it writes pictures instead of a report.
+void add_concepts(CLI::App& bench, Command& selected) {
+  const auto options = std::make_shared<ConceptsOptions>();
+  CLI::App* sub = bench.add_subcommand("concepts", "Draw the figures of docs/concepts");
+  add_library_option(*sub, options->library);
+  sub->add_option("--to", options->folder, "Folder of the figures")->required()->type_name("FOLDER");
+  sub->add_option("--shape", options->shape, "The shape whose PAD is shown; default: the first one")->type_name("NAME");
+  sub->add_option("--devices", options->devices, "OpenCL devices, as the job key devices.use")
+      ->type_name("USE")
+      ->capture_default_str();
+  sub->callback([options, &selected] {
+    selected.run = [options] {
+      draw_concepts(*options);
+      print_line("written to %s", options->folder.c_str());
+      return 0;
+    };
+  });
 }
 
 void add_benchmarks(CLI::App& bench, Command& selected) {
@@ -338,6 +358,7 @@ void add_benchmarks(CLI::App& bench, Command& selected) {
   add_descriptors(bench, selected);
   add_scenes(bench, selected);
   add_scaling(bench, selected);
+  add_concepts(bench, selected);
 }
 
 Command command_of(int argc, char** argv) {

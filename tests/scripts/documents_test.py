@@ -72,6 +72,8 @@ def faults_of(page, program, keys):
             with open(there, encoding="utf-8") as file:
                 if anchor not in anchors_of(file.read()):
                     yield f"the link {target}: no such heading"
+    if page.startswith("docs/concepts/") and not re.search(r"^!\[.+\]\(.+\)$", text, re.M):
+        yield "a page of the concepts without a figure"
     if not page.startswith(("README", "docs/guide")):
         return
     for block in re.findall(r"^```\n(.*?)^```$", text, re.M | re.S):
