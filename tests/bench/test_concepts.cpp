@@ -27,7 +27,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 std::string dots_of(const std::string& colour) { return "fill=\"" + colour + "\"/>"; }
 
 const std::string& library_path() {
-  static const test::FormulaLibrary library(12);
+  static const test::FormulaLibrary library(60);
   return library.path();
 }
 

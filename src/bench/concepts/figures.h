@@ -16,8 +16,8 @@ std::string target_figure(CollageStage& stage);
 /// A target sample and the PADs of the library that are most like it.
 std::string pairs_figure(CollageStage& stage);
 
-/// A docking as its PADs imply it, after refinement, and as the piece that it became. Places pieces until the stage's next
-/// piece comes from a pair of PADs and moves visibly.
+/// A docking as its PADs imply it, after refinement, and as the piece that it became: the one that moves farthest in some
+/// rounds, for which this places pieces. Throws InputError where no piece comes from a pair of PADs.
 std::string dockings_figure(CollageStage& stage);
 
 /// All candidates of a round, the finalists among them, and the piece that is chosen.
