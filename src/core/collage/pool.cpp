@@ -90,7 +90,7 @@ Pool::Ranked Pool::pop() {
   return first;
 }
 
-/// Takes out what is outdated once it may be the most of the queue.
+/// Removes outdated entries when the queue has doubled, so that they may be the larger part.
 void Pool::sweep() {
   if (queue_.size() < 2 * swept_ + 1024) return;
   std::erase_if(queue_, [&](const Ranked& ranked) { return find(ranked) == nullptr; });
