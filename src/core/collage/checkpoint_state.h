@@ -23,8 +23,8 @@ struct PooledSample {
   std::vector<Candidate> candidates;  // in the order of the pool's entry
 };
 
-/// How often a target sample was matched. Its next random dockings depend on this, even if the sample has disappeared
-/// in between.
+/// The number of times that a target sample was matched. Its next random dockings depend on it, even if the sample has
+/// disappeared in between.
 struct SamplePasses {
   SampleId id{};
   std::uint32_t passes = 0;

@@ -16,7 +16,7 @@ struct ExactAreas {
 };
 
 /// The terms with these areas instead of the estimated ones. The division of an area into single gaps and overlaps
-/// stays as estimated along the contour; if the estimate was 0, the area is one gap or overlap.
+/// stays as estimated along the contour. If the estimate was 0, the area is one gap or overlap.
 DockingTerms with_exact_areas(DockingTerms terms, const ExactAreas& areas);
 
 /// Counts nodes in the piece's window. A gap node is one that a disc of reachable_radius_px could reach before the

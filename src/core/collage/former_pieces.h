@@ -12,8 +12,8 @@
 
 namespace tessera {
 
-/// Whether a piece at `now` lies where a piece of the same drawing lay at `then`: the distance of their centres is less
-/// than half of the former piece's size.
+/// Whether a piece at `now` lies where a piece of the same drawing lay at `then`. It does if the distance of their
+/// centres is less than half of the former piece's size.
 bool lies_where_it_lay(const Similarity& then, const Similarity& now, const Period& period);
 
 struct TakenOut {
@@ -21,10 +21,10 @@ struct TakenOut {
   std::uint32_t region = 0;  // in which the piece lay
 };
 
-/// Says for each of `pieces` whether a shape of another silhouette may replace it, by weights, regions and uses, beside
-/// the given pieces of the settings. False also if the piece's own least uses want its shape again, as all other shapes
-/// wait then. `silhouettes`, `drawings`: for each shape of the library the first shape that looks like it, and the
-/// shape whose mirror image it is.
+/// Tells for each of `pieces` whether a shape of another silhouette may replace it. Weights, regions, uses and the
+/// given pieces of the settings decide. False also if the piece's own least uses want its shape again, as all other
+/// shapes wait then. `silhouettes`, `drawings`: for each shape of the library the first shape that looks like it, and
+/// the shape whose mirror image it is.
 std::vector<bool> others_may_come_in(const std::vector<TakenOut>& pieces, const CollageSettings& settings,
                                      const std::vector<std::uint32_t>& silhouettes,
                                      const std::vector<std::uint32_t>& drawings);

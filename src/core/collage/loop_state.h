@@ -20,12 +20,11 @@ enum class LoopPhase : std::uint8_t {
 struct LoopState {
   std::uint32_t region = 0;  // of the canvas, being filled
   LoopPhase phase = LoopPhase::filling;
-  /// While replacing: all pieces as they lie, the given ones first; otherwise empty.
-  std::vector<Placement> moving = {};
-  std::uint64_t replaced = 0;  // replacement trials of this region
-  std::uint64_t trials = 0;    // trials of improving in all regions; their random numbers follow from it
-  double improve_s = 0;        // time that improving took
-  double run_s = 0;            // time that the run took, improving included
+  std::vector<Placement> moving = {};  // while replacing: all pieces, the given ones first; otherwise empty
+  std::uint64_t replaced = 0;          // replacement trials of this region
+  std::uint64_t trials = 0;            // trials of improving in all regions; their random numbers follow from it
+  double improve_s = 0;                // time that improving took
+  double run_s = 0;                    // time that the run took, improving included
 
   void begin_region(std::uint32_t begun) {
     region = begun;

@@ -27,11 +27,11 @@ class PlacedOutlines {
   /// Sets the outlines to those of `placements`, in this order.
   void replace(const std::vector<Placement>& placements, ShapeSource& shapes);
 
-  /// The conflicts of a piece: for each neighbour that is too near, and for the canvas' edge, the vector (px) by which
-  /// the piece would have to move away. The vector is (0, 0) where no move helps: the piece is larger than the period
-  /// of a seamless canvas, or it surrounds a zone. With padding_px, or if overlap_px is 0, polygons must have at least
-  /// that distance, exactly. Otherwise no vertex of one may lie deeper than overlap_px in the other, and less deep in
-  /// pieces of lines (line_art.h), so that lines do not cross. An empty list: the piece may stand.
+  /// The conflicts of a piece with neighbours that are too near and with the canvas' edge. A conflict is the vector
+  /// (px) by which the piece would have to move away. It is (0, 0) where no move helps: the piece is larger than the
+  /// period of a seamless canvas, or it surrounds a zone. With padding_px, or if overlap_px is 0, polygons must have at
+  /// least that distance, exactly. Otherwise no vertex of one may lie deeper than overlap_px in the other. In pieces of
+  /// lines (line_art.h) less is allowed, so that lines do not cross. An empty list: the piece may stand.
   std::vector<Vec2> conflicts(const Shape& shape, const Similarity& canvas_from_shape) const;
 
   // For placed pieces that still move. An index is the place in the order in which pieces were added.

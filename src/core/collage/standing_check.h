@@ -18,9 +18,9 @@ struct StandingCheck {
   std::vector<std::size_t> overlapping;  // part of the area is on pieces before it
 };
 
-/// Checks the pieces on cells of 1 px. `shape(id)` gives library shapes with their outlines. Two areas are tolerated:
-/// the fraction of a piece's area that a run itself leaves where pieces touch, and a strip `overlap_px` deep along half
-/// of the outline (PieceSettings::overlap_px; 0 with padding).
+/// Checks the pieces on cells of 1 px. `shape(id)` gives library shapes with their outlines. Two areas are tolerated.
+/// One is the fraction of a piece's area that a run itself leaves where pieces touch. The other is a strip `overlap_px`
+/// deep along half of the outline (PieceSettings::overlap_px; 0 with padding).
 StandingCheck check_standing(const Canvas& canvas, const std::vector<GivenPiece>& pieces, float overlap_px,
                              const std::function<const Shape&(ShapeId)>& shape);
 

@@ -27,8 +27,8 @@ struct HullRoom {
   float radius = 0;
   bool of_lines = false;  // line_radius() is finite
 
-  /// Whether dockings hardly find a pose for the shape: it encloses at least as much as it covers, as frames, rings and
-  /// suns with rays do, or it is thin.
+  /// Whether dockings hardly find a pose for the shape. Such a shape is thin, or it encloses at least as much as it
+  /// covers, as frames, rings and suns with rays do.
   bool hardly_docks() const { return of_lines || area >= 2; }
 };
 HullRoom hull_room(const Shape& shape);

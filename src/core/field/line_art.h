@@ -12,8 +12,8 @@ namespace tessera {
 /// larger one they could cross between the vertices of an outline.
 inline constexpr float kMostDepthInLine = 0.7f;
 
-/// The largest depth of one piece in another if `depth_px` is allowed in general and `line_radius_px` is half the width
-/// of their lines (line_radius(), times the scale; infinite: neither piece consists of lines).
+/// The largest depth of one piece in another if `depth_px` is allowed in general. `line_radius_px`: half the width of
+/// their lines (line_radius(), times the scale); infinite: neither piece consists of lines.
 inline float most_depth_px(float depth_px, float line_radius_px) {
   return std::min(depth_px, kMostDepthInLine * line_radius_px);
 }

@@ -37,7 +37,7 @@ class LinkedContour {
   };
 
   /// Traces the nodes of `window` again; all others are unchanged. `origin` is the canvas position of node (0, 0).
-  /// `grid` is the same in each call. If it repeats, the line continues from one end of the period to the other: its
+  /// `grid` is the same in each call. If it repeats, the line continues from one end of the period to the other. Its
   /// vertices lie in the one period, and `field` must be valid at grid.with_next_nodes().
   void retrace(const Grid<float>& field, const PeriodicGrid& grid, Vec2 origin, const Window& window);
 

@@ -10,7 +10,8 @@ namespace tessera {
 /// first node. `origin` is the canvas position of node (0, 0) of the canvas.
 BitGrid nodes_nearer_than(float limit_px, const PieceDistance& piece, Vec2 origin, const Window& window);
 
-/// The same nodes, but correct only where `asked` has a node: late in a collage only few nodes matter.
+/// Finds these nodes only where `asked` has a node; elsewhere the result may be wrong. Late in a collage few nodes
+/// matter.
 BitGrid nodes_nearer_than(float limit_px, const PieceDistance& piece, Vec2 origin, const Window& window,
                           const BitGrid& asked);
 

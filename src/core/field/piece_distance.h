@@ -29,8 +29,8 @@ class PieceDistance {
   /// The largest difference between the distances at two positions `apart_px` apart. Bilinear look-up in exact
   /// distances has a slope of at most sqrt(2); the rest is for the rounding of the stored field and of the positions.
   static float most_change_px(float apart_px) { return 1.5f * apart_px + kRounding_px; }
-  /// How many successive nodes of a row, from one whose distance to a limit is `to_limit_px`, surely lie on the same
-  /// side of the limit.
+  /// Number of successive nodes of a row that surely lie on the same side of a limit; `to_limit_px` is the first node's
+  /// distance to it.
   static int nodes_on_same_side(float to_limit_px) {
     constexpr float kTwoNodes_px = 2 * 1.5f + kRounding_px;
     if (to_limit_px < kTwoNodes_px) return 1;  // a branch lets the next look-up start without waiting for this one

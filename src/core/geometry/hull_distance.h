@@ -10,8 +10,9 @@
 
 namespace tessera {
 
-/// A lower bound of the distance to any curve through the points: the distance to the polygon of the hull's tangents in
-/// 32 evenly spaced directions. Outside the hull it is at most half a percent less than the distance to the hull.
+/// A lower bound of the distance to any curve through the points. It is the distance to the polygon of the hull's
+/// tangents in 32 evenly spaced directions. Outside the hull it is at most half a percent less than the distance to the
+/// hull.
 class HullDistance {
  public:
   explicit HullDistance(const std::vector<Vec2>& points) {

@@ -29,7 +29,7 @@ Window bounding_window(const Outline& outline, const Similarity& grid_from_shape
 /// have a common edge, a centre on it belongs to exactly one of them.
 std::vector<Span> fill_spans(const Outline& outline, const Similarity& grid_from_shape, const Window& window);
 
-/// 1 in each cell whose centre is inside, 0 elsewhere, on a grid of `window`'s size whose node (0, 0) is the window's
+/// A grid of `window`'s size with 1 in each cell whose centre is inside, and 0 elsewhere. Node (0, 0) is the window's
 /// upper left cell.
 Grid<std::uint8_t> rasterise(const Outline& outline, const Similarity& grid_from_shape, const Window& window);
 

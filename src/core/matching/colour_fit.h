@@ -15,8 +15,8 @@ namespace tessera {
 float mean_colour_difference(const ColourModel& piece, const Similarity& canvas_from_shape, const ColourTarget& target);
 
 /// The root of the mean square of the cells' differences (CIEDE2000). One cell of a quite different colour costs more
-/// than many cells that are a little off; so does detail of a drawing over a smooth part of the picture. 0 where the
-/// target wishes nothing.
+/// than many cells that are a little off. Detail of a drawing over a smooth part of the picture costs, too. The
+/// difference is 0 where the target wishes nothing.
 float colour_difference(const ColourModel& piece, const Similarity& canvas_from_shape, const ColourTarget& target);
 
 /// The mean colour of the place that the piece covers; empty where the target wishes nothing there.

@@ -1,6 +1,6 @@
 // The shapes from which the random dockings of one question are drawn. In a very large library these are a few runs of
 // neighbouring shapes, so that their data can be read at once. The deck follows from the seed, the samples of the
-// question and the number of open shapes: every rank computes the same deck, and each question has another one.
+// question and the number of open shapes. So every rank computes the same deck, and each question has another one.
 #pragma once
 
 #include <cstdint>

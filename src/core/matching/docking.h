@@ -49,8 +49,8 @@ struct Alignment {
 Alignment align_pyramids(const Keypoints& shape, const ArclengthPyramid& target, int levels, ScaleRange scales,
                          std::span<const Stance> stances);
 
-/// The tangent docking number `draw` of a target sample: shape, stance, boundary point and log-uniform scale, from
-/// counter-based random bits with the key (seed, sample, pass, draw).
+/// The tangent docking number `draw` of a target sample: shape, stance, boundary point and log-uniform scale. It comes
+/// from counter-based random bits with the key (seed, sample, pass, draw).
 struct TangentDraw {
   bool drawn = false;  // false: no shape may stand
   ShapeId shape{};
@@ -59,8 +59,8 @@ struct TangentDraw {
   float scale_px = 0;
 };
 /// Draws from the deck, or from all open shapes if the deck is empty; each shape is equally likely. If `near` is not
-/// empty, most draws take a shape from that list of similar colours instead; the nearer the colour, the more likely the
-/// shape.
+/// empty, most draws take a shape from that list of similar colours instead. The nearer its colour, the more likely is
+/// a shape.
 TangentDraw draw_tangent(const MatchingContext& context, const TargetSample& sample, std::uint32_t draw,
                          std::span<const std::uint32_t> near = {}, const Deck& deck = {});
 

@@ -41,7 +41,7 @@ Stance sized_at(const MatchingContext& context, const Stance& stance, Vec2 p_px)
 /// least_size_factor, so that one matcher serves all factors.
 MatchingContext make_matching_context(const CollageSettings& settings, std::uint32_t library_shapes);
 
-/// Limits the context, whose whole table of stances is `all`: sets the stances that may stand and all numbers that
+/// Limits the context, whose whole table of stances is `all`. Sets the stances that may stand and all numbers that
 /// follow from the sizes at `limits.size_factor`.
 void limit(MatchingContext& context, const StanceTable& all, const StandingLimits& limits);
 

@@ -13,8 +13,8 @@ namespace tessera {
 
 /// The parts of the models that the caller needs.
 struct ModelParts {
-  /// If false: no tangents; of the colours only ColourModel::mean and cell; of the points only every kCoarseStride-th
-  /// of the boundary and every kInteriorStride-th of the interior. The other points have any value.
+  /// If false, there are no tangents, and no colours but ColourModel::mean and cell. Of the points only every
+  /// kCoarseStride-th of the boundary and every kInteriorStride-th of the interior are valid.
   bool contours = true;
   bool pads = true;       // if false, there are no levels
   bool keypoints = true;  // of the PADs
@@ -36,8 +36,8 @@ class ModelSource {
   /// The PADs of the shapes [begin, end), for each shape all of its levels in use.
   virtual std::vector<LibraryPad> pads(const ShapeRange& range) const;
 
-  /// For a level in use and a range of shapes: the PADs in the order of an index (PadIndex::order), a permutation of
-  /// all of them. Empty if the caller must compute the order.
+  /// The order of an index (PadIndex::order) for the PADs of a level in use and a range of shapes: a permutation of all
+  /// of them. Empty if the caller must compute the order.
   virtual std::vector<std::uint32_t> pad_order(const ShapeRange&, std::size_t /*level*/) const { return {}; }
 
   /// Whether contours and key points can be read later, shape by shape and PAD by PAD. If false, models come whole.

@@ -1,6 +1,6 @@
-// Limits of the PAD distance up to which each target sample searches its pairs: just far enough to find as many pairs
-// as are docked (paper section 3.3, the best K % below beta). The caller that asks the whole library decides the
-// limits, so that no part of the library is searched farther than the whole needs.
+// Limits of the PAD distance up to which each target sample searches its pairs. They are just large enough to find as
+// many pairs as are docked (paper section 3.3, the best K % below beta). The caller that asks the whole library decides
+// the limits, so that no part of the library is searched farther than the whole needs.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,9 @@ namespace tessera {
 using CountPairs =
     std::function<std::vector<DistanceHistogram>(const std::vector<std::uint32_t>& bins, std::uint32_t segment_stride)>;
 
-/// For each of `samples` target samples the bins of its best pairs (bin_limit_for), at most `pairs`, in a library of
-/// `shapes` shapes. Counts step by step. In a large library it first counts a few segments, to estimate the limits.
+/// Returns for each of `samples` target samples the bins of its best pairs (bin_limit_for), at most `pairs`, in a
+/// library of `shapes` shapes. Counts step by step. In a large library it first counts a few segments, to estimate the
+/// limits.
 std::vector<std::uint32_t> pair_limits(std::size_t samples, std::uint64_t pairs, std::uint32_t shapes,
                                        const CountPairs& count);
 

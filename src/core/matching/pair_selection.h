@@ -1,6 +1,6 @@
-// Selects the (target sample, shape PAD) pairs that are worth docking (paper section 3.3): scale window first, then
-// sign, then local minima of the distance along the shape's curve, then the best few of the shape. kernels/pairs.cl and
-// worker/pair_choice do the same for many at once, bit for bit.
+// Selects the (target sample, shape PAD) pairs that are worth docking (paper section 3.3). The tests are, in this
+// order: scale window, sign, local minima of the distance along the shape's curve, the best few of the shape.
+// kernels/pairs.cl and worker/pair_choice do the same for many at once, bit for bit.
 #pragma once
 
 #include <vector>

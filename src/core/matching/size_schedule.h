@@ -1,5 +1,5 @@
-// Sizes when each of a number of pieces must find a place: how large all of them can be, and how large the next one may
-// be so that the rest still finds room.
+// Sizes of pieces that must all find a place: how large all of them can be, and how large the next one may be so that
+// the rest still finds room.
 #pragma once
 
 #include <vector>
@@ -23,8 +23,8 @@ double mean_square_px2(double low_px, double high_px);
 /// never below the smallest size of any of these pieces.
 float most_scale_px(double free_px2, const std::vector<WantedPieces>& left);
 
-/// The factor for all sizes at which the pieces, each with half of the padding all round, fill the fraction `part` of
-/// the area. 0 if the padding alone takes more; 1 if no piece is wanted.
+/// The factor for all sizes at which the pieces fill the fraction `part` of the area. Each piece counts with half of
+/// the padding all round. 0 if the padding alone takes more; 1 if no piece is wanted.
 double size_factor(double area_px2, double part, const std::vector<WantedPieces>& pieces, double padding_px);
 
 }  // namespace tessera

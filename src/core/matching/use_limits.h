@@ -1,4 +1,5 @@
-// How often each shape may stand and how often it must: by the job, or by a wish for the shape itself.
+// Limits of the number of pieces of each shape: the largest and the least number, from the job or from a wish for the
+// shape.
 #pragma once
 
 #include <cstdint>

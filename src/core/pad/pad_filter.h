@@ -1,6 +1,6 @@
 // An exact filter before the PAD distance: a byte for each element, one for the length that estimates the scale and one
 // for the sign. A pair that passes may be near; a pair that fails is not near (tests/core/pad/test_pad_filter.cpp).
-// kernels/pairs.cl tests the 64 PADs of an index block at a time with it; the reference matcher does not use it.
+// With it, kernels/pairs.cl tests the 64 PADs of an index block at a time. The reference matcher does not use it.
 //
 // Element e of a sample passes if low[e] <= byte <= high[e]. A byte passes only if some element with this byte is
 // within reach.

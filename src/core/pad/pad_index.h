@@ -1,7 +1,7 @@
 // A spatial index of PADs: an order in which similar PADs follow one another, with a box around every 64 of them and
 // one around every 64 boxes. A search for the pairs within reach of a target skips the boxes that cannot contain any.
-// The distance is a maximum norm (Eq. 1), for which boxes give tight bounds, and the search finds exactly what a full
-// scan finds (kernels/pad_index.cl; tests/core/pad/test_pad_index.cpp).
+// The distance is a maximum norm (Eq. 1), for which boxes give tight bounds. The search finds exactly what a full scan
+// finds (kernels/pad_index.cl; tests/core/pad/test_pad_index.cpp).
 //
 // It is a k-d tree (Bentley 1975) on bytes that splits at the median of the widest element, stored without pointers:
 // block b holds the places [64 b, 64 b + 64) of the order, node n the blocks [64 n, 64 n + 64).
@@ -57,8 +57,8 @@ struct PadIndex {
 /// their elements to a few percent, and their window of scales is an octave wide: here the weight hardly matters (3,000
 /// shapes, shares of 1, 1/4, 1/16, 1/64: 1.57, 1.52, 1.47, 1.47 % of the blocks are visited).
 inline constexpr double kDockingScaleShare = 1.0 / 16;
-/// The same weight for recognition, which searches PADs with few known elements at scales of half an octave. Here the
-/// scale tells most (700 shapes, shares of 1/16, 1, 10: 95, 68, 48 microseconds a search).
+/// Weight of the scales' variance for recognition, which searches PADs with few known elements at scales of half an
+/// octave. Here the scale tells most (700 shapes, shares of 1/16, 1, 10: 95, 68, 48 microseconds a search).
 inline constexpr double kRecognitionScaleShare = 10;
 
 /// The order of an index. The first `elements` elements of a PAD count. The same PADs give the same order.

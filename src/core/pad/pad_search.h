@@ -47,8 +47,8 @@ class PadSearch {
   /// `levels`: number of levels of the PADs.
   PadSearch(const PadIndex& index, std::span<const PadBytes> pads, int levels);
 
-  /// The nearest PADs, at most `most`, that are nearer than `reach`, lie within the target's scales, agree with its
-  /// sign and for which wanted(place) is true. Nearest first; ties go by place.
+  /// The PADs nearest to the target, at most `most`. They are nearer than `reach`, lie within the target's scales,
+  /// agree with its sign, and wanted(place) is true for them. Nearest first; ties go by place.
   std::vector<PadHit> nearest(const PadTarget& target, float reach, std::size_t most,
                               const std::function<bool(std::uint32_t place)>& wanted) const;
 

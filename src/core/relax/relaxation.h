@@ -38,8 +38,8 @@ struct ContactDistances {
   float reach_px() const { return std::max(soft_px, 0.f); }
 };
 
-/// From the first sweep to the last, contacts become stiffer and steps shorter. So pieces first pass each other's tips
-/// and find their final poses at the end.
+/// Parameters from the first sweep to the last: contacts become stiffer and steps shorter. So pieces first pass each
+/// other's tips and find their final poses at the end.
 struct RelaxationSchedule {
   int sweeps = 0;
   float first_stiffness = 0;

@@ -10,8 +10,8 @@
 
 namespace tessera {
 
-/// From soft to stiff: at 0.5 pieces lie 2 px deep in each other and still slip past tips. If softer, neighbours would
-/// swallow dwarfs. Steps above 4 px would make pieces leap into others.
+/// Grows from soft to stiff contacts: at 0.5 pieces lie 2 px deep in each other and still slip past tips. If softer,
+/// neighbours would swallow dwarfs. Steps above 4 px would make pieces leap into others.
 inline constexpr RelaxationSchedule kGrowTogether{60, 0.5f, 5, 4, 0.3f};
 /// Ends at a stiffness of 12. At 5, pieces of 20 to 160 px would cover 0.3 % more of the canvas, but 0.12 % more of it
 /// twice.
@@ -20,7 +20,7 @@ inline constexpr RelaxationSchedule kComeToRest{40, 5, 12, 1, 0.2f};
 /// would stop growing.
 inline constexpr RelaxationSchedule kKeepTheRule{60, 12, 12, 1, 0.1f, 200};
 inline constexpr std::array kRelaxCollage = {kGrowTogether, kGrowTogether, kComeToRest, kKeepTheRule};
-/// For pieces whose poses are good already.
+/// The schedules for pieces whose poses are good already.
 inline constexpr std::array kSettleCollage = {kComeToRest, kKeepTheRule};
 
 /// The distances at which contact begins and becomes hard: slightly before PlacedOutlines finds a conflict, as fields

@@ -18,8 +18,8 @@ namespace tessera {
 std::vector<IncomingShape> incoming_shapes(const StanceTable& stances, const ShapeSource& shapes, std::uint64_t random);
 
 /// The shapes of `incoming` that may come into the window `box`. A shape stays out if a piece of its drawing was taken
-/// out in this window and must not come back (`not_back`), as the place of a new piece is not known before. If fewer
-/// than half would remain, all may come in.
+/// out in this window and must not come back (`not_back`). The whole window counts, as the place of a new piece is not
+/// known before. If fewer than half would remain, all may come in.
 std::vector<IncomingShape> let_into(const Box& box, const std::vector<IncomingShape>& incoming,
                                     const std::vector<FormerPiece>& not_back, const Period& period,
                                     const ShapeSource& shapes);

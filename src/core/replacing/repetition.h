@@ -11,12 +11,12 @@
 
 namespace tessera {
 
-/// The cost of the area that one drawing covers, if each e-fold costs all of it: the integral of ln x, where x is the
-/// area in even shares. At an even share a small change neither costs nor gains.
+/// The cost of the area that one drawing covers, if each e-fold costs all of it. It is the integral of ln x, where x is
+/// the area in even shares. At an even share a small change neither costs nor gains.
 double repeated_px2(double area_px2, double even_share_px2);
 
-/// The cost of two pieces of one drawing: all of the smaller one's area if they are at one place, falling to 0 at a
-/// distance of `reach_sizes` mean sizes.
+/// The cost of two pieces of one drawing. At one place they cost all of the smaller one's area; the cost falls to 0 at
+/// a distance of `reach_sizes` mean sizes.
 double near_px2(const PlacedDrawing& a, const PlacedDrawing& b, float reach_sizes);
 
 /// The cost of all pieces of a canvas, up to a constant. It does not depend on their order.

@@ -17,8 +17,7 @@ namespace tessera {
 
 struct WindowPiece {
   ShapeId shape{};
-  /// Pieces of one drawing repeat each other, also mirrored or in other colours (ShapeSource::silhouette).
-  ShapeId drawing{};
+  ShapeId drawing{};  // pieces of one drawing repeat each other, also mirrored or recoloured (silhouette())
   Similarity canvas_from_shape;
   PoseRange poses;
 
@@ -37,8 +36,7 @@ struct IncomingShape {
 
 /// The costs of repeated drawings (core/replacing/repetition.h). The default costs nothing.
 struct RepetitionCosts {
-  /// Fraction of an area that it costs for each e-fold by which its drawing covers more than.
-  double area = 0;
+  double area = 0;            // fraction of an area that it costs per e-fold by which its drawing covers more than
   double even_share_px2 = 1;  // this area
   double nearness = 0;        // fraction of the smaller one's area that two copies at one place cost; it falls to 0
   float reach_sizes = 0;      // at this distance, in mean sizes (geometric) of the two
@@ -84,12 +82,12 @@ struct ReplacementWindow {
   std::vector<WindowPiece> moving;
   std::vector<WindowPiece> still;  // pieces that reach into the window or lie near it, and stand still
   std::vector<IncomingShape> incoming;
-  std::vector<DrawingArea> drawn;  // every drawing of `moving` and `incoming`, ascending
-  /// Pieces of any drawing that do not move in this window, as far as copies matter.
-  std::vector<PlacedDrawing> elsewhere;
-  std::uint64_t random = 0;  // seed of the draws
+  std::vector<DrawingArea> drawn;        // every drawing of `moving` and `incoming`, ascending
+  std::vector<PlacedDrawing> elsewhere;  // pieces of any drawing that do not move here, as far as copies matter
+  std::uint64_t random = 0;              // seed of the draws
   std::uint32_t trials = 0;
-  /// Falls evenly to the last one; at a loss of this energy a trial is accepted with probability 1 / e.
+  /// Temperature of the first trial: a loss of this energy is accepted with probability 1 / e. It falls evenly to the
+  /// last trial's.
   float first_temperature_px2 = 0;
   float last_temperature_px2 = 0;
 };

@@ -47,7 +47,7 @@ double covered_twice_px2(const Scene& scene) {
     for (std::size_t j = 0; j < all.size(); ++j) {
       if (j == i || !within_reach(all[i].box, all[j].box, 0)) continue;
       covered_px2 += within_px2(all[i], *scene.shapes[i], all[j]);
-      // otherwise the other piece's own turn does this
+      // otherwise j's own turn does this
       if (!active[j]) covered_px2 += within_px2(all[j], *scene.shapes[j], all[i]);
     }
   }

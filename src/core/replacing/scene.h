@@ -11,8 +11,7 @@
 namespace tessera {
 
 struct Scene {
-  /// The pieces that make room, then those beside them, which stand still, then new ones.
-  std::vector<RelaxedPiece> pieces;
+  std::vector<RelaxedPiece> pieces;      // those that make room, then still ones beside them, then new ones
   std::vector<const HoleShape*> shapes;  // of the pieces
   std::vector<std::size_t> active;       // indices of the pieces that move
 

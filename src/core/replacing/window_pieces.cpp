@@ -5,8 +5,7 @@
 namespace tessera {
 namespace {
 
-// of the middle size: pieces nearer than this to moving ones are part of the scene
-constexpr float kBeside = 0.4f;
+constexpr float kBeside = 0.4f;  // of the middle size: pieces nearer than this to moving ones are part of the scene
 constexpr std::size_t kOutlineStep = 4;  // every fourth point of an outline is tested
 constexpr float kLeastCell_px = 1.5f;
 constexpr float kCellsPerScale = 20;

@@ -14,10 +14,8 @@ namespace tessera {
 namespace {
 
 constexpr std::size_t kMostPointsDrawn = 8;  // the most open of the drawn points is the hole's centre
-// of the most scale: distance from the centre up to which pieces are considered
-constexpr float kLookedAt = 1.6f;
-// of the middle size: pieces nearer than this to pieces that go out make room
-constexpr float kRing = 0.4f;
+constexpr float kLookedAt = 1.6f;  // of the most scale: distance from the centre up to which pieces are considered
+constexpr float kRing = 0.4f;      // of the middle size: pieces nearer than this to pieces that go out make room
 constexpr float kRoundCentre = 1;  // of the middle size: so do pieces nearer than this to the hole's centre
 // of the product of least and most scale: energy gain after soft sweeps that ends a trial
 constexpr float kGiveUp = 1.6f;

@@ -26,8 +26,7 @@ struct PieceSettings {
   float padding_px = 0;      // distance kept between pieces, and between pieces and the canvas' edge
   float apart_px = 0;        // distance kept between the outlines of pieces of one silhouette
   std::shared_ptr<const SizeMap> size_map = {};  // limits a shape's sizes from place to place; empty: no limits
-  /// Without padding: largest depth of a piece's vertex in another piece, and beyond the edge.
-  float overlap_px = 1.4f;
+  float overlap_px = 1.4f;  // without padding: largest depth of a vertex in another piece, and beyond the edge
 
   /// The poses that are allowed where no shape or region wishes otherwise.
   PoseWish poses() const {
@@ -38,7 +37,7 @@ struct PieceSettings {
   }
 };
 
-/// Where a collage starts from.
+/// The start of a collage.
 struct StartSettings {
   bool grow_outward = false;  // pieces dock to standing pieces only, never to the canvas' edge
 };

@@ -15,10 +15,9 @@ namespace tessera {
 // Target curve. Lengths are multiples of the smallest piece (pieces.scale_px[0]).
 inline constexpr float kOpeningRadius = 0.2f;     // narrower gulfs would only give false features
 inline constexpr float kReachableRadius = 0.25f;  // where no such disc fits, no piece ever will
-/// Pieces of 1 to 16 times the smallest fall into the library's levels.
-inline constexpr float kTargetSigma = 0.125f;
-inline constexpr float kSampleSpacing = 0.4f;  // boundary length per target sample (8 px at 20 px)
-inline constexpr float kShortestLoop = 2.5f;   // shorter boundary loops enclose no piece
+inline constexpr float kTargetSigma = 0.125f;     // pieces of 1 to 16 times the smallest fall into the library's levels
+inline constexpr float kSampleSpacing = 0.4f;     // boundary length per target sample (8 px at 20 px)
+inline constexpr float kShortestLoop = 2.5f;      // shorter boundary loops enclose no piece
 
 /// Longest walk along the boundary for one side of a PAD, in multiples of the largest piece. No shape has a boundary of
 /// this length with so little turning, so walks along straight sides end there. 8 gives 5 % more pieces; 16 changes
@@ -78,11 +77,9 @@ inline constexpr std::uint32_t kNearDeckRun = 32;
 
 // Early reject, by a few boundary and interior points. The tolerances are the errors that a good docking may have
 // before refinement.
-/// A point deeper than this, or than this fraction of the scale, rejects the docking.
-inline constexpr float kHopelessDocking_px = 5;
+inline constexpr float kHopelessDocking_px = 5;  // a point deeper than this, or this fraction of the scale, rejects
 inline constexpr float kHopelessDocking = 0.12f;
-/// A point nearer than this, or than this fraction of the scale, is a hit.
-inline constexpr float kNearDocking_px = 4;
+inline constexpr float kNearDocking_px = 4;   // a point nearer than this, or this fraction of the scale, is a hit
 inline constexpr float kNearDocking = 0.06f;  // deeper points are bad
 inline constexpr int kMostBadPoints = 4;      // of 32
 inline constexpr float kBadPointCost = 1.5f;  // in hits
@@ -102,9 +99,8 @@ inline constexpr Descent kNestle{3, 2.5f, 2, 12, false};
 inline constexpr Descent kPush{2, 1.5f, 1.5f, 25, true};  // for points that are still too deep
 inline constexpr int kPushSteps = 5;
 inline constexpr float kPushShrink = 0.994f;  // a piece that is still too deep shrinks a little
-/// Of the piece's radius: the lever arm at which growth and rotation are measured.
-inline constexpr float kArm = 0.6f;
-inline constexpr int kLeastDrawnPoints = 3;  // with fewer points near the boundary the best pose is uncertain
+inline constexpr float kArm = 0.6f;           // of the piece's radius: lever arm of growth and rotation
+inline constexpr int kLeastDrawnPoints = 3;   // with fewer points near the boundary the best pose is uncertain
 /// Terms added on the diagonal: fractions of the trace, and weights. Growth is the least certain of the four unknowns.
 inline constexpr float kDamping = 0.005f;
 inline constexpr float kLeastDamping = 0.05f;
@@ -114,8 +110,7 @@ inline constexpr float kGrowthDamping = 0.0125f;
 /// smaller depths.
 inline constexpr float kFieldDepth_px = 0.25f;
 inline constexpr float kHopelessDepth_px = 3.f;  // pushing a piece out of a greater depth is not worth the time
-/// Added to the depth of an interior point: only a thin, and so certainly visible, overlap reaches it.
-inline constexpr float kInteriorDepth_px = 3.f;
+inline constexpr float kInteriorDepth_px = 3.f;  // added to an interior point's depth: only thin overlaps reach it
 
 /// The largest depth of a placed piece's boundary point in another piece with its kept distance, by the fields.
 inline float hard_depth_px(const PieceSettings& p) {
@@ -128,13 +123,10 @@ inline float kept_distance_px(const PieceSettings& p) {
 }
 
 // Terms of the objective.
-inline constexpr float kNoise_px = 0.5f;  // smaller distances along the contour are neither gap nor overlap
-/// Runs are counted from a point nearer than this, so that no run is cut.
-inline constexpr float kContact_px = 1.f;
-/// Smaller depths, where nodes are counted, are rounding of the fields.
-inline constexpr float kOverlapDepth_px = 0.25f;
-/// Area beyond a disc of the reachable radius that counts as reached, because nodes are counted.
-inline constexpr float kReachSlack_px = 1.2f;
+inline constexpr float kNoise_px = 0.5f;   // smaller distances along the contour are neither gap nor overlap
+inline constexpr float kContact_px = 1.f;  // runs are counted from a point nearer than this, so that no run is cut
+inline constexpr float kOverlapDepth_px = 0.25f;  // smaller depths, in counted nodes, are rounding of the fields
+inline constexpr float kReachSlack_px = 1.2f;     // a disc counts this much farther, because nodes are counted
 inline constexpr float kDefectCost = 5;  // scale_aware: a piece with defects on a fifth of its area counts half
 // Additions at pieces.balance = 1 to objective.length_exponent and scale_exponent. The former alone costs a dwarf
 // nothing: a dwarf fits into its gap along all of its boundary (docs/measurements.md, "Balance of sizes").
@@ -145,61 +137,49 @@ inline constexpr double kDwarfLoss = 0.8;            // of a dwarf's area, lost 
 inline constexpr float kLeastDefect = 0.0025f;  // paper: keeps Z finite for a perfect fit, px² per px² of the piece
 
 // Colours, if a picture is to be shown. Differences are CIEDE2000.
-inline constexpr float kColourFading = 0.125f;  // at weight 1 a score halves with every 8
-/// Of the scale: size of the place whose mean is compared before refinement.
-inline constexpr float kColourFootprint = 0.7f;
-/// At weight 1 one in this number of shapes is near the colour of a place,.
-inline constexpr float kNearColourShare = 4;
+inline constexpr float kColourFading = 0.125f;   // at weight 1 a score halves with every 8
+inline constexpr float kColourFootprint = 0.7f;  // of the scale: size of the place compared before refinement
+inline constexpr float kNearColourShare = 4;     // at weight 1 one of this number of shapes has a place's colour,
 inline constexpr std::uint32_t kLeastNearColours = 64;  // but at least this number
-/// Factor of a shape's own contrast beside its mean's difference: restless shapes come later.
-inline constexpr float kOwnContrast = 2;
+inline constexpr float kOwnContrast = 2;                // weight of a shape's own contrast: restless shapes come later
 inline constexpr double kOffColour =
-    /// Loss in improving: px² per px² of piece and per unit of difference, at weight 1.
-    1 / 192.0;
-/// Step of a lattice in CIELAB: places of one lattice point share their shapes.
-inline constexpr float kColourStep = 8;
+    1 / 192.0;                           // px² lost in improving per px² of piece and unit of difference, at weight 1
+inline constexpr float kColourStep = 8;  // of a lattice in CIELAB: places of one lattice point share their shapes
 inline constexpr std::uint32_t kAnyColourDraws = 2;  // every second random docking takes a shape of any colour
-/// Pieces whose centres are nearer than this times both scales are neighbours.
-inline constexpr float kNeighbourReach = 0.75f;
-/// Halvings of the score by the least welcome neighbour, at a weight of 1.
-inline constexpr float kNeighbourFading = 4;
-inline constexpr float kOtherColour = 48;  // differences from here on count as this one
+inline constexpr float kNeighbourReach = 0.75f;      // centres of neighbours are nearer than this times both scales
+inline constexpr float kNeighbourFading = 4;  // halvings of the score by the least welcome neighbour, at weight 1
+inline constexpr float kOtherColour = 48;     // differences from here on count as this one
 
 // The pool and the choice.
 inline constexpr int kPoolPerSample = 4;       // refined candidates kept
 inline constexpr float kMaxOverlap = 0.05f;    // of the piece's area, along the contour and, when settled, by nodes
 inline constexpr float kLeastMatched = 0.03f;  // of the piece's boundary: it must touch something
-/// Around a candidate's boundary points: the outline bulges between them.
-inline constexpr float kWindowMargin_px = 3;
-inline constexpr int kRefillBelow = 2;  // a target sample with fewer candidates left is matched again
-// Two pieces of one shape are near twins if the gap between their circles is less than this times their scales.
+inline constexpr float kWindowMargin_px = 3;   // around a candidate's boundary points: the outline bulges between them
+inline constexpr int kRefillBelow = 2;         // a target sample with fewer candidates left is matched again
+// Two pieces of one shape are near twins if the gap between their circles is less than this times the sum of their
+// scales.
 inline constexpr float kNearTwinReach = 0.5f;
-/// Weight of a use in other colours, as repetition: among variants that fit alike the rarer one is chosen.
-inline constexpr float kUseInOtherColours = 0.75f;
-inline constexpr int kFinalists = 8;            // candidates checked exactly in a round
-inline constexpr int kFinalistsLookedAt = 64;   // candidates examined to find so many distinct finalists
-inline constexpr float kSameCandidate = 0.07f;  // of the scale: two finalists would look the same
-/// Over all samples, each with new random dockings, before the region counts as full.
-inline constexpr int kEmptyPasses = 2;
+inline constexpr float kUseInOtherColours = 0.75f;  // weight of a use in other colours: the rarer variant is chosen
+inline constexpr int kFinalists = 8;                // candidates checked exactly in a round
+inline constexpr int kFinalistsLookedAt = 64;       // candidates examined to find so many distinct finalists
+inline constexpr float kSameCandidate = 0.07f;      // of the scale: two finalists would look the same
+inline constexpr int kEmptyPasses = 2;  // passes over all samples, with new random dockings, until the region is full
 
 // The first piece of a canvas without edges: shapes are drawn until one can stand, each draw a little smaller.
 inline constexpr std::uint64_t kFirstPieceDraws = 64;
 inline constexpr float kFirstPieceShrink = 0.95f;
 
 // Growing outward from standing pieces (start.grow).
-inline constexpr float kOnEdge_px = 1;  // target samples nearer to the canvas' edge lie on it
-/// Of the opening radius, added to that distance: the curve rounds the canvas' corners.
-inline constexpr float kOnRoundedEdge = 0.3f;
-/// Of the largest piece: distance from the seed at which a score falls to 1 / e.
-inline constexpr float kGrowthFading = 1;
+inline constexpr float kOnEdge_px = 1;         // target samples nearer to the canvas' edge lie on it
+inline constexpr float kOnRoundedEdge = 0.3f;  // of the opening radius, more than that: the curve rounds corners
+inline constexpr float kGrowthFading = 1;      // of the largest piece: distance at which a score falls to 1 / e
 
 // Every drawing at least once (pieces.fit = "all").
-inline constexpr double kFilledByTheRest = 0.85;  // of the free area, by the shapes that are still to come
-inline constexpr float kSizeStep = 0.9f;          // of the ladder of largest sizes
-inline constexpr double kNearlyOneSize = 1.001;   // ratio of two sizes that count as one
-inline constexpr double kFirstFilling = 0.8;      // of the canvas, by the sizes of the first attempt
-/// Pieces with a range of sizes cover so many times the area of their mean square size.
-inline constexpr double kNearTheTop = 1.3;
+inline constexpr double kFilledByTheRest = 0.85;    // of the free area, by the shapes that are still to come
+inline constexpr float kSizeStep = 0.9f;            // of the ladder of largest sizes
+inline constexpr double kNearlyOneSize = 1.001;     // ratio of two sizes that count as one
+inline constexpr double kFirstFilling = 0.8;        // of the canvas, by the sizes of the first attempt
+inline constexpr double kNearTheTop = 1.3;          // pieces with a range take this many times their mean square size
 inline constexpr std::uint32_t kMostAttempts = 12;  // at different sizes (core/matching/size_search)
 
 // Settling of a chosen piece.
@@ -210,8 +190,7 @@ inline constexpr Descent kGrow{4, 1.5f, 1, 20, false};
 inline constexpr float kGrowStep = 1.015f;
 inline constexpr int kGrowSteps = 12;
 inline constexpr float kLeastGrowth = 1.002f;  // a step with less growth is the last
-/// Pushes out of conflicts of the outlines, which fields and boundary points do not show.
-inline constexpr int kExactSteps = 8;
+inline constexpr int kExactSteps = 8;          // pushes out of conflicts of outlines that the fields do not show
 
 // Ruin and recreate. Takes out only small pieces, several at a time: the hole of a large piece takes ten rounds to fill
 // and hardly ever improves. Measured: 6.5 px² gained per matching, against 1.3 with pieces of any size, and 4.7 with
