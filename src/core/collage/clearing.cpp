@@ -22,7 +22,7 @@ constexpr int kPassesToGivingUp = 4;
 constexpr float kHopeless = 0.9f;          // of kHopelessDepth_px, up to which depths are measured
 constexpr float kLeastHopelessWay_px = 1;  // least length of a hopeless push, whatever depth is allowed
 /// Factor of the scale, in each pass except those in which neighbours make way. A smaller factor would cost area, a
-/// larger one passes.
+/// larger one more passes.
 constexpr float kShrink = 0.998f;
 /// Largest push of a piece out of a neighbour: it has other neighbours on its other sides.
 constexpr float kMostPush_px = 0.5f;

@@ -90,7 +90,7 @@ Pool::Ranked Pool::pop() {
   return first;
 }
 
-/// Removes outdated entries when the queue has doubled, so that they may be the larger part.
+/// Removes outdated entries once the queue has doubled: then they may be most of it.
 void Pool::sweep() {
   if (queue_.size() < 2 * swept_ + 1024) return;
   std::erase_if(queue_, [&](const Ranked& ranked) { return find(ranked) == nullptr; });

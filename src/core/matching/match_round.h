@@ -30,8 +30,8 @@ MatchRound match(
     Matcher& matcher, const std::vector<TargetSample>& samples, const MatchPlan& plan, std::uint64_t library_pads,
     RunStatistics& statistics, const std::function<void()>& meanwhile = [] {});
 
-/// Whether two poses of one shape would look the same. Their positions, and their rotations with scales, must differ by
-/// less than `tolerance` times b's scale.
+/// Whether two poses of one shape would look the same: their positions, and their rotations with scales, differ by less
+/// than `tolerance` times b's scale.
 bool near_copy(const Similarity& a, const Similarity& b, float tolerance);
 
 }  // namespace tessera

@@ -126,7 +126,7 @@ inline std::uint32_t reach_of_bins(std::uint32_t bins, std::uint32_t beta_steps)
 /// not empty, so that every sample gets pairs. All bins if the histogram holds no more than `most`.
 std::uint32_t bin_limit_for(const DistanceHistogram& histogram, std::uint64_t most);
 
-/// Throws std::logic_error if the number of bins differs from `counted`, the number of samples, and is not 0.
+/// Throws std::logic_error if `bins` is not empty and its size differs from `counted`, the number of samples.
 void expect_bins_of(std::size_t counted, const std::vector<std::uint32_t>& bins);
 
 RefinedDocking feasible_docking(const Docking& docking, const DockingTerms& terms, const ShapeModel& shape);

@@ -18,8 +18,8 @@ constexpr float kSmallestStep = 0.5f;
 /// The missing area is multiplied by this: pieces found no place although some room was left, so they need more than
 /// their area.
 constexpr double kMoreThanMissing = 1.25;
-/// The search goes up once if the known bounds of the largest possible factor have at least this ratio (kNearFactors),
-/// and again only if their ratio is above kFarFactors.
+/// The search goes up once if the ratio of the known bounds of the largest possible factor exceeds kNearFactors, and
+/// again only if it exceeds kFarFactors.
 constexpr float kNearFactors = 1.01f;
 constexpr float kFarFactors = 1.1f;
 

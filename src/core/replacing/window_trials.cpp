@@ -17,7 +17,7 @@ constexpr std::size_t kMostPointsDrawn = 8;  // the most open of the drawn point
 constexpr float kLookedAt = 1.6f;  // of the most scale: distance from the centre up to which pieces are considered
 constexpr float kRing = 0.4f;      // of the middle size: pieces nearer than this to pieces that go out make room
 constexpr float kRoundCentre = 1;  // of the middle size: so do pieces nearer than this to the hole's centre
-// of the product of least and most scale: energy gain after soft sweeps that ends a trial
+// of the product of both scales: rise of the energy after soft sweeps that ends a trial
 constexpr float kGiveUp = 1.6f;
 constexpr float kSoftness = 1.5f;  // cost for a candidate, px² per px² of overlap with others, times 0.6 to 1.4
 // Distance from a hole's centre to its end, px: as far as the pieces that go out and a little more. If none goes out,
