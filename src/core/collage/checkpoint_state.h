@@ -44,7 +44,7 @@ struct KeptAttempt {
 struct CheckpointState {
   std::string name;                   // for messages: the file of the checkpoint
   LoopState loop;                     // phase and counters of the loop
-  std::uint32_t given = 0;            // the first so many placements stood when the region was begun
+  std::uint32_t given = 0;            // number of placements, the first ones, that stood when the region was begun
   SizeSearchState sizes;              // search for the size at which every shape finds a place
   KeptAttempt best;                   // of the earlier attempts; while the search goes on
   std::uint64_t begun_with = 0;       // digest of the pieces that the job gives

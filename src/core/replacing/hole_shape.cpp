@@ -12,9 +12,8 @@ namespace {
 /// half the time (docs/measurements.md).
 constexpr float kSpacing = 2;
 constexpr int kDockPoints = 64;
-constexpr int kInteriorSteps = 16;  // over the shape's field
-// depth of interior points: boundary samples cover what is nearer to the boundary
-constexpr float kInteriorPointDepth = 0.04f;
+constexpr int kInteriorSteps = 16;            // over the shape's field
+constexpr float kInteriorPointDepth = 0.04f;  // depth of interior points; boundary samples cover nearer points
 
 /// The length of the way through the shape, in steps as long as the field's distance to the outline.
 float way_through(const ContactShape& shape, Vec2 from, Vec2 direction) {

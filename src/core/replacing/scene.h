@@ -11,7 +11,7 @@
 namespace tessera {
 
 struct Scene {
-  std::vector<RelaxedPiece> pieces;      // those that make room, then still ones beside them, then new ones
+  std::vector<RelaxedPiece> pieces;      // pieces that make room, then still ones beside them, then new ones
   std::vector<const HoleShape*> shapes;  // of the pieces
   std::vector<std::size_t> active;       // indices of the pieces that move
 

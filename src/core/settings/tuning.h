@@ -48,7 +48,7 @@ inline constexpr float kSeamlessReach = 2;
 /// "far".
 inline float stamp_band_px(const PieceSettings& p) { return std::max(24.f, 0.25f * p.max_scale_px); }
 
-// Which pairs are docked.
+// Selection of the pairs that are docked.
 inline constexpr int kPairsPerShape = 4;     // best local minima kept for a (target sample, shape)
 inline constexpr int kDockingsPerShape = 2;  // of these, the best after docking
 inline constexpr int kDistanceBins = 64;     // bins of the histogram that finds the global top K percent
@@ -133,7 +133,7 @@ inline constexpr float kDefectCost = 5;  // scale_aware: a piece with defects on
 inline constexpr float kBalanceOfLength = 2;
 inline constexpr float kBalanceOfScale = 0.5f;
 inline constexpr float kBalanceOfRepetition = 0.5f;  // of objective.repetition_exponent: keeps the variety
-inline constexpr double kDwarfLoss = 0.8;            // of a dwarf's area, lost in improving: dwarfs please nobody
+inline constexpr double kDwarfLoss = 0.8;       // of a dwarf's area, lost in improving: dwarfs do not please the eye
 inline constexpr float kLeastDefect = 0.0025f;  // paper: keeps Z finite for a perfect fit, px² per px² of the piece
 
 // Colours, if a picture is to be shown. Differences are CIEDE2000.
@@ -161,7 +161,7 @@ inline constexpr int kRefillBelow = 2;         // a target sample with fewer can
 inline constexpr float kNearTwinReach = 0.5f;
 inline constexpr float kUseInOtherColours = 0.75f;  // weight of a use in other colours: the rarer variant is chosen
 inline constexpr int kFinalists = 8;                // candidates checked exactly in a round
-inline constexpr int kFinalistsLookedAt = 64;       // candidates examined to find so many distinct finalists
+inline constexpr int kFinalistsLookedAt = 64;       // candidates examined to find the distinct finalists
 inline constexpr float kSameCandidate = 0.07f;      // of the scale: two finalists would look the same
 inline constexpr int kEmptyPasses = 2;  // passes over all samples, with new random dockings, until the region is full
 
