@@ -32,7 +32,7 @@ struct SamplePasses {
   friend bool operator==(const SamplePasses&, const SamplePasses&) = default;
 };
 
-/// The attempt at a size factor that left the fewest pieces without a place so far.
+/// The attempt at a size factor that left the fewest pieces without a place so far; among equals the largest factor.
 struct KeptAttempt {
   float factor = 0;  // 0: no attempt is kept
   std::uint64_t missing = 0;
