@@ -1,4 +1,4 @@
-// A number that stands for many bytes and tells whether they are the same as before. It is not safe against forgery.
+// A digest: a number that tells whether many bytes are the same as before. It is not safe against forgery.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,12 @@
 
 namespace tessera {
 
-/// Every word goes through a bijection of 64 bits, so that a change within one word is always seen.
+/// Each word passes a bijection of 64 bits, so a change within one word always changes the digest.
 class Digest {
  public:
   void add(std::uint64_t word) { value_ = mix_bits(value_ ^ word); }
 
-  /// Adds the number of bytes, then the bytes; the last word is filled up with zeros.
+  /// Adds the number of bytes, then the bytes; the last word is padded with zeros.
   template <class T>
   void add_all(std::span<const T> values) {
     static_assert(std::is_trivially_copyable_v<T>);

@@ -1,5 +1,5 @@
-// Numbers of 16 lanes, and their sum. Devices add 16 numbers up at a time and the lanes in the end (kernels/lanes.cl);
-// whoever is to get the same bits adds in this order, too.
+// Numbers in 16 lanes, and their sum. Devices add 16 numbers at a time and the lanes at the end (kernels/lanes.cl).
+// Host code that must give the same bits adds in this order, too.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@ inline constexpr int kLanes = 16;
 
 using Lanes = std::array<float, kLanes>;
 
-/// Adds the upper half of the lanes to the lower one, again and again.
+/// The sum of all lanes: adds the upper half of the lanes to the lower half, again and again.
 inline float sum_of_lanes(Lanes v) {
   for (int half = kLanes / 2; half > 0; half /= 2) {
     for (int i = 0; i < half; ++i) v[i] += v[i + half];

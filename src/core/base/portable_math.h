@@ -1,5 +1,5 @@
-// Functions that must give the same bits on every host and device: they are made of +, -, *, / and sqrt only, which
-// IEEE 754 fixes, in the order written. What kernels need is the same in kernels/portable_math.cl.
+// Functions that give the same bits on every host and device. They consist of +, -, *, / and sqrt only, which IEEE 754
+// defines exactly, in the order written. kernels/portable_math.cl has the ones that kernels need.
 #pragma once
 
 #include <cmath>
@@ -42,7 +42,7 @@ inline double portable_log(double x) {
   return exponent * kLog2 + 2 * t * series;
 }
 
-/// Counter-based random bits: a good mix (splitmix64's finaliser) of a key. The same key gives the same bits anywhere.
+/// Counter-based random bits: mixes a key (splitmix64's finaliser). The same key gives the same bits on every machine.
 inline std::uint64_t mix_bits(std::uint64_t z) {
   z += 0x9e3779b97f4a7c15ull;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
@@ -50,7 +50,7 @@ inline std::uint64_t mix_bits(std::uint64_t z) {
   return z ^ (z >> 31);
 }
 
-/// Makes a number in [0, 1) from the upper 24 bits.
+/// A number in [0, 1) from the upper 24 bits.
 inline float unit_float(std::uint32_t bits) { return float(bits >> 8) * (1.f / 16777216.f); }
 
 }  // namespace tessera

@@ -1,4 +1,4 @@
-// What the system allows this process, for messages about what failed.
+// The limits that the system sets for this process, for error messages.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace tessera {
 
-/// "; limits of this process: files of 64 KiB (ulimit -f), 300 MiB of address space (ulimit -v)": those that are set of
-/// the size of files, of address space and of data. Empty where none is.
+/// The limits that are set of file size, address space and data. Example: "; limits of this process: files of 64 KiB
+/// (ulimit -f), 300 MiB of address space (ulimit -v)". Empty if none is set.
 std::string process_limits();
 
-/// Where the system gives a process no thread at all.
+/// The error for a system that gives the process no thread at all.
 EnvironmentError no_thread(const std::system_error& error);
 
 }  // namespace tessera

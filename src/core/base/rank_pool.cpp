@@ -10,7 +10,7 @@
 namespace tessera {
 namespace {
 
-/// The cores of this process' affinity, 1 at least; fewer than the machine has where it shares it.
+/// The number of cores in this process' affinity, at least 1; fewer than the machine has if it is shared.
 int available_cores() {
   // The kernel refuses a mask that is smaller than its own.
   for (std::size_t cpus = 1024; cpus <= (std::size_t(1) << 20); cpus *= 2) {
@@ -25,7 +25,7 @@ int available_cores() {
 }  // namespace
 
 TaskPool& rank_pool() {
-  // Never destroyed: a library may end the process while tasks are under way.
+  // Never destroyed: a library may end the process while tasks are running.
   static TaskPool& pool = *new TaskPool(available_cores());
   return pool;
 }

@@ -7,7 +7,7 @@
 namespace tessera {
 namespace {
 
-/// In the order of StopReason.
+/// The words in the order of StopReason.
 constexpr std::array<std::string_view, kStopReasons.size()> kWords = {"full",    "used_up", "pieces",     "coverage",
                                                                       "seconds", "signal",  "time_limit", "lost_rank"};
 

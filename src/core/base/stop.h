@@ -1,4 +1,4 @@
-// Why a run ends, and how long work is asked to stop.
+// Reasons for which a run ends, and the check by which long work stops.
 #pragma once
 
 #include <array>
@@ -9,14 +9,14 @@
 
 namespace tessera {
 
-/// Why a run ended.
+/// The reason for which a run ended.
 enum class StopReason : std::uint8_t {
   full,     // nothing more fits
-  used_up,  // no shape may be placed once more
+  used_up,  // every shape has reached its largest number of uses
   pieces,   // the limits of the job's [stop]
   coverage,
   seconds,
-  signal,  // the interruptions: there is more to do
+  signal,  // the interruptions: the run has more to do
   time_limit,
   lost_rank,
 };
@@ -25,27 +25,27 @@ inline constexpr std::array kStopReasons = {StopReason::full,       StopReason::
                                             StopReason::coverage,   StopReason::seconds,  StopReason::signal,
                                             StopReason::time_limit, StopReason::lost_rank};
 
-/// Its word in files and tables: "used_up".
+/// The reason's word in files and tables: "used_up".
 std::string_view stop_word(StopReason reason);
-/// The reason of that word; nothing: there is no such word.
+/// The reason with that word; empty: there is no such word.
 std::optional<StopReason> stop_reason_of(std::string_view word);
-/// Whether it ended a run that has more to do.
+/// Whether the reason interrupted a run that has more to do.
 bool is_interruption(StopReason reason);
 
-/// Thrown by whoever works or waits for long and is told to stop; `reason` is an interruption. It is no error, hence no
-/// std::exception. Whoever was asked a question that ended so must not be asked again.
+/// Thrown by work or a wait that is told to stop; `reason` is an interruption. It is not an error, so it is not a
+/// std::exception. A matcher or replacer whose question ended so must not be asked again.
 struct Interrupted {
   StopReason reason;
 };
 
-/// Answers whether work is to stop, and why; nothing: it goes on.
+/// Tells whether work must stop, and why; empty: it goes on.
 using StopQuestion = std::function<std::optional<StopReason>()>;
 
-/// Long work calls it again and again, so that it can stop soon. It throws what the caller of that work catches, most
-/// often Interrupted.
+/// A function that long work calls regularly, so that it can stop soon. It throws an exception that the caller of that
+/// work catches, mostly Interrupted.
 using StopCheck = std::function<void()>;
 inline void never_stop() {}
-/// Throws Interrupted where the question is answered with a reason.
+/// A check that throws Interrupted if the question returns a reason.
 StopCheck stop_check(StopQuestion question);
 
 }  // namespace tessera

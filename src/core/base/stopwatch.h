@@ -1,4 +1,4 @@
-// Wall-clock time of a stage; it never decides anything about the picture.
+// Measures the wall-clock time of a stage. It never affects the picture.
 #pragma once
 
 #include <chrono>

@@ -30,7 +30,7 @@ void TaskPool::run(std::size_t count, const Task& task) {
   if (job.error) std::rethrow_exception(job.error);
 }
 
-/// Where the system gives no more threads there are fewer than `wanted`; the next run() asks for them again.
+/// Starts threads until there are `wanted`. If the system gives no more, the next run() tries again.
 void TaskPool::start_threads(std::size_t wanted) {
   try {
     while (threads_.size() < wanted) threads_.emplace_back([this] { work(); });
@@ -60,8 +60,8 @@ void TaskPool::work() {
   }
 }
 
-/// Does meanwhile what was shared out later: most often small parts of the job's own tasks. An older job's task may be a
-/// large one, and whoever waits for this job would wait for that one, too.
+/// Waits for the job, and meanwhile works on jobs that were posted later: mostly small parts of this job's own tasks.
+/// An older job's task may be a large one, which would delay this job's caller.
 void TaskPool::wait_for(const Job& job, std::unique_lock<std::mutex>& lock) {
   while (job.ended < job.count) {
     if (Job* later = open_job_from(std::find(jobs_.begin(), jobs_.end(), &job))) {
@@ -88,7 +88,8 @@ TaskPool::Job* TaskPool::open_job_from(std::vector<Job*>::const_iterator first) 
   return open == jobs_.end() ? nullptr : *open;
 }
 
-/// A job ends no sooner than the last of its tasks: nobody looks at it afterwards.
+/// Runs the next task of the job. After the last of its tasks ended, the job is not touched again, as its caller may
+/// have destroyed it.
 void TaskPool::do_next(Job& job, std::unique_lock<std::mutex>& lock) {
   const std::size_t i = job.next++;
   lock.unlock();

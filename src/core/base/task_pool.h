@@ -1,4 +1,4 @@
-// Threads that share out tasks among each other and with the thread that has them.
+// A thread pool: its threads and the calling thread share the tasks.
 #pragma once
 
 #include <condition_variable>
@@ -15,29 +15,30 @@ class TaskPool {
  public:
   using Task = std::function<void(std::size_t)>;
 
-  /// Tasks for `breadth` cores: as many threads compute at a time, the one that calls run() among them; 1 at least. The
-  /// others start when they are needed first. Where the system gives fewer threads, fewer share the tasks.
+  /// A pool for `breadth` cores, at least 1: this number of threads compute at a time, including the one that calls
+  /// run(). The other threads start when they are first needed. If the system gives fewer threads, fewer share the
+  /// tasks.
   explicit TaskPool(int breadth);
-  /// No task may be under way.
+  /// No task may be running.
   ~TaskPool();
   TaskPool(const TaskPool&) = delete;
   TaskPool& operator=(const TaskPool&) = delete;
 
   int breadth() const { return breadth_; }
-  /// Whether a thread would take a task at once, so that work is better divided into small tasks.
+  /// Whether a thread would take a task at once: then it is better to divide work into small tasks.
   bool has_idle_thread() const;
-  /// Ends all threads; from now on the pool is for `breadth` cores. No task may be under way.
+  /// Ends all threads; from now on the pool is for `breadth` cores. No task may be running.
   void resize(int breadth);
 
   /// Calls task(0) to task(count - 1), each once and in any order, on this thread, which takes the first one, and on
-  /// those of the pool; returns when all have ended. After an exception no further task begins; the first exception is
-  /// thrown again here. A task may share out tasks of its own. Any thread may call this.
+  /// the pool's threads. Returns when all have ended. After an exception no further task begins, and the first
+  /// exception is thrown again here. A task may itself call run(). Any thread may call this.
   void run(std::size_t count, const Task& task);
 
  private:
   struct Job {
     const Task& task;
-    std::size_t count;  // fewer after an exception
+    std::size_t count;  // smaller after an exception
     std::size_t next = 0;
     std::size_t ended = 0;
     std::exception_ptr error = nullptr;
@@ -52,9 +53,9 @@ class TaskPool {
   void do_next(Job& job, std::unique_lock<std::mutex>& lock);
 
   int breadth_;
-  mutable std::mutex mutex_;  // of all that follows
+  mutable std::mutex mutex_;  // protects all members below
   std::condition_variable changed_;
-  std::vector<Job*> jobs_;  // of those who wait in run(), the oldest first
+  std::vector<Job*> jobs_;  // jobs whose callers wait in run(), the oldest first
   std::size_t idle_ = 0;
   bool closed_ = false;
   std::vector<std::thread> threads_;

@@ -1,4 +1,4 @@
-// The words for a count that goes beyond its bound where nobody counts on.
+// The text for a count that exceeds its limit, if nothing is counted beyond the limit.
 #pragma once
 
 #include <cstddef>

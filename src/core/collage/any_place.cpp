@@ -11,9 +11,9 @@ namespace {
 
 constexpr int kPositions = 48;          // along the longer side
 constexpr std::size_t kPoints = 64;     // of an outline
-constexpr float kReachOfAStep = 0.75f;  // of a step: to the nearest position, and a little
+constexpr float kReachOfAStep = 0.75f;  // of a step: distance to the nearest position, and a little more
 
-/// The farthest from the origin first: they leave the canvas first.
+/// Points of the outline, farthest from the origin first: those leave the canvas first.
 std::vector<Vec2> some_points(const Outline& outline) {
   const std::vector<Vec2>& curve = outline.curves.front();
   const std::size_t stride = std::max<std::size_t>(1, curve.size() / kPoints);
@@ -73,14 +73,15 @@ class PlaceSearch {
   float step_px_;
 };
 
-/// No piece reaches farther from its centroid than the diagonal, on a canvas that does not repeat.
+/// Whether the piece is too long for a canvas that does not repeat: no piece reaches farther from its centroid than the
+/// diagonal.
 bool reaches_beyond(const std::vector<Vec2>& points, float scale_px, const EmptyRoom& room) {
   const Grid<float>& nodes = room.distance.value;
   return !room.period.repeats() &&
          scale_px * norm(points.front()) > norm(Vec2{float(nodes.width()), float(nodes.height())});
 }
 
-/// On a canvas that repeats a piece must not reach its own image.
+/// Whether the piece would reach its own image on a canvas that repeats.
 bool reaches_itself(const std::vector<Vec2>& points, float scale_px, const Period& period) {
   const int shorter_px =
       period.repeats_both_ways() ? std::min(period.x_px, period.y_px) : std::max(period.x_px, period.y_px);

@@ -1,4 +1,5 @@
-// A candidate is a docking that a piece may get at a target sample; the best one becomes a placement (paper, section 4).
+// A candidate is a docking that was refined, found feasible and scored. The best one becomes a placement (paper,
+// section 4).
 #pragma once
 
 #include <cstdint>
@@ -10,20 +11,19 @@
 
 namespace tessera {
 
-/// A docking that was refined, found feasible and scored.
 struct Candidate {
   ShapeId shape{};
   std::uint32_t source = 0;
-  std::uint32_t stance = 0;  // of the matching context's
+  std::uint32_t stance = 0;  // index in the matching context's StanceTable
   Similarity canvas_from_shape;
   DockingTerms terms;
-  float score = 0;  // objective along the contour; exact once `exact` is set
+  float score = 0;  // objective, estimated along the contour; exact once `exact` is set
   bool exact = false;
   Window window;        // nodes whose change changes the score
   float perimeter = 0;  // the shape's
   float radius = 0;
-  std::uint32_t ordinal = 0;  // among those of its target sample when they were put: the pool's
-  std::uint64_t stamp = 0;    // of its latest ranking: the pool's
+  std::uint32_t ordinal = 0;  // set by the pool: number among the candidates of its target sample
+  std::uint64_t stamp = 0;    // set by the pool: identifies its latest ranking
 };
 
 }  // namespace tessera

@@ -1,5 +1,5 @@
-// The state of the collage's loop between two rounds or trials: what does not follow from job, library and canvas.
-// Free field, target curve, poses and covered area are rebuilt from the placements and are not in here.
+// The state of the collage's loop between two rounds or trials, as far as it does not follow from job, library and
+// canvas. Free field, target curve, poses and covered area are rebuilt from the placements and are not part of it.
 #pragma once
 
 #include <cstdint>
@@ -15,15 +15,16 @@
 
 namespace tessera {
 
-/// What the pool holds of one target sample. Of the candidates everything counts but `ordinal` and `stamp`, which are
-/// the pool's own and are given anew.
+/// The pool's content for one target sample. `ordinal` and `stamp` of the candidates do not count: the pool assigns
+/// them anew.
 struct PooledSample {
   SampleId id{};
   bool truncated = false;
   std::vector<Candidate> candidates;  // in the order of the pool's entry
 };
 
-/// How often a target sample was matched: its next random dockings go by it, even if it was gone meanwhile.
+/// The number of times that a target sample was matched. Its next random dockings depend on it, even if the sample has
+/// disappeared in between.
 struct SamplePasses {
   SampleId id{};
   std::uint32_t passes = 0;
@@ -31,9 +32,9 @@ struct SamplePasses {
   friend bool operator==(const SamplePasses&, const SamplePasses&) = default;
 };
 
-/// An attempt at a size factor that left fewer pieces without a place than others.
+/// The attempt at a size factor that left the fewest pieces without a place so far; among equals the largest factor.
 struct KeptAttempt {
-  float factor = 0;  // 0: none is kept
+  float factor = 0;  // 0: no attempt is kept
   std::uint64_t missing = 0;
   std::vector<Placement> placements = {};
 
@@ -41,20 +42,20 @@ struct KeptAttempt {
 };
 
 struct CheckpointState {
-  std::string name;                   // for messages: the file that it came from
-  LoopState loop;                     // where the loop is
-  std::uint32_t given = 0;            // so many of the placements, the first ones, stood when the region was begun
-  SizeSearchState sizes;              // at which every shape is to find a place
-  KeptAttempt best;                   // of the attempts before; while the search goes on
+  std::string name;                   // for messages: the file of the checkpoint
+  LoopState loop;                     // phase and counters of the loop
+  std::uint32_t given = 0;            // number of placements, the first ones, that stood when the region was begun
+  SizeSearchState sizes;              // search for the size at which every shape finds a place
+  KeptAttempt best;                   // of the earlier attempts; while the search goes on
   std::uint64_t begun_with = 0;       // digest of the pieces that the job gives
-  int empty_passes = 0;               // how often all samples were matched again since the last piece, while filling
+  int empty_passes = 0;               // while filling: how often all samples were matched again since the last piece
   std::vector<Placement> placements;  // in the order in which they were placed
-  std::vector<PooledSample> pool;     // ascending samples, as in the lists below
+  std::vector<PooledSample> pool;     // samples ascending, as in the lists below
   std::vector<SampleId> stale;        // target samples to be matched
   std::vector<SamplePasses> passes;
   std::vector<MatchedPad> matched;
-  RunStatistics statistics;          // so far, told of the loop's trials and times; stopped_by is empty
-  std::uint64_t rebuilt_digest = 0;  // of the free field and the target samples, to see that they came back
+  RunStatistics statistics;          // up to now, with the loop's trials and times; stopped_by is empty
+  std::uint64_t rebuilt_digest = 0;  // digest of free field and target samples: shows that they were rebuilt equally
 };
 
 }  // namespace tessera

@@ -12,34 +12,36 @@
 namespace tessera {
 namespace {
 
-/// A piece that conflicts gives way so often before it is given up; now and then all that stand round such pieces make
-/// way for them, so that not one of them pays for all.
+/// Passes in which a piece with a conflict moves away before it is given up. In every kPassesToMakingWay-th pass all
+/// pieces around such pieces make way for them, so that the cost is shared.
 constexpr int kPasses = 48;
 constexpr int kPassesToMakingWay = 4;
-/// Limbs that cross each other are not parted by pushing: after so many passes the smaller piece goes, before all round
-/// it have shrunk for nothing.
+/// Crossing limbs cannot be separated by pushing. From this pass on the smaller piece is given up, before its
+/// neighbours have shrunk for nothing.
 constexpr int kPassesToGivingUp = 4;
-constexpr float kHopeless = 0.9f;          // of kHopelessDepth_px, beyond which nobody asks how deep
-constexpr float kLeastHopelessWay_px = 1;  // some pushes lead so far, whatever depth is allowed
-/// Of the scale, in each pass but those after making way. Smaller costs passes, larger costs area.
+constexpr float kHopeless = 0.9f;          // of kHopelessDepth_px, up to which depths are measured
+constexpr float kLeastHopelessWay_px = 1;  // least length of a hopeless push, whatever depth is allowed
+/// Factor of the scale, in each pass except those in which neighbours make way. A smaller factor would cost area, a
+/// larger one more passes.
 constexpr float kShrink = 0.998f;
-/// Of a piece out of a neighbour: it has others on its other sides.
+/// Largest push of a piece out of a neighbour: it has other neighbours on its other sides.
 constexpr float kMostPush_px = 0.5f;
-/// Stiff, as nothing grows meanwhile; a conflict that is left is about so many times smaller than that before.
+/// Stiff, as no piece grows meanwhile: each such pass makes the remaining conflicts several times smaller.
 constexpr RelaxationSchedule kMakingWay{12, 20, 20, 1, 0.3f, 0, false};
-/// Of the scale, each time: as area is worth nothing meanwhile, two that cross would shrink until they are apart.
+/// Least factor of the scale in each such pass. Area has no value meanwhile, so two crossing pieces would otherwise
+/// shrink until they are apart.
 constexpr float kLeastMakingWay = 0.99f;
-/// Farther apart than what is hard while pieces grow, so that few are left between which outlines still see a conflict;
-/// nobody feels more than that.
+/// Extra distance beyond the hard distance of relaxation, so that outlines see few remaining conflicts. Contacts beyond
+/// that distance have no effect.
 constexpr float kClearer_px = 0.15f;
 ContactDistances rule_alone(const PieceSettings& settings) {
   const float hard_px = contact_distances(settings).hard_px + kClearer_px;
   return {hard_px, hard_px};
 }
 
-/// Afterwards so much larger than before all this: all that the outlines allow would be mostly overlap.
+/// Largest growth beyond the size before clearing: all that the outlines allow would be mostly overlap.
 constexpr float kMostRegrowth_px = 0.1f;
-constexpr float kFirstRegrowth = 0.008f;  // of its size, in a step; half of it where that does not go
+constexpr float kFirstRegrowth = 0.008f;  // of its size, in a step; halved after a step that fails
 constexpr int kRegrowthSteps = 6;
 constexpr int kPushesPerStep = 3;
 
@@ -83,7 +85,7 @@ class Clearing {
   }
 
  private:
-  /// Pieces made way for others that did so, too.
+  /// Lets each piece grow again: pieces made way for others that did so, too.
   void grow_again(const StopCheck& check_stop) {
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       if (!may_move_[i]) continue;
@@ -95,7 +97,8 @@ class Clearing {
     }
   }
 
-  /// Moving out of the way of others where need be; as it was where it cannot.
+  /// Enlarges the piece by the factor and pushes it out of conflicts. If that fails, restores the pose and returns
+  /// false.
   bool grows(std::size_t i, float factor) {
     const Similarity before = pieces_[i].canvas_from_shape;
     Similarity pose = before;
@@ -113,7 +116,7 @@ class Clearing {
     return false;
   }
 
-  /// Their sum, or as much of it as a piece is moved at once.
+  /// The sum of the vectors, shortened to the largest push.
   static Vec2 pushed(const std::vector<Vec2>& ways) {
     Vec2 out;
     for (const Vec2 way : ways) out = out + way;
@@ -121,7 +124,7 @@ class Clearing {
     return length_px > kMostPush_px ? out * (kMostPush_px / length_px) : out;
   }
 
-  /// False where it has no conflict.
+  /// Pushes the piece out of its conflicts. False if it has none.
   bool gives_way(std::size_t i, bool shrinking) {
     const std::vector<Vec2> ways = conflicts_of(i);
     if (ways.empty()) return false;
@@ -136,7 +139,7 @@ class Clearing {
     return true;
   }
 
-  /// Those without hope: the smallest first, as of two pieces only one need go.
+  /// Takes out the hopeless pieces, the smallest first, as only one of two in conflict has to go.
   template <class Hopeless>
   void give_up(Hopeless hopeless) {
     std::vector<std::size_t> smallest_first = unsure_;
@@ -151,7 +154,8 @@ class Clearing {
     }
   }
 
-  /// Whether it would have to go far out of another piece. Of the canvas' edge it is shrunk and pushed clear.
+  /// Whether the piece would have to move far out of another piece. Conflicts with the canvas' edge do not count:
+  /// shrinking and pushing solve them.
   bool lies_too_deep(std::size_t i) const {
     const std::vector<Vec2> ways = outlines_.conflicts_with_others(i, field_distance());
     return std::any_of(ways.begin(), ways.end(), [&](Vec2 way) { return norm(way) >= hopeless_px_; });
@@ -171,12 +175,13 @@ class Clearing {
     outlines_.move(i, pieces_[i].canvas_from_shape, pieces_[i].shape->outline);
   }
 
-  /// A conflict is one of both pieces, so that only those that moved need be looked at again.
+  /// Relaxes the pieces with conflicts together with their neighbours. A conflict concerns both pieces, so only pieces
+  /// that moved must be checked again.
   void make_way(const StopCheck& check_stop) {
     std::erase_if(unsure_, [&](std::size_t i) { return conflicts_of(i).empty(); });
     const std::vector<std::size_t> movable = with_neighbours(unsure_);
     std::vector<RelaxedPiece> standing;
-    std::vector<std::size_t> active;  // of `standing`: the movable ones, in their order
+    std::vector<std::size_t> active;  // indices in `standing` of the movable pieces, in their order
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       if (std::binary_search(movable.begin(), movable.end(), i)) active.push_back(standing.size());
       if (is_lost(i)) continue;
@@ -197,7 +202,7 @@ class Clearing {
     unsure_ = std::move(unsure);
   }
 
-  /// Those, and all that feel them and may move; ascending.
+  /// These pieces and all movable pieces in contact with them; ascending.
   std::vector<std::size_t> with_neighbours(const std::vector<std::size_t>& some) const {
     std::vector<Box> boxes;
     for (const LaidPiece& piece : laid_) boxes.push_back(piece.box);
@@ -216,14 +221,14 @@ class Clearing {
   std::vector<RelaxedPiece>& pieces_;
   Period period_;
   float reach_px_;
-  float hopeless_px_;  // the way out of what is hopeless
+  float hopeless_px_;  // length of a push that counts as hopeless
   Relaxation making_way_;
   PlacedOutlines outlines_;
   std::vector<LaidPiece> laid_;
   std::vector<float> relaxed_scale_px_;
   std::vector<bool> may_move_;
-  std::vector<std::size_t> unsure_;  // ascending: who may have a conflict
-  std::vector<std::size_t> lost_;    // as they were given up
+  std::vector<std::size_t> unsure_;  // ascending: pieces that may have a conflict
+  std::vector<std::size_t> lost_;    // in the order in which they were given up
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Relaxed pieces become ones that may stand: fields only estimate how deep they lie in each other, outlines decide.
+// Turns relaxed pieces into pieces that may stand. Fields only estimate how deep pieces lie in each other; here the
+// outlines decide.
 #pragma once
 
 #include <cstddef>
@@ -13,11 +14,11 @@
 
 namespace tessera {
 
-/// Moves and shrinks those of `pieces` that `active` (indices) names and that are not fixed, and lets them grow again,
-/// to 0.1 px more than they were, so that none of them conflicts (PlacedOutlines) with any other of `pieces` or with
-/// the edge of the canvas of `free`, whatever lies in it. Scales and rotations stay within RelaxedPiece::poses. Returns
-/// the indices, ascending, of active pieces that found no place: without them no active piece has a conflict. `check_stop` is
-/// called now and then; where it throws, `pieces` are of no use any more.
+/// Moves and shrinks pieces until they do not conflict (PlacedOutlines) with any other of `pieces` or with the canvas'
+/// edge. It moves the pieces whose indices are in `active` and that are not fixed. Other content of the `free` field
+/// does not count. Then the pieces grow again, up to 0.1 px more than before. Scales and rotations stay within
+/// RelaxedPiece::poses. Returns the indices, ascending, of active pieces that found no place: without them no active
+/// piece has a conflict. Calls `check_stop` regularly; if that throws, `pieces` are no longer usable.
 std::vector<std::size_t> make_clear(std::vector<RelaxedPiece>& pieces, const std::vector<std::size_t>& active,
                                     const FreeField& free, const PieceSettings& settings, const StopCheck& check_stop);
 

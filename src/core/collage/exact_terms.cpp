@@ -11,7 +11,7 @@
 namespace tessera {
 namespace {
 
-constexpr int kRim = 2;  // nodes at the window's edge, whose surroundings are cut off
+constexpr int kRim = 2;  // nodes at the window's edge whose surroundings are cut off
 
 /// The nodes of `a` that are not in `b`.
 BitGrid without(BitGrid a, const BitGrid& b) {
@@ -21,13 +21,13 @@ BitGrid without(BitGrid a, const BitGrid& b) {
   return a;
 }
 
-/// Calls f(x, y) for every node of a word of row y.
+/// Calls f(x, y) for every set bit (node) of word k of row y.
 template <class F>
 void each_node(std::uint64_t word, int k, int y, F f) {
   for (; word != 0; word &= word - 1) f(64 * k + std::countr_zero(word), y);
 }
 
-/// The sum of squares of parts whose sum changes from `before` to `after`.
+/// The new sum of squares of parts when the sum of the parts changes from `before` to `after`.
 float with_sum(float squares, float before, float after) {
   if (before <= 0) return after * after;
   const float ratio = after / before;

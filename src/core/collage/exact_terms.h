@@ -12,15 +12,15 @@ namespace tessera {
 
 struct ExactAreas {
   float overlap_px2 = 0;  // covered twice, or outside the canvas
-  float gap_px2 = 0;      // free, and out of reach of the smallest piece from now on
+  float gap_px2 = 0;      // free, and no longer reachable for the smallest piece
 };
 
-/// The terms with these areas in the place of the estimated ones. How an area is divided into single gaps and overlaps
-/// stays as estimated along the contour; where that saw none, it is one.
+/// The terms with these areas instead of the estimated ones. The division of an area into single gaps and overlaps
+/// stays as estimated along the contour. If the estimate was 0, the area is one gap or overlap.
 DockingTerms with_exact_areas(DockingTerms terms, const ExactAreas& areas);
 
-/// Counts nodes in the piece's window. A gap node could be reached by a disc of reachable_radius_px before the piece
-/// is placed, and cannot afterwards.
+/// Counts nodes in the piece's window. A gap node is one that a disc of reachable_radius_px could reach before the
+/// piece is placed, and cannot reach afterwards.
 ExactAreas exact_areas(const Shape& shape, const Similarity& canvas_from_shape, const FreeField& free,
                        const OpenedField& opened, const PieceSettings& pieces);
 

@@ -10,7 +10,7 @@
 namespace tessera {
 namespace {
 
-constexpr float kSamePlace = 0.5f;  // of a piece's size, between centres
+constexpr float kSamePlace = 0.5f;  // of the former piece's size, between centres
 
 class WhoMayComeIn {
  public:
@@ -32,7 +32,7 @@ class WhoMayComeIn {
   }
 
  private:
-  /// Silhouettes, two at most: more are not asked for.
+  /// Silhouettes that are open in the region; at most two, as more are not needed.
   const std::set<std::uint32_t>& open_in(std::uint32_t region) {
     const auto [at, is_new] = open_.try_emplace(region);
     if (!is_new) return at->second;

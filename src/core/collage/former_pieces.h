@@ -1,4 +1,5 @@
-// Pieces that were taken out of a collage, so that others come in for them: what fits a hole best is what lay in it.
+// Pieces that were taken out of a collage to be replaced by others. The piece that fits a hole best is the one that lay
+// in it, so these rules keep it from coming back.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +12,19 @@
 
 namespace tessera {
 
-/// Whether a piece at `now` lies where one of the same drawing lay at `then`: its centre is nearer to the other's than
-/// half of that one's size.
+/// Whether a piece at `now` lies where a piece of the same drawing lay at `then`. It does if the distance of their
+/// centres is less than half of the former piece's size.
 bool lies_where_it_lay(const Similarity& then, const Similarity& now, const Period& period);
 
 struct TakenOut {
   ShapeId shape{};
-  std::uint32_t region = 0;  // in which it lay
+  std::uint32_t region = 0;  // in which the piece lay
 };
 
-/// Says for each of `pieces` whether a shape of another silhouette may come in for it, by weights, regions and uses,
-/// beside the given pieces of the settings. False also where the piece's own least uses want it again, as all others
-/// wait then. `silhouettes`, `drawings`: for each shape of the library the first one that looks like it, and the one
-/// that it is the mirror image of.
+/// Tells for each of `pieces` whether a shape of another silhouette may replace it. Weights, regions, uses and the
+/// given pieces of the settings decide. False also if the piece's own least uses want its shape again, as all other
+/// shapes wait then. `silhouettes`, `drawings`: for each shape of the library the first shape that looks like it, and
+/// the shape whose mirror image it is.
 std::vector<bool> others_may_come_in(const std::vector<TakenOut>& pieces, const CollageSettings& settings,
                                      const std::vector<std::uint32_t>& silhouettes,
                                      const std::vector<std::uint32_t>& drawings);

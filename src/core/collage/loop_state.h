@@ -1,4 +1,4 @@
-// Where the loop of a collage is, between two rounds or trials. Checkpoints keep it.
+// The position of a collage's loop between two rounds or trials. Checkpoints keep it.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +16,15 @@ enum class LoopPhase : std::uint8_t {
   replacing,  // batches of trials replace single pieces, while the pieces round them make room
 };
 
-/// What decides how the loop goes on, beside the job, the library and the collage itself.
+/// Decides how the loop goes on, together with the job, the library and the collage itself.
 struct LoopState {
-  std::uint32_t region = 0;  // of the canvas, that is being filled
+  std::uint32_t region = 0;  // of the canvas, being filled
   LoopPhase phase = LoopPhase::filling;
-  std::vector<Placement> moving = {};  // while replacing: all pieces as they lie, the given ones first; else empty
-  std::uint64_t replaced = 0;          // replacement trials so far, of the region
-  std::uint64_t trials = 0;            // of improving so far, in all regions; their random numbers follow from it
-  double improve_s = 0;                // that improving took so far
-  double run_s = 0;                    // that the run took so far, improving included
+  std::vector<Placement> moving = {};  // while replacing: all pieces, the given ones first; otherwise empty
+  std::uint64_t replaced = 0;          // replacement trials of this region
+  std::uint64_t trials = 0;            // trials of improving in all regions; their random numbers follow from it
+  double improve_s = 0;                // time that improving took
+  double run_s = 0;                    // time that the run took, improving included
 
   void begin_region(std::uint32_t begun) {
     region = begun;
@@ -32,7 +32,7 @@ struct LoopState {
     moving.clear();
     replaced = 0;
   }
-  /// Replaces pieces of these placements from now on. Trials go on where there are none.
+  /// Replaces pieces of these placements from now on. If there are none, the phase is `trying` again.
   void replace_in(std::vector<Placement> placements) {
     moving = std::move(placements);
     phase = moving.empty() ? LoopPhase::trying : LoopPhase::replacing;
@@ -41,7 +41,7 @@ struct LoopState {
   friend bool operator==(const LoopState&, const LoopState&) = default;
 };
 
-/// Tells the statistics of a run in this state of its trials and times.
+/// Copies the trials and times of this state into the statistics of the run.
 inline void tell(RunStatistics& statistics, const LoopState& state) {
   statistics.trials = state.trials;
   statistics.improve_s = state.improve_s;

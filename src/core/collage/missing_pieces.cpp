@@ -9,7 +9,7 @@
 namespace tessera {
 namespace {
 
-/// By shape: whether it may stand in any region.
+/// Per shape: whether it may stand in any region.
 std::vector<bool> may_stand(const CollageSettings& settings, std::uint32_t shapes) {
   const StanceTable whole(settings, shapes);
   std::vector<bool> may(shapes, false);

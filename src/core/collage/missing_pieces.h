@@ -1,4 +1,5 @@
-// Which pieces are missing in a finished collage: of each shape as many must stand as the job or a wish says at least.
+// Pieces that are missing in a finished collage: the job or a wish says how many pieces of each shape must stand at
+// least.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +17,13 @@ struct MissingPieces {
   int standing = 0;  // fewer
 };
 
-/// The shapes that may stand in some region of the canvas and stand too rarely, ascending. `drawings`: for each shape of
-/// the library the one that it is the mirror image of, mostly itself: a piece of either counts for that one.
+/// The shapes that may stand in some region of the canvas and stand too rarely, ascending. `drawings`: for each shape
+/// of the library the shape whose mirror image it is, or itself; a piece of either counts for that shape.
 std::vector<MissingPieces> missing_pieces(const CollageSettings& settings, const std::vector<std::uint32_t>& drawings,
                                           const std::vector<Placement>& placements);
 
-/// How many pieces there may be of all shapes that may stand in some region; infinity where one may stand as often as
-/// there is room. A drawing and its mirror image count once.
+/// The largest number of pieces of all shapes that may stand in some region; infinity if one of them has no limit. A
+/// drawing and its mirror image count once.
 double most_pieces(const CollageSettings& settings, const std::vector<std::uint32_t>& drawings);
 
 }  // namespace tessera

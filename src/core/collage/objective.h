@@ -1,7 +1,7 @@
-// The objective function (paper section 4) and what may stand in its place. Only the master calls it.
+// The objective function (paper section 4) and its alternatives. Only the master calls it.
 //
-// A new one is a file of its own (objective_NAME.cpp), a word in enum Objective (settings.h) and a row of the table in
-// objective.cpp; the job key objective.kind knows it by its name.
+// To add one: a file objective_NAME.cpp, a word in enum Objective (settings.h) and a row of the table in objective.cpp.
+// The job key objective.kind uses that name.
 #pragma once
 
 #include <array>
@@ -11,36 +11,36 @@
 
 namespace tessera {
 
-/// A candidate's size as the objective sees it.
+/// A candidate's size, as the objective needs it.
 struct PieceSize {
   float scale_px;
   float perimeter_px;
   float max_scale_px;
 };
 
-/// The larger its value, the better the candidate; it is at least 0.
+/// A function whose value is at least 0; larger is better.
 using ObjectiveFunction = float (*)(const DockingTerms&, const PieceSize&, const ObjectiveSettings&);
 
-/// Z = L / sqrt(w2 sum O_i² + w3 sum G_i²) of the paper; w1 cancels in a ranking. The divisor has kLeastDefect of the
-/// piece's area added, so that Z is finite for a perfect fit.
+/// Z = L / sqrt(w2 sum O_i² + w3 sum G_i²) of the paper; w1 cancels in a ranking. kLeastDefect of the piece's area is
+/// added to the divisor, so that Z is finite for a perfect fit.
 float paper_objective(const DockingTerms& terms, const PieceSize& piece, const ObjectiveSettings& settings);
 
 /// (L / perimeter)^length_exponent / (1 + kDefectCost (w2 O + w3 G) / area).
 float scale_aware_objective(const DockingTerms& terms, const PieceSize& piece, const ObjectiveSettings& settings);
 
 struct ObjectiveKind {
-  const char* name;  // in a job
+  const char* name;  // as in a job
   ObjectiveFunction function;
 };
 
 /// The kinds stand in the order of enum class Objective.
 const std::array<ObjectiveKind, 2>& objective_kinds();
 
-/// The paper's Z knows none: 0.
+/// The balance of sizes; 0 for the paper's Z, which has none.
 float balance_of(const ObjectiveSettings& settings);
 
-/// The settings without `balance`, which is in the exponents instead: the more even sizes are to be, the more counts
-/// how much of a piece's boundary touches.
+/// Moves `balance` into the exponents and sets it to 0. The more even the sizes should be, the more the touching part
+/// of a piece's boundary counts.
 ObjectiveSettings balanced(ObjectiveSettings settings);
 
 /// The function of the kind that the settings name, balanced, times (s / s_max)^scale_exponent.

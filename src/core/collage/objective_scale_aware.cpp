@@ -4,7 +4,7 @@
 #include "core/settings/tuning.h"
 
 namespace tessera {
-/// Never nothing: a poor piece is better than a hole.
+/// Positive as soon as anything matches: a poor piece is better than a hole.
 float scale_aware_objective(const DockingTerms& t, const PieceSize& piece, const ObjectiveSettings& w) {
   const float area = piece.scale_px * piece.scale_px;
   const float defect = (w.overlap_weight * t.overlap_px2 + w.gap_weight * t.gap_px2) / area;

@@ -15,25 +15,27 @@
 namespace tessera {
 namespace {
 
-/// Positions are written with three decimals, so two of them may come this much nearer to each other.
+/// Positions are written with three decimals, so two outlines may come this much nearer to each other in the file.
 constexpr float kWritten_px = 0.002f;
-/// Of the canvas' edge, which is a field: the spacing of the points at which it is looked up.
+/// Spacing of the points at which the canvas' edge, which is a field, is looked up.
 constexpr float kEdgeSpacing_px = 1;
-/// A vertex that a field sees so near, or inside, is worth an exact look: at thin tips fields are wrong by so much and
-/// the allowed depth together.
+/// A vertex with a field value below this is tested exactly: at thin tips fields are wrong by up to this and the
+/// allowed depth together.
 constexpr float kSuspect_px = 0.5f;
-/// The same of a shape's own field: the free field, which was looked up twice, may see a little more.
+/// The same limit for a shape's own field. It is larger because the free field, which is interpolated twice, may show a
+/// little more.
 constexpr float kSuspectPlaced_px = 0.75f;
 
-/// Pieces that still move end at the very limit: so much clear of it, rounding hides no conflict from one of the two.
+/// Pieces that still move end at the very limit. With this margin rounding does not hide a conflict from one of the
+/// two.
 constexpr float kFromBothSides_px = 0.001f;
 
-/// What is a depth stays one.
+/// Adds the rounding margin. A permitted overlap (negative) never becomes a distance.
 float seen_from_both_sides(float needed_px) {
   return needed_px > 0 ? needed_px + kFromBothSides_px : std::min(needed_px + kFromBothSides_px, 0.f);
 }
 
-/// Of a piece that was taken out: near to nothing.
+/// The box of a piece that was taken out: near to nothing.
 constexpr Box kNowhere{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
 
 bool within(const Box& box, Vec2 p) {
@@ -42,7 +44,7 @@ bool within(const Box& box, Vec2 p) {
 
 Vec2 middle(const Box& box) { return (box.low + box.high) * 0.5f; }
 
-/// Of length `by`.
+/// The direction with length `by`.
 Vec2 along(Vec2 direction, float by) { return direction * (by / std::max(norm(direction), 1e-6f)); }
 
 template <class F>
@@ -52,19 +54,19 @@ void each_segment(const Outline& outline, F f) {
   }
 }
 
-/// The way out for the deepest vertex of `inner` that lies deeper than `limit` in `outer`; `suspect` leaves out those
-/// that certainly do not.
+/// Sets `way` to the way out for the deepest vertex of `inner` that lies deeper than `limit` in `outer`; false if there
+/// is none. Only vertices for which `suspect` is true are tested.
 template <class Suspect>
 bool deepest_vertex(const PolygonIndex& inner, const PolygonIndex& outer, float limit, Suspect suspect, Vec2& way) {
   float deepest = limit;
   for (const std::vector<Vec2>& curve : inner.outline().curves) {
     for (const Vec2 p : curve) {
-      // Nearly all that are suspect are near the boundary.
+      // Nearly all suspect vertices are near the boundary.
       if (!within(outer.box(), p) || !suspect(p) || outer.nearer_than(deepest, p) || !outer.contains(p)) continue;
       const Approach out = outer.approach(p, kHopelessDepth_px);
       if (out.distance <= deepest) continue;
       deepest = out.distance;
-      // Where the boundary is out of reach there is no short way.
+      // If the boundary is out of reach, there is no short way.
       const Vec2 direction =
           out.distance < kHopelessDepth_px ? out.there - p : middle(inner.box()) - middle(outer.box());
       way = along(direction, deepest - limit);
@@ -73,7 +75,8 @@ bool deepest_vertex(const PolygonIndex& inner, const PolygonIndex& outer, float 
   return deepest > limit;
 }
 
-/// For a piece that crosses the other, until they are so far apart; by its deepest vertices where there are any.
+/// The way for a piece that crosses the other, until they are `apart_px` apart: out of the deepest vertex if there is
+/// one, otherwise along the line between the boxes' middles.
 Vec2 way_out(const PolygonIndex& piece, const PolygonIndex& other, float apart_px) {
   const auto suspect = [](Vec2) { return true; };
   Vec2 own, others;
@@ -96,7 +99,7 @@ auto key_of(const Placement& p) {
   return std::tuple(p.shape, s.a, s.b, s.tx, s.ty);
 }
 
-/// Between two boundaries; negative: how deep one may reach into the other.
+/// Required distance of two boundaries; negative: permitted depth of one in the other.
 float needed_px(const PieceSettings& pieces) {
   const bool apart = pieces.padding_px > 0 || pieces.overlap_px == 0;
   return apart ? pieces.padding_px + kWritten_px : -pieces.overlap_px;
@@ -161,7 +164,7 @@ bool PlacedOutlines::too_near(const PolygonIndex& piece, const PolygonIndex& oth
     way = along(nearest.here - nearest.there, needed_px - nearest.distance);
     return true;
   }
-  // Apart or not, one may lie in the other.
+  // Even if the boundaries are far apart, one polygon may lie inside the other.
   const bool crossed = nearest.distance <= 0 || other.contains(piece.outline().curves.front().front()) ||
                        piece.contains(other.outline().curves.front().front());
   if (crossed) way = way_out(piece, other, needed_px);
@@ -189,7 +192,7 @@ bool PlacedOutlines::too_near_the_edge(const PolygonIndex& piece, float needed_p
   return free_.has_zones() && holds_a_zone(piece, needed_px);
 }
 
-/// A zone within the piece, that its boundary did not meet.
+/// Whether the piece surrounds a zone that its boundary did not meet.
 bool PlacedOutlines::holds_a_zone(const PolygonIndex& piece, float needed_px) const {
   const Window around = bounding_window(piece.outline(), {});
   for (const Span& span : fill_spans(piece.outline(), {}, around)) {
@@ -205,14 +208,14 @@ bool PlacedOutlines::any_near(const Box& piece, float reach_px) const {
                      [&](const Placed& placed) { return within_reach(piece, placed.box, reach_px); });
 }
 
-/// By its box: a piece that is longer than the period stands nowhere, even where it could pass its own image.
+/// Tests the box: a piece longer than the period may not stand, even if it could pass its own image.
 bool PlacedOutlines::reaches_itself(const Box& piece) const {
   const Period& period = free_.grid().period();
   return (period.x_px > 0 && piece.width() + needed_px_ > float(period.x_px)) ||
          (period.y_px > 0 && piece.height() + needed_px_ > float(period.y_px));
 }
 
-/// `needed_px`: of the piece alone.
+/// `needed_px`: without regard to the other pieces' lines.
 void PlacedOutlines::add_neighbours(const Shape& shape, const Similarity& canvas_from_shape, const PolygonIndex& piece,
                                     float needed_px, std::vector<Vec2>& ways) const {
   const PieceDistance distance(shape, canvas_from_shape, 0);

@@ -1,4 +1,4 @@
-// The outlines of the placed pieces as they are written to pieces.geojson, and the last word on whether another piece
+// The outlines of the placed pieces as they are written to pieces.geojson. They decide finally whether another piece
 // may stand beside them: polygon against polygon, where fields and boundary points only estimate.
 #pragma once
 
@@ -14,49 +14,49 @@
 
 namespace tessera {
 
-/// The outline where the piece lies, in canvas px.
+/// The outline at the piece's pose, in canvas px.
 Outline placed_outline(const Outline& outline, const Similarity& canvas_from_shape);
 
 class PlacedOutlines {
  public:
-  /// `free` outlives the outlines: it knows the canvas' edge.
+  /// `free` gives the canvas' edge and must outlive this object.
   PlacedOutlines(const FreeField& free, const PieceSettings& pieces);
 
-  /// `line_radius`: as of shape_field.h.
+  /// `line_radius`: see shape_field.h.
   void add(const Placement& placement, const Outline& outline, float line_radius);
-  /// Makes the outlines those of `placements`, in this order.
+  /// Sets the outlines to those of `placements`, in this order.
   void replace(const std::vector<Placement>& placements, ShapeSource& shapes);
 
-  /// For each neighbour that the piece comes too near to, and for the canvas' edge, the way (px) by which it would have
-  /// to move away; no way, (0, 0), where it is larger than the period of a seamless canvas. With padding_px, or where
-  /// overlap_px is 0, two polygons are at least so far apart, exactly; else no vertex of one lies deeper than
-  /// overlap_px in the other, and where one consists of lines (line_art.h) not so deep that it crosses them. Where the
-  /// list is empty, the piece may stand.
+  /// The conflicts of a piece with neighbours that are too near and with the canvas' edge. A conflict is the vector
+  /// (px) by which the piece would have to move away. It is (0, 0) where no move helps: the piece is larger than the
+  /// period of a seamless canvas, or it surrounds a zone. With padding_px, or if overlap_px is 0, polygons must have at
+  /// least that distance, exactly. Otherwise no vertex of one may lie deeper than overlap_px in the other. In pieces of
+  /// lines (line_art.h) less is allowed, so that lines do not cross. An empty list: the piece may stand.
   std::vector<Vec2> conflicts(const Shape& shape, const Similarity& canvas_from_shape) const;
 
-  // For those that are placed and still move: by their index, in the order in which they were added.
+  // For placed pieces that still move. An index is the place in the order in which pieces were added.
 
   void move(std::size_t index, const Similarity& canvas_from_shape, const Outline& outline);
-  /// Takes the piece out; the others keep their indices. Of this one nothing may be asked any more.
+  /// Removes the piece; the others keep their indices. This index may not be used any more.
   void take_out(std::size_t index);
-  /// The distance of a placed piece by its shape's field, positive outside, canvas px.
+  /// The distance, canvas px, of a position to a placed piece by its shape's field; positive outside.
   using FieldDistance = std::function<float(std::size_t index, Vec2 canvas_px)>;
-  /// conflicts() of a placed piece with all others, whatever the free field holds; where there are none, the others
-  /// have none with it either.
+  /// conflicts() of a placed piece with all others, whatever the free field holds. If it has no conflict with another
+  /// piece, that piece has none with it.
   std::vector<Vec2> conflicts_of(std::size_t index, const FieldDistance& distance_px) const;
-  /// The same without the canvas' edge, and without pieces larger than the period.
+  /// conflicts_of() without the canvas' edge and without the test for pieces larger than the period.
   std::vector<Vec2> conflicts_with_others(std::size_t index, const FieldDistance& distance_px) const;
 
  private:
   struct Placed {
     Placement placement;
-    std::shared_ptr<const PolygonIndex> outline;  // none: it was taken out
+    std::shared_ptr<const PolygonIndex> outline;  // empty: the piece was taken out
     Box box;
     float line_radius;  // shape units
 
     float line_radius_px() const { return line_radius * placement.canvas_from_shape.scale(); }
   };
-  /// `needed_px`, but where a piece consists of lines as much less deep as these allow.
+  /// `needed_px`, reduced to the smaller depth that pieces of lines allow.
   static float needed_of(float needed_px, float line_radius_px);
   void add_neighbours(const Shape& shape, const Similarity& canvas_from_shape, const PolygonIndex& piece,
                       float needed_px, std::vector<Vec2>& ways) const;
@@ -71,7 +71,7 @@ class PlacedOutlines {
   bool holds_a_zone(const PolygonIndex& piece, float needed_px) const;
 
   const FreeField& free_;
-  float needed_px_;  // between the boundaries; negative: how deep one may reach into the other
+  float needed_px_;  // between the boundaries; negative: largest depth of one in the other
   std::vector<Placed> placed_;
 };
 

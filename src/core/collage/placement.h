@@ -1,4 +1,4 @@
-// The result of a collage: which shape lies where.
+// The result of a collage: the shapes and their poses.
 #pragma once
 
 #include "core/geometry/similarity.h"
@@ -11,7 +11,7 @@ struct Placement {
   ShapeId shape{};
   Similarity canvas_from_shape;
   float score = 0;
-  float matched_px = 0;  // length of its boundary within match.delta_px of the free region's boundary when placed
+  float matched_px = 0;  // when placed: length of its boundary within match.delta_px of the free region's boundary
 
   friend bool operator==(const Placement&, const Placement&) = default;
 };

@@ -90,7 +90,7 @@ Pool::Ranked Pool::pop() {
   return first;
 }
 
-/// Takes out what is outdated once it may be the most of the queue.
+/// Removes outdated entries once the queue has doubled: then they may be most of it.
 void Pool::sweep() {
   if (queue_.size() < 2 * swept_ + 1024) return;
   std::erase_if(queue_, [&](const Ranked& ranked) { return find(ranked) == nullptr; });

@@ -17,18 +17,18 @@ class Pool {
  public:
   struct Entry {
     std::vector<Candidate> candidates;  // best first when they were put
-    bool truncated = false;             // there was more than was kept
-    Window reach;                       // of the windows of all that were put
+    bool truncated = false;             // there were more candidates than were kept
+    Window reach;                       // union of the windows of all candidates that were put
   };
 
-  /// A candidate by name, and what it is worth.
+  /// Names a candidate by sample and ordinal, with its value.
   struct Ranked {
     float value;
     SampleId sample;
     std::uint32_t ordinal;
     std::uint64_t stamp;
 
-    /// A total order: the same candidates in the same order on any machine.
+    /// A total order: the same candidates come in the same order on any machine.
     bool operator<(const Ranked& o) const {
       if (value != o.value) return value > o.value;
       return sample != o.sample ? sample < o.sample : ordinal < o.ordinal;
@@ -37,7 +37,7 @@ class Pool {
 
   /// Keeps the best kPoolPerSample; ties go by shape, then source.
   void put(SampleId sample, std::vector<Candidate> candidates, bool truncated);
-  /// Puts back what entries() said of a target sample: the same candidates in the same order, not sorted again.
+  /// Restores the candidates of a target sample from entries(): in the same order, not sorted again.
   void put_back(SampleId sample, std::vector<Candidate> candidates, bool truncated);
   void erase(SampleId sample);
   void erase(const Ranked& ranked);
@@ -47,21 +47,22 @@ class Pool {
   /// Target samples that may have candidates whose windows overlap `changed`.
   std::vector<SampleId> reached_by(const Window& changed) const;
 
-  /// Drops the candidates of a target sample for which keep(candidate) is false; it may change scores. True where some
+  /// Drops the candidates of a target sample for which keep(candidate) is false; `keep` may change scores. True if some
   /// were dropped.
   template <class Keep>
   bool review(SampleId sample, Keep keep);
 
-  /// To be called after the candidate's score has changed.
+  /// Must be called after the candidate's score has changed.
   void rank_again(Ranked& ranked);
 
-  /// Calls visit(ranked, candidate) from the largest worth(candidate) down while it returns true. A candidate's worth
-  /// is at most its score, and may only fall while its score stays: the order is mended where it is looked at.
+  /// Calls visit(ranked, candidate) in descending order of worth(candidate) while it returns true. A candidate's worth
+  /// is at most its score and may only fall while its score stays. The queue corrects its order lazily, when it reaches
+  /// a candidate.
   template <class Worth, class Visit>
   void best_first(Worth worth, Visit visit);
 
  private:
-  static bool ranks_after(const Ranked& a, const Ranked& b) { return b < a; }  // the order of the queue's heap
+  static bool ranks_after(const Ranked& a, const Ranked& b) { return b < a; }  // order of the queue's heap
 
   Candidate* find(const Ranked& ranked);
   void rank(SampleId sample, Candidate& candidate);
@@ -71,10 +72,10 @@ class Pool {
 
   std::unordered_map<SampleId, Entry> entries_;
   TileIndex index_;  // samples, by the upper left corner of their entry's reach
-  int widest_ = 0;   // of all reaches so far, nodes
+  int widest_ = 0;   // largest width of all reaches up to now, nodes
   int highest_ = 0;
-  std::vector<Ranked> queue_;  // a heap of upper bounds of worth; those with an outdated stamp count no more
-  std::size_t swept_ = 0;      // size of the queue when those were last taken out
+  std::vector<Ranked> queue_;  // heap of upper bounds of worth; entries with an outdated stamp are ignored
+  std::size_t swept_ = 0;      // size of the queue when outdated entries were last removed
   std::uint64_t last_stamp_ = 0;
 };
 
@@ -113,7 +114,7 @@ void Pool::best_first(Worth worth, Visit visit) {
   for (const Ranked& ranked : visited) push(ranked);
 }
 
-/// The total order among the candidates of one target sample: by score, shape, source.
+/// The total order of the candidates of one target sample: by score, then shape, then source.
 bool ranks_before(const Candidate& a, const Candidate& b);
 
 }  // namespace tessera

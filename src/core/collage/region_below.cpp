@@ -13,7 +13,7 @@ std::uint32_t region_below(const Canvas& canvas, const Outline& outline, const S
   std::vector<FieldView> regions;
   for (const CanvasRegion& region : canvas.regions) regions.emplace_back(region.distance);
   std::vector<std::size_t> cells(std::max<std::size_t>(1, regions.size()), 0);
-  // Enough to tell where most of it is, however large it is.
+  // This many cells across are enough to find the region with the largest part of a piece of any size.
   constexpr float kCellsAcross = 256;
   const int step = std::max(1, int(canvas_from_shape.scale() / kCellsAcross));
   for (const Span& span : fill_spans(outline, canvas_from_shape, {0, 0, canvas.width_px, canvas.height_px})) {

@@ -1,4 +1,4 @@
-// In which of a canvas' regions a piece lies that no run placed there: one of an earlier result.
+// Finds the region of a canvas in which a piece of an earlier result lies.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace tessera {
 
-/// The region that has most of the piece, the first one where none has any. Counted on cells of 1 px, and fewer of
-/// large pieces.
+/// The region that contains the largest part of the piece; the first region if none contains any. Counts cells of 1 px,
+/// and larger ones for large pieces.
 std::uint32_t region_below(const Canvas& canvas, const Outline& outline, const Similarity& canvas_from_shape);
 
 }  // namespace tessera

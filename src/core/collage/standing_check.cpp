@@ -8,16 +8,16 @@
 namespace tessera {
 namespace {
 
-/// Of a piece's area: a little more than what a run leaves where pieces touch (kMaxOverlap).
+/// Tolerated fraction of a piece's area: a little more than a run leaves where pieces touch (kMaxOverlap).
 constexpr double kShown = 0.06;
 
 struct Cells {
   std::size_t inside = 0;  // the canvas, its zones included
   std::size_t kept_out = 0;
-  std::size_t covered = 0;  // by pieces before
+  std::size_t covered = 0;  // by earlier pieces
 };
 
-/// Marks the piece's cells; counts those of all of its images.
+/// Counts the cells of the piece and its images, and marks them as covered.
 Cells count_cells(const Canvas& canvas, const Outline& outline, const Similarity& canvas_from_shape,
                   Grid<std::uint8_t>& covered) {
   const FieldView free(canvas.distance);

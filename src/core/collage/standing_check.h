@@ -1,4 +1,4 @@
-// Whether pieces that somebody put where they stand lie well: told, not corrected.
+// Checks whether the poses of given pieces are good. It reports faults and corrects nothing.
 #pragma once
 
 #include <cstddef>
@@ -11,16 +11,16 @@
 
 namespace tessera {
 
-/// Places in the list of pieces, ascending. A piece may be in several lists.
+/// Indices in the list of pieces, ascending. A piece may be in several lists.
 struct StandingCheck {
-  std::vector<std::size_t> outside;      // with some of their area outside the canvas
-  std::vector<std::size_t> kept_out;     // with some of it in a zone that pieces keep out of
-  std::vector<std::size_t> overlapping;  // with some of it on pieces before them
+  std::vector<std::size_t> outside;      // part of the area is outside the canvas
+  std::vector<std::size_t> kept_out;     // part of the area is in a zone that pieces keep out of
+  std::vector<std::size_t> overlapping;  // part of the area is on pieces before it
 };
 
-/// `shape(id)` gives library shapes with their outlines. Counted on cells of 1 px; as little of a piece's area as where
-/// a run itself makes pieces touch does not count, nor what a piece may have in others and beyond the edge along half of
-/// its outline, `overlap_px` deep (PieceSettings::overlap_px; 0 with padding).
+/// Checks the pieces on cells of 1 px. `shape(id)` gives library shapes with their outlines. Two areas are tolerated.
+/// One is the fraction of a piece's area that a run itself leaves where pieces touch. The other is a strip `overlap_px`
+/// deep along half of the outline (PieceSettings::overlap_px; 0 with padding).
 StandingCheck check_standing(const Canvas& canvas, const std::vector<GivenPiece>& pieces, float overlap_px,
                              const std::function<const Shape&(ShapeId)>& shape);
 

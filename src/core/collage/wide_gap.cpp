@@ -17,9 +17,9 @@ constexpr int kNodeStride = 2;
 constexpr int kTurns = 32;
 constexpr Vec2 kDirectionStep{0.98078528f, 0.19509032f};  // cosine and sine of a 32nd of a whole turn
 constexpr std::size_t kPlacesBetweenChecks = 1000;
-constexpr float kLeastDistance = 0.5f;  // of the hull's middle from anything, in parts of HullRoom::radius
-/// The points of a boundary are tried so many places apart: two neighbours mostly hit the same thing. The stride has no
-/// divisor in common with the number of points, so that all of them are tried.
+constexpr float kLeastDistance = 0.5f;  // distance of the hull's middle from anything, in parts of HullRoom::radius
+/// Boundary points are tested in strides of this, as neighbouring points mostly hit the same thing. The stride has no
+/// divisor in common with the number of points, so that all are tested.
 constexpr int kPointStride = 37;
 
 std::array<Vec2, kTurns> directions() {
@@ -41,7 +41,7 @@ bool lies_free(const ShapeModel& shape, const Similarity& pose, const FieldView&
                      [&](Vec2 p) { return field_value(field, pose.apply(p)) > 0; });
 }
 
-/// The poses, with the hull's middle at the origin.
+/// The allowed turned poses, with the hull's middle at the origin.
 std::vector<Similarity> turned_poses(const HullRoom& room, const PoseRange& poses) {
   std::vector<Similarity> turned;
   for (const Vec2 direction : directions()) {
@@ -50,7 +50,7 @@ std::vector<Similarity> turned_poses(const HullRoom& room, const PoseRange& pose
     poses.pull_in(pose);
     turned.push_back(pose);
   }
-  if (turned.empty()) {  // of a narrow range its middle
+  if (turned.empty()) {  // the middle of a narrow range
     turned.push_back(
         {poses.rotations.middle.x * poses.min_scale_px, poses.rotations.middle.y * poses.min_scale_px, 0, 0});
     poses.pull_in(turned.back());
@@ -63,7 +63,7 @@ std::vector<Similarity> turned_poses(const HullRoom& room, const PoseRange& pose
   return turned;
 }
 
-/// Every second node of the window that is at least so far from anything, canvas px.
+/// Every second node of the window whose distance to anything is at least `least_px`, as canvas px.
 std::vector<Vec2> places_of_middle(const FreeField& free, const Window& window, float least_px) {
   const CanvasField& field = free.field();
   std::vector<Vec2> places;
@@ -77,7 +77,7 @@ std::vector<Vec2> places_of_middle(const FreeField& free, const Window& window, 
   return places;
 }
 
-/// By which all of so many places are visited, those that follow each other far apart.
+/// A stride that visits all places and keeps successive ones far apart.
 std::size_t stride_over(std::size_t places) {
   std::size_t stride = std::max<std::size_t>(1, places * 618 / 1000);
   while (std::gcd(stride, places) != 1) ++stride;
@@ -121,7 +121,7 @@ bool any_pose_in_gap(const ShapeModel& shape, const HullRoom& room, const PoseRa
       pose.ty += middles[at].y;
       if (!lies_free(shape, pose, free.view())) continue;
       if (attempt(pose)) return true;
-      break;  // elsewhere rather than in another rotation
+      break;  // an attempt elsewhere is better than one in another rotation
     }
   }
   return false;

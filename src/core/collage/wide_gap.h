@@ -1,4 +1,5 @@
-// How wide the gaps are that are left, and how wide one must be to hold a shape: line art encloses more than it covers.
+// The width of the remaining gaps, and the width that a gap must have to hold a shape. Line art encloses more than it
+// covers.
 #pragma once
 
 #include <functional>
@@ -11,31 +12,31 @@
 
 namespace tessera {
 
-/// Radius, px, of the largest disc in the free region round a node of `window`, or of an image of it; not below 0.
+/// Radius, px, of the largest disc in the free region around a node of `window` or of its images; at least 0.
 float widest_gap_px(const FreeField& free, const Window& window);
 
-/// No gap is wide enough for a shape whose radius is less than that of a disc of the shape's area, shape units.
+/// A gap with a smaller disc radius holds no shape: it is about the radius of a disc of area 1. Shape units.
 inline constexpr float kLeastWideGap = 0.56f;
 
-/// The place that a shape takes with all that it encloses, shape units.
+/// The room that a shape takes together with the area it encloses, shape units.
 struct HullRoom {
   Vec2 middle;     // the centroid of its convex hull
   float area = 0;  // of the hull; that of the shape is 1
-  /// Of a gap that is wide enough: half of the hull's width where it is narrowest, and kLeastWideGap at least. The latter
-  /// where the shape consists of lines: these may lie round others.
+  /// Disc radius of a gap that is wide enough: half of the hull's smallest width, but at least kLeastWideGap. For
+  /// shapes of lines it is kLeastWideGap, since these may lie around other pieces.
   float radius = 0;
   bool of_lines = false;  // line_radius() is finite
 
-  /// Dockings hardly find a pose for it: it encloses at least as much as it covers, as frames, rings and suns with rays
-  /// do, or it is thin.
+  /// Whether dockings hardly find a pose for the shape. Such a shape is thin, or it encloses at least as much as it
+  /// covers, as frames, rings and suns with rays do.
   bool hardly_docks() const { return of_lines || area >= 2; }
 };
 HullRoom hull_room(const Shape& shape);
 
-/// `check_stop` is called again and again, and may throw. Whether `attempt` returns true for a pose of the smallest size of `poses` in which the shape lies in the free
-/// region. The hull's middle lies at every second node of `window`, in a scattered order, that is at least half as
-/// far from anything as the middle of a gap that is wide enough; of 32 rotations there the first is attempted in which the
-/// shape lies free.
+/// Tries poses of the smallest size of `poses` in which the shape lies in the free region. Returns true as soon as
+/// `attempt` returns true for one. The hull's middle is put on every second node of `window`, in a scattered order. A
+/// node must have at least half of the distance that the middle of a wide enough gap has. Of 32 rotations at a node the
+/// first in which the shape lies free is attempted. Calls `check_stop` regularly, which may throw.
 bool any_pose_in_gap(const ShapeModel& shape, const HullRoom& room, const PoseRange& poses, const FreeField& free,
                      const Window& window, const StopCheck& check_stop,
                      const std::function<bool(const Similarity&)>& attempt);

@@ -6,12 +6,11 @@
 namespace tessera {
 namespace {
 
-/// Calls `take(cell, length)` for each of `cells` cells that pixel `at` of `pixels` lies in; the length is that of the
-/// common part, the cell having 1. Whole numbers tell the parts, so that no rounding lets a pixel slip into the next
-/// cell.
+/// Calls `take(cell, length)` for each of `cells` cells that overlaps pixel `at` of `pixels`. `length` is the length of
+/// the overlap, in cells. It is computed in whole numbers, so that rounding never moves a pixel into the next cell.
 template <class Take>
 void for_each_part(int at, int pixels, int cells, Take take) {
-  // Both ends of the pixel and of the cells in units in which a pixel is `cells` long and a cell `pixels`.
+  // Ends of the pixel and of the cells, in units in which a pixel is `cells` long and a cell `pixels`.
   const long long begin = static_cast<long long>(at) * cells, end = begin + cells;
   for (long long cell = begin / pixels; cell * pixels < end; ++cell) {
     const long long from = std::max(begin, cell * pixels), to = std::min(end, (cell + 1) * pixels);

@@ -1,5 +1,5 @@
-// A picture reduced, or enlarged, to a grid of cells: each cell is the mean of the pixels that it covers, by the areas
-// that they share. Pixels come row by row, so that a picture need not be in memory as a whole.
+// Reduces or enlarges a picture to a grid of cells. Each cell is the mean of the pixels that it covers, weighted by
+// their common area. Pixels come row by row, so that a picture need not be in memory as a whole.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace tessera {
 
-/// A pixel or a cell, and how much it counts: 0 to 1.
+/// The colour of a pixel or a cell, with its weight: 0 to 1.
 struct WeightedColour {
   Srgb colour;
   float weight = 1;
@@ -17,14 +17,15 @@ struct WeightedColour {
 
 class AreaMeans {
  public:
-  /// From a picture of so many pixels to so many cells; all numbers are 1 at least.
+  /// Reduces a picture of `picture_width` x `picture_height` pixels to `cells_width` x `cells_height` cells; all
+  /// numbers are at least 1.
   AreaMeans(int picture_width, int picture_height, int cells_width, int cells_height);
 
-  /// The next row, from the top, of as many pixels as the picture is wide.
+  /// Adds the next row from the top; it has as many pixels as the picture is wide.
   void add_row(const WeightedColour* pixels);
 
-  /// The cells after the last row. Colours are means by weight, weights are means by area. Where nothing counts the
-  /// colour is black and the weight 0.
+  /// The cells, after the last row. Colours are means by weight, weights are means by area. If no pixel of a cell has
+  /// weight, its colour is black and its weight 0.
   Grid<WeightedColour> cells() const;
 
  private:
@@ -37,7 +38,7 @@ class AreaMeans {
   const int picture_width_;
   const int picture_height_;
   int next_row_ = 0;
-  std::vector<Sum> row_;  // of one row of pixels, by columns of cells
+  std::vector<Sum> row_;  // sums of one row of pixels, by columns of cells
   Grid<Sum> sums_;
 };
 

@@ -19,7 +19,7 @@ struct Direction {
   float sine;
 };
 
-/// Of the middle between two hues; that of a grey does not count.
+/// The direction of the middle between two hues; a grey has no hue and does not count.
 Direction middle_hue(float ax, float bx, float chroma_x, float ay, float by, float chroma_y) {
   const float inverse_x = chroma_x > 0 ? 1 / chroma_x : 0.f;
   const float inverse_y = chroma_y > 0 ? 1 / chroma_y : 0.f;
@@ -42,10 +42,10 @@ float hue_weight(Direction h) {
          0.32f * (cos3 * 0.99452190f - sin3 * 0.10452846f) - 0.2f * (cos4 * 0.45399050f + sin4 * 0.89100652f);
 }
 
-/// sin(60° e^(-((h - 275°) / 25°)^2)): the turn of the ellipses among the blues.
+/// sin(60° e^(-((h - 275°) / 25°)^2)): the rotation of the ellipses among the blues.
 float blue_turn(Direction h) {
   const float along = h.cosine * 0.08715574f - h.sine * 0.99619470f;  // cos(h - 275°)
-  const float u = 1 - (along > 0 ? along : 0.f);                      // beyond a right angle nothing is left
+  const float u = 1 - (along > 0 ? along : 0.f);                      // zero beyond a right angle
   // (h - 275°)^2 in rad²: 4 asin(sqrt(u / 2))^2 as a series.
   float square = 3.8480038e-3f;
   square = square * u + 1.01587302e-2f;
@@ -70,8 +70,8 @@ float ciede2000(const Lab& x, const Lab& y) {
   const float chroma_y = std::sqrt(ay * ay + y.b * y.b);
   const float chroma = (chroma_x + chroma_y) * 0.5f;
 
-  // The difference in hue, squared, is 2 (|x| |y| - x y); by the product across where that would be a small difference
-  // of large numbers.
+  // The squared difference in hue is 2 (|x| |y| - x y). If that is a small difference of large numbers, the cross
+  // product gives it.
   const float along = ax * ay + x.b * y.b;
   const float across = ax * y.b - x.b * ay;
   const float product = chroma_x * chroma_y;

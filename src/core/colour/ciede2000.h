@@ -1,6 +1,6 @@
-// The colour difference CIEDE2000 (CIE 142; Sharma, Wu, Dalal 2005), 1 being about what the eye just sees. It decides,
-// so it is made of + - * / and sqrt alone: hues are unit vectors, never angles. kernels/colour.cl is the same, bit for
-// bit.
+// The colour difference CIEDE2000 (CIE 142; Sharma, Wu, Dalal 2005); a difference of 1 is just visible. It affects the
+// picture, so it uses + - * / and sqrt only: hues are unit vectors, never angles. kernels/colour.cl computes the same,
+// bit for bit.
 #pragma once
 
 #include "core/colour/lab.h"

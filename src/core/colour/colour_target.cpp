@@ -14,7 +14,7 @@ Texel mixed(const Texel& p, const Texel& q, float t) {
           p.weight * (1 - t) + q.weight * t};
 }
 
-/// Means of 2 x 2; the last row and column of odd sizes count twice.
+/// Means of 2 x 2 texels; with odd sizes the last row and column count twice.
 Grid<Texel> halved(const Grid<Texel>& fine) {
   Grid<Texel> coarse((fine.width() + 1) / 2, (fine.height() + 1) / 2);
   for (int y = 0; y < coarse.height(); ++y) {
@@ -31,7 +31,8 @@ Grid<Texel> halved(const Grid<Texel>& fine) {
 }  // namespace
 
 ColourTarget::ColourTarget(const Grid<Texel>& finest, float px_per_texel) : px_per_texel_(px_per_texel) {
-  texels_.reserve(finest.data().size() * 4 / 3 + 4 * kMaxColourLevels);  // else as much again is kept for nothing
+  // otherwise the vector would reserve twice the memory
+  texels_.reserve(finest.data().size() * 4 / 3 + 4 * kMaxColourLevels);
   Grid<Texel> level = finest;
   for (;;) {
     levels_.push_back(

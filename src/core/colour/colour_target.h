@@ -1,5 +1,6 @@
-// The picture that pieces are to show together: its colours over the canvas, at ever coarser levels, so that the mean
-// of a place of any size is one look-up. kernels/colour.cl looks up the same, bit for bit.
+// The picture that the pieces show together: its colours over the canvas at several levels, each coarser than the one
+// before. So the mean colour of a place of any size is one look-up. kernels/colour.cl does the same look-up, bit for
+// bit.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,8 @@
 
 namespace tessera {
 
-/// A mean colour times how much it is wished for (0..1), and that: what is transparent wishes nothing.
+/// A mean colour times its weight (0..1), and the weight. The weight says how much the colour is wished; transparent
+/// places have none.
 struct Texel {
   float lightness = 0;
   float a = 0;
@@ -25,28 +27,28 @@ struct Texel {
 struct ColourLevel {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
-  std::uint32_t first = 0;  // among the texels of all levels
+  std::uint32_t first = 0;  // index of its first texel among the texels of all levels
   float texels_per_px = 1;  // canvas px
 };
 
 inline constexpr int kMaxColourLevels = 16;
-/// Of a texel's weight: less wishes nothing.
+/// A texel with less weight wishes nothing.
 inline constexpr float kLeastColourWeight = 0.02f;
 
 class ColourTarget {
  public:
-  /// `finest` covers the canvas from its upper left corner on, a texel for so many px each way. Each further level has
-  /// texels twice as long, down to one.
+  /// `finest` covers the canvas from its upper left corner on, with texels of `px_per_texel` px in each direction. Each
+  /// further level has texels twice as long, down to a single texel.
   ColourTarget(const Grid<Texel>& finest, float px_per_texel);
 
-  /// Of the finest level.
+  /// Length of a texel of the finest level.
   float px_per_texel() const { return px_per_texel_; }
   const std::vector<ColourLevel>& levels() const { return levels_; }
   const std::vector<Texel>& texels() const { return texels_; }
 
-  /// The coarsest level whose texels are no longer than `length_px`; else the finest.
+  /// The coarsest level whose texels are no longer than `length_px`, or the finest level.
   int level_for(float length_px) const;
-  /// Bilinear; beyond the picture what is at its edge.
+  /// Bilinear look-up; points beyond the picture get the value at its edge.
   Texel at(int level, Vec2 p_px) const;
 
  private:

@@ -11,7 +11,7 @@ namespace tessera {
 namespace {
 
 struct Sector {
-  double centre_deg;  // of a template at angle 0
+  double centre_deg;  // of the template at angle 0
   double width_deg;
 };
 
@@ -21,7 +21,7 @@ struct Form {
   std::size_t count;
 };
 
-/// In the order of HarmonicTemplate.
+/// The templates in the order of HarmonicTemplate.
 constexpr std::array<Form, kHarmonicTemplates.size()> kForms = {{
     {"i", {{{0, 18}, {}}}, 1},
     {"I", {{{0, 18}, {180, 18}}}, 2},
@@ -38,15 +38,15 @@ std::span<const Sector> sectors_of(HarmonicTemplate form) {
   return std::span(form_of(form).sectors).first(form_of(form).count);
 }
 
-/// From -180 to 180, counterclockwise.
+/// The turn from one hue to the other, -180 to 180, counterclockwise.
 double way_deg(double from_deg, double to_deg) { return std::remainder(to_deg - from_deg, 360); }
 
-/// From the sector's nearer border; negative inside.
+/// The distance from the sector's nearer border; negative inside.
 double beyond_border(double hue_deg, const Sector& sector) {
   return std::abs(way_deg(sector.centre_deg, hue_deg)) - sector.width_deg / 2;
 }
 
-/// Of a template at angle 0.
+/// The sector of a template at angle 0 that is nearest to the hue.
 const Sector& nearest_sector(double hue_deg, HarmonicTemplate form) {
   const std::span<const Sector> sectors = sectors_of(form);
   const Sector* nearest = &sectors.front();
@@ -58,7 +58,7 @@ const Sector& nearest_sector(double hue_deg, HarmonicTemplate form) {
 
 using DistanceTable = std::array<double, kHues>;
 
-/// Of each hue from the nearest sector of a template at angle 0, degrees.
+/// The distance, degrees, of each hue from the nearest sector of a template at angle 0.
 DistanceTable distances_of(HarmonicTemplate form) {
   DistanceTable distances;
   for (int hue = 0; hue < kHues; ++hue) {
@@ -118,10 +118,10 @@ Harmony best_harmony(const HueHistogram& weights) {
   return best;
 }
 
-// The paper smooths by a graph cut which sector the pixels of an image go to, so that neighbours go the same way. Here
-// a piece goes as a whole: there is nothing to smooth.
-// H' = C + w / 2 (1 - G(|H - C|)) with sigma = w / 2: the further outside, the nearer to the border. The paper moves
-// what lies inside by it, too, towards the centre; we leave it: it is harmonic, and what stays is as it was drawn.
+// The paper smooths the assignment of pixels to sectors by a graph cut, so that neighbours move the same way. Here a
+// piece moves as a whole, so there is nothing to smooth. H' = C + w / 2 (1 - G(|H - C|)) with sigma = w / 2: the
+// farther outside, the nearer to the border. The paper also moves hues inside a sector towards its centre. Here these
+// stay: they are harmonic, and so drawings keep their own colours.
 double harmonised_hue(int hue_deg, const Harmony& harmony) {
   const double seen_deg = hue_deg - harmony.angle_deg;
   const Sector& sector = nearest_sector(seen_deg, harmony.form);

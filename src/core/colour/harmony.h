@@ -1,6 +1,6 @@
-// Hues that go together: the harmonic templates of Cohen-Or, Sorkine, Gal, Leyvand, Xu, "Color Harmonization" (SIGGRAPH
-// 2006). A template is one or two sectors of the hue wheel, turned as a whole to any angle; colours whose hues all lie
-// in them are harmonic. Which angle the wheel gives a colour is up to the caller.
+// Harmonic hues: the templates of Cohen-Or, Sorkine, Gal, Leyvand, Xu, "Color Harmonization" (SIGGRAPH 2006). A
+// template is one or two sectors of the hue wheel, turned as a whole to any angle. Colours are harmonic if all their
+// hues lie in the sectors. The caller chooses the angle that the wheel gives each colour.
 #pragma once
 
 #include <array>
@@ -10,20 +10,21 @@ namespace tessera {
 
 inline constexpr int kHues = 360;  // whole degrees, 0 to 359
 
-/// How much there is of each hue.
+/// The amount of each hue.
 using HueHistogram = std::array<double, kHues>;
 
-/// As the paper calls them by their form, but for N, greys. Two that fit alike: the first, which is the narrower one.
+/// The paper's names, which show the form; its N (greys) is missing. If two templates fit equally, the first counts,
+/// which is the narrower one.
 enum class HarmonicTemplate { i, I, V, L, Y, T, X };
 inline constexpr std::array kHarmonicTemplates = {HarmonicTemplate::i, HarmonicTemplate::I, HarmonicTemplate::V,
                                                   HarmonicTemplate::L, HarmonicTemplate::Y, HarmonicTemplate::T,
                                                   HarmonicTemplate::X};
 
 std::string letter_of(HarmonicTemplate form);
-/// Throws InputError where no template is called so.
+/// The template with this name. Throws InputError if there is none.
 HarmonicTemplate template_of(const std::string& letter);
 
-/// A template on the wheel.
+/// A template at an angle on the wheel.
 struct Harmony {
   HarmonicTemplate form = HarmonicTemplate::i;
   int angle_deg = 0;  // of the middle of its first sector
@@ -31,15 +32,16 @@ struct Harmony {
   friend bool operator==(const Harmony&, const Harmony&) = default;
 };
 
-/// The paper's F without saturation, which is in the weights: the sum of weight times degrees to the nearest sector.
+/// The paper's F without saturation, which is part of the weights: the sum of weight times degrees to the nearest
+/// sector.
 double disharmony(const HueHistogram& weights, const Harmony& harmony);
 
-/// The angle of least disharmony; of several the smallest.
+/// The harmony of this template with the angle of least disharmony; among equal ones the smallest angle.
 Harmony best_harmony(const HueHistogram& weights, HarmonicTemplate form);
-/// The template, too.
+/// The best harmony of all templates.
 Harmony best_harmony(const HueHistogram& weights);
 
-/// Where a hue goes: one outside of all sectors into the nearest, 0 <= hue < 360. What lies in a sector stays.
+/// The harmonised hue, 0 <= hue < 360: a hue outside all sectors moves into the nearest one; a hue in a sector stays.
 double harmonised_hue(int hue_deg, const Harmony& harmony);
 
 }  // namespace tessera

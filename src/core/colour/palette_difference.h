@@ -1,4 +1,4 @@
-// How far a drawing's colours are from those of a palette.
+// The difference between a drawing's colours and a palette.
 #pragma once
 
 #include <span>
@@ -7,8 +7,8 @@
 
 namespace tessera {
 
-/// CIEDE2000: of each cell to the nearest colour of the palette (one at least), the mean by what is drawn on. 0 where
-/// the grid is empty.
+/// The mean over the grid's cells, weighted by their drawn part, of the CIEDE2000 to the nearest colour of the palette
+/// (at least one). 0 if the grid is empty.
 float palette_difference(const ColourGrid& grid, std::span<const Lab> palette);
 
 }  // namespace tessera

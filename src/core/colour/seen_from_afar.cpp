@@ -34,7 +34,7 @@ Grid<float> weights_of(const Grid<WeightedColour>& cells) {
   return weights;
 }
 
-/// Not a number where nothing counts.
+/// The weighted mean colour difference; NaN if no cell has weight.
 double mean_difference(const Grid<WeightedColour>& mosaic, const Grid<WeightedColour>& picture) {
   double sum = 0, weights = 0;
   for (std::size_t i = 0; i < mosaic.data().size(); ++i) {

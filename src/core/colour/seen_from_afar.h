@@ -1,5 +1,5 @@
-// How well a mosaic shows its picture to whoever stands far off and sees no single piece: both are reduced to few
-// pixels, then compared by colour and by structure.
+// Measures how well a mosaic shows its picture from a distance at which single pieces are not visible. Mosaic and
+// picture are reduced to a few pixels, then compared by colour and by structure.
 #pragma once
 
 #include <optional>
@@ -8,35 +8,36 @@
 
 namespace tessera {
 
-/// Width to which both are reduced, whatever the mosaic: figures of different mosaics can be compared.
+/// Width to which mosaic and picture are reduced. It is the same for all mosaics, so that their figures can be
+/// compared.
 inline constexpr int kAfarWidth_px = 100;
 
-/// A mosaic and the picture that it shows, in the same cells.
+/// A mosaic and the picture that it shows, on the same cells.
 struct PicturePair {
   Grid<Srgb> mosaic;
   Grid<Srgb> picture;
-  Grid<float> weight;  // how much a cell counts, 0..1: 0 outside the canvas and where the picture is transparent
+  Grid<float> weight;  // weight of each cell, 0..1: 0 outside the canvas and where the picture is transparent
 };
 
-/// How far mosaic and picture are apart once both are reduced to so many pixels.
+/// The differences of mosaic and picture after both are reduced to this number of pixels.
 struct AfarFigures {
   int width_px = 0;
   int height_px = 0;
-  double colour_difference = 0;  // mean of CIEDE2000 over the pixels; 0: equal, 100: black for white
+  double colour_difference = 0;  // mean CIEDE2000 over the pixels; 0: equal, 100: black for white
   double structure = 1;          // SSIM of the greys; 1: equal
 };
 
 struct SeenFromAfar {
-  AfarFigures at_100_px;  // of fewer px where the cells are fewer
+  AfarFigures at_100_px;  // with fewer px if there are fewer cells
   std::optional<AfarFigures> at_piece_size;
 };
 
-/// Both reduced to so many px, as many as there are cells at most. Pixels are means of sRGB as it is coded, as image
-/// programs and browsers reduce pictures. None where nothing counts.
+/// Reduces both to `width_px`, or to the number of cells if that is less. Pixels are means of coded sRGB values, as
+/// image programs and browsers reduce pictures. Empty if no cell has weight.
 std::optional<AfarFigures> figures_from_afar(const PicturePair& pair, int width_px);
 
-/// The figures at 100 px, and at the width at which a piece of mean size is one pixel: the mosaic is `width_in_pieces`
-/// times as wide as such a piece; 0: there are no pieces. None where nothing counts.
+/// The figures at 100 px, and at the width at which a piece of mean size is one pixel. `width_in_pieces`: the mosaic's
+/// width in such pieces; 0: there are no pieces. Empty if no cell has weight.
 std::optional<SeenFromAfar> seen_from_afar(const PicturePair& pair, double width_in_pieces);
 
 }  // namespace tessera

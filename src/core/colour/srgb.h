@@ -1,4 +1,4 @@
-// A colour as pictures store it: sRGB, red, green and blue as they are coded, 0 to 255. CIELAB and grey of it.
+// A colour as pictures store it: sRGB, coded red, green and blue, 0 to 255; with its CIELAB and grey values.
 #pragma once
 
 #include "core/colour/lab.h"
@@ -13,11 +13,11 @@ struct Srgb {
   friend bool operator==(const Srgb&, const Srgb&) = default;
 };
 
-/// CIELAB with D65 as white. It is for measures alone: the powers in it differ in the last bits from machine to
-/// machine, and nothing that places a piece may follow from them.
+/// CIELAB with white D65. For measures only: its powers differ in the last bits between machines, so the placement of
+/// pieces must not depend on it.
 Lab lab_from_srgb(const Srgb& colour);
 
-/// Luma of ITU-R BT.601, 0 to 255: what image programs mean by grey.
+/// Luma of ITU-R BT.601, 0 to 255: the grey of image programs.
 float grey_of(const Srgb& colour);
 
 }  // namespace tessera

@@ -5,7 +5,7 @@
 namespace tessera {
 namespace {
 
-// The constants that keep the quotients finite, for greys from 0 to 255.
+// Constants that keep the quotients finite, for greys from 0 to 255.
 constexpr double kLuminance = (0.01 * 255) * (0.01 * 255);
 constexpr double kContrast = (0.03 * 255) * (0.03 * 255);
 

@@ -6,7 +6,7 @@
 namespace tessera {
 namespace {
 
-constexpr float kCell_px = 4;  // mostly a neighbour lies no farther off
+constexpr float kCell_px = 4;  // a neighbour mostly lies within this distance
 constexpr double kMostCells = 1 << 24;
 constexpr float kSelf_px = 0.1f;
 
@@ -15,7 +15,7 @@ struct Extents {
   Vec2 high{-INFINITY, -INFINITY};
 };
 
-/// How far along the ray it crosses the segment; negative: it does not.
+/// The distance along the ray at which it crosses the segment; negative: it does not.
 float crossing(Vec2 from, Vec2 direction, const Segment& segment) {
   const Vec2 side = segment.to - segment.from;
   const float turn = cross(direction, side);
@@ -101,7 +101,8 @@ void BoundaryMap::each_in(const Cells& cells, F f) const {
   }
 }
 
-/// `side` is the nearest to p. At a corner the sides that meet there decide together.
+/// Whether p lies inside the piece to which `side`, the nearest one to p, belongs. At a corner both sides that meet
+/// there decide together.
 bool BoundaryMap::is_inside_of(const Side& side, Vec2 p) const {
   const auto left_of = [&](const Side& s) { return cross(s.segment.to - s.segment.from, p - s.segment.from) > 0; };
   const Vec2 d = side.segment.to - side.segment.from;
@@ -117,7 +118,7 @@ bool BoundaryMap::is_inside_of(const Side& side, Vec2 p) const {
 NearestOther BoundaryMap::nearest_other(Vec2 p, std::uint32_t piece, float reach_px) const {
   float best = reach_px;
   const Side* nearest = nullptr;
-  // What is not within this radius lies in a cell that is not looked into.
+  // Sides beyond this radius lie in cells that are not searched.
   for (float radius = std::min(cell_px_, reach_px);; radius = std::min(2 * radius, reach_px)) {
     each_in(cells_of(p - Vec2{radius, radius}, p + Vec2{radius, radius}), [&](std::uint32_t i) {
       const Side& side = sides_[i];

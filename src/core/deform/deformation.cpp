@@ -13,19 +13,20 @@
 namespace tessera {
 namespace {
 
-/// Half of what is left is closed in each.
+/// Rounds of steps; each closes half of the remaining distance.
 constexpr int kRounds = 12;
-constexpr int kVoronoiRounds = 24;  // each brings 2 px at most
-/// Then those that still overlap go back.
+constexpr int kVoronoiRounds = 24;  // each moves 2 px at most
+/// Rounds in which overlapping pieces move back afterwards.
 constexpr int kClearingRounds = 4;
-/// Where a gap is wished: what is cleared here, and a little more, need not be taken back from whole pieces.
+/// The same with a wished gap: distance that is cleared here, with a small margin, need not be taken from whole pieces
+/// later.
 constexpr int kGapClearingRounds = 12;
 constexpr float kGapMargin_px = 0.05f;
-/// Then those that are nearer to each other than a wished gap are deformed less. After these rounds they are not
-/// deformed at all, and neither is who is then too near to them.
+/// Rounds in which pieces nearer to each other than the wished gap are deformed less. After these, such pieces lose
+/// their deformation, and so do pieces that are then too near to them.
 constexpr int kGapRounds = 12;
 
-/// Of the region that the piece lies in, or of the whole canvas.
+/// The edge of the region that the piece lies in, or of the whole canvas.
 FieldView edge_round(const Canvas& canvas, Vec2 centre_px) {
   const CanvasField* edge = &canvas.distance;
   float deepest = 0;
@@ -102,8 +103,8 @@ class Deformation {
     }
   }
 
-  /// Says of each piece whether it is deformed and has less than the gap to another. Both of a pair count: only one of
-  /// them has the point that is near, and the other one may have moved.
+  /// Tells for each piece whether it is deformed and nearer to another than the gap. Both pieces of a pair count: only
+  /// one of them has the near point, but the other one may have moved.
   std::vector<std::uint8_t> too_near() {
     const BoundaryMap now = map();
     std::vector<std::vector<std::uint32_t>> others(pieces_.size());
@@ -133,7 +134,7 @@ class Deformation {
   const DeformSettings& settings_;
   const float gap_px_;
   std::vector<std::unique_ptr<PieceDeformer>> deformers_;
-  std::vector<FieldView> edges_;  // that each piece keeps within
+  std::vector<FieldView> edges_;  // the edge that each piece keeps within
   std::vector<Outline> outlines_px_;
 };
 

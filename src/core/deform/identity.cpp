@@ -7,7 +7,7 @@
 namespace tessera {
 namespace {
 
-/// What is finer is seen as texture, not as shape; also the smoothing of targets at pieces of 20 to 160 px.
+/// Finer detail is seen as texture, not as shape. It is also the smoothing of targets for pieces of 20 to 160 px.
 constexpr float kSeen_px = 2.5f;
 
 const SmoothingLevel& level_at(float scale_px) {

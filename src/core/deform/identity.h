@@ -1,4 +1,4 @@
-// How much of a shape's identity is left when its outline was deformed.
+// Measures how much of a shape's identity remains after its outline was deformed.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace tessera {
 
-/// Compares a shape with its deformed self at corresponding points, by PADs (Equation 1) of the smoothing level that
-/// agrees with what is seen at its size.
+/// Compares a shape with its deformed version at corresponding points, by PADs (Equation 1) of the smoothing level that
+/// matches the visible detail at its size.
 class ShapeIdentity {
  public:
-  /// `scale_px`: of the piece. The shape's outer curve has evenly spaced points.
+  /// `scale_px`: scale of the piece. The shape's outer curve has evenly spaced points.
   ShapeIdentity(const Shape& shape, float scale_px, const PadParameters& pad);
 
   /// The mean PAD distance over the samples of the outer curve; 0: nothing has changed.
@@ -22,7 +22,7 @@ class ShapeIdentity {
  private:
   PadParameters pad_;
   float sigma_ = 0;
-  std::vector<Vec2> smooth_;  // curve
+  std::vector<Vec2> smooth_;  // the smoothed curve
   std::vector<Pad> samples_;
 };
 

@@ -6,27 +6,28 @@
 namespace tessera {
 namespace {
 
-/// So much of a limb's thickness may its boundary go inwards: two sides, and something must be left.
+/// Largest inward movement as a fraction of a limb's thickness: there are two sides, and something must remain.
 constexpr float kThinner = 0.25f;
-/// A boundary that faces its own shape over less than so many times the largest move stays: a mouth stays open.
+/// A boundary stays where it faces its own shape at less than this many times the largest movement: a mouth stays open.
 constexpr float kOwnGulf = 4;
-/// So much of such a gulf may be filled from each side where full cells are wished.
+/// Fraction of such a gulf that may be filled from each side if full Voronoi cells are wished.
 constexpr float kOwnGulfFilled = 0.4f;
-/// Along the curve, shape units: limits fade over twice that.
+/// Length along the curve, shape units; limits fade over twice that.
 constexpr float kFade = 0.03f;
 
-/// In one round, so that neighbours meet where both have come from.
+/// Largest movement in one round, so that neighbours meet in their middle.
 constexpr float kMostInRound_px = 2;
-/// What a piece that has changed too much wishes outwards, step by step: after these hardly anything.
+/// Factor by which a piece that has changed too much is deformed less, and limits of the number of such steps:
+/// afterwards hardly any deformation is left.
 constexpr float kShorter = 0.85f;
 constexpr int kMostShorter = 16;
 constexpr int kMostWeaker = 40;
-/// A gap that is wished is kept up to this, which is what rounding may take of it.
+/// Tolerance of a wished gap, for rounding.
 constexpr float kGapSlack_px = 0.002f;
 
 int neighbours_for(float spacing) { return std::clamp(int(kFade / spacing + 0.5f), 1, 64); }
 
-/// Means over 2 n + 1 neighbours of a closed curve, twice.
+/// Means over 2 n + 1 neighbours of a closed curve, applied twice.
 void fade(std::vector<float>& values, int n) {
   const int count = int(values.size());
   n = std::min(n, (count - 1) / 2);
@@ -41,7 +42,7 @@ void fade(std::vector<float>& values, int n) {
 }
 
 Vec2 outward_normal(const std::vector<Vec2>& curve, std::size_t i) {
-  constexpr std::size_t kSpan = 2;  // neighbours on each side: one segment alone is noise
+  constexpr std::size_t kSpan = 2;  // neighbours on each side: a single segment is noisy
   const std::size_t n = curve.size(), span = std::min(kSpan, (n - 1) / 2);
   const Vec2 along = curve[(i + span) % n] - curve[(i + n - span) % n];
   const float length = norm(along);
@@ -103,7 +104,8 @@ void PieceDeformer::step(const BoundaryMap& map, const FieldView& canvas, float 
     const float to_others = 0.5f * (map.distance_to_others_px(p, index_, look) - gap_px);
     const float to_edge = field_value(canvas, p) - gap_px;
     const float way = std::clamp(std::min(to_others, to_edge), -kMostInRound_px, clears ? 0 : kMostInRound_px);
-    // Added to what was wished, not to what came of it: so what smoothing takes away is asked for again.
+    // Added to the wished movement, not to the resulting one: so the movement that smoothing removes is asked for
+    // again.
     point.wished_px = std::clamp(point.wished_px + way, -point.most_in_px, point.most_out_px);
   }
   warp_ = fit_.warp(wished());

@@ -1,4 +1,4 @@
-// One piece of a collage that is being deformed, round by round.
+// The deformation of one piece of a collage, round by round.
 #pragma once
 
 #include <vector>
@@ -13,30 +13,30 @@ namespace tessera {
 
 class PieceDeformer {
  public:
-  /// `piece.shape` and `settings` must outlive it. `index`: of the piece in the maps.
+  /// `piece.shape` and `settings` must outlive this object. `index`: the piece's index in the maps.
   PieceDeformer(const DeformablePiece& piece, std::uint32_t index, const DeformSettings& settings,
                 const PadParameters& pad);
 
-  /// How far each point of the boundary may go, as the undeformed pieces lie. Once, before the first round.
+  /// Sets how far each point of the boundary may move, from the undeformed pieces. Called once, before the first round.
   void set_limits(const BoundaryMap& undeformed);
 
-  /// A step towards the middle of what is between this piece and its neighbours, as all lie in `map`; `clears`: only away
-  /// from what it overlaps.
+  /// Moves the boundary a step towards the middle between this piece and its neighbours, which lie as in `map`. With
+  /// `clears`, only away from pieces that it overlaps.
   void step(const BoundaryMap& map, const FieldView& canvas, float gap_px, bool clears);
 
-  /// Where the piece has changed more than the settings allow: its boundary goes less far out.
+  /// While the piece has changed more than the settings allow, reduces the outward movement of its boundary.
   void grow_less();
-  /// The same for certain, and no farther than the settings allow, by less of the whole deformation.
+  /// Reduces the whole deformation until the piece certainly keeps the settings' limits.
   void weaken();
-  /// Some less of the deformation.
+  /// Reduces the whole deformation by one step.
   void shrink();
   void undo();
 
   bool is_deformed() const { return farthest_px() > 0; }
-  /// The pieces to whose boundaries in `map` a point of this one's is nearer than `gap_px`.
+  /// The pieces to whose boundaries in `map` some point of this piece is nearer than `gap_px`.
   std::vector<std::uint32_t> nearer_than(float gap_px, const BoundaryMap& map) const;
 
-  /// Without any deformation, where the boundary crosses itself in `map` and did not before.
+  /// Removes the deformation if the boundary crosses itself in `map` and did not before.
   void undo_where_crossed(const BoundaryMap& map);
 
   Outline outline_px() const;
@@ -49,7 +49,7 @@ class PieceDeformer {
     Vec2 normal;  // outward, shape frame, of length 1
     float most_out_px = 0;
     float most_in_px = 0;
-    float wished_px = 0;  // along the normal
+    float wished_px = 0;  // movement along the normal that is aimed at
   };
 
   float most_px() const;
@@ -67,7 +67,7 @@ class PieceDeformer {
   UnfoldedFit fit_;
   std::vector<Point> points_;  // curve after curve
   Warp warp_;
-  bool crossed_ = false;  // already before it was deformed
+  bool crossed_ = false;  // already before the deformation
 };
 
 }  // namespace tessera

@@ -5,13 +5,13 @@
 namespace tessera {
 namespace {
 
-// The grid of a warp: fine enough for what is seen of a boundary, and bounded for large pieces.
+// The grid of a warp: fine enough for visible detail of a boundary, and bounded for large pieces.
 constexpr float kStep_px = 3;
 constexpr float kLeastStep = 1.f / 48;  // shape units
 constexpr float kMostStep = 1.f / 10;
 
 constexpr float kStiffer = 4;
-constexpr int kMostStiffer = 5;  // to a thousand times: nearly a move of the whole
+constexpr int kMostStiffer = 5;  // up to a thousand times as stiff: nearly a translation of the whole
 
 }  // namespace
 
@@ -35,7 +35,7 @@ Warp UnfoldedFit::warp(const std::vector<Vec2>& displacements) {
     ++stiffer_;
     lay();
   }
-  while (warp.least_jacobian() < kLeastJacobian) {  // ends: without displacements nothing is folded
+  while (warp.least_jacobian() < kLeastJacobian) {  // this ends: without displacements there are no folds
     for (Vec2& d : warp.displacement.data()) d = d * 0.5f;
   }
   return warp;

@@ -1,4 +1,4 @@
-// A continuous map of a part of the plane, linear on each triangle of a regular grid: how a piece's drawing is deformed
+// A continuous map of a part of the plane, linear on each triangle of a regular grid. It deforms a piece's drawing
 // together with its outline (paper, section 5, "Deformation").
 #pragma once
 
@@ -11,42 +11,42 @@
 
 namespace tessera {
 
-/// Three nodes of a warp's grid and how much each of them counts at a point.
+/// Three nodes of a warp's grid and their weights at a point.
 struct WarpWeights {
   std::array<int, 3> x{};  // columns of the nodes
   std::array<int, 3> y{};  // rows
   std::array<float, 3> weight{};
 };
 
-/// Node (i, j) lies at origin + step (i, j). A cell that is not active says nothing of its own: no part of what is deformed
-/// lies in it.
+/// Node (i, j) lies at origin + step (i, j). An inactive cell contains no part of what is deformed, and its nodes have
+/// no meaning of their own.
 struct Warp {
   Vec2 origin;
   float step = 1;
-  Grid<Vec2> displacement;    // of the nodes, in the same unit
-  Grid<std::uint8_t> active;  // of the cells: one column and one row less than the nodes
-  bool falling = true;        // a cell is divided from its corner (0, 0) to (1, 1); else from (1, 0) to (0, 1)
+  Grid<Vec2> displacement;    // of the nodes, in the unit of the frame
+  Grid<std::uint8_t> active;  // of the cells: one column and one row fewer than the nodes
+  bool falling = true;        // cells are divided from their corner (0, 0) to (1, 1); false: from (1, 0) to (0, 1)
 
   Vec2 node(int i, int j) const { return origin + Vec2{step * float(i), step * float(j)}; }
   Vec2 warped_node(int i, int j) const { return node(i, j) + displacement(i, j); }
 
-  /// The nodes of the triangle that holds p, or of that at the grid's nearest point.
+  /// The nodes of the triangle that contains p. Points beyond the grid use its nearest point.
   WarpWeights weights_at(Vec2 p) const;
-  /// Where p comes to lie. Beyond the grid everything moves as its nearest point.
+  /// The image of p. Points beyond the grid move as its nearest point.
   Vec2 apply(Vec2 p) const;
-  /// Of all triangles of active cells the smallest ratio of the area after to that before; 1 without such cells. Where it
-  /// is above 0, nothing is folded.
+  /// The smallest ratio of area after to area before among all triangles of active cells; 1 without such cells. Above 0
+  /// the warp has no folds.
   float least_jacobian() const;
 };
 
-/// The warp on a grid whose cells are all active and that covers what lies from `low` to `high`: it goes on beyond its own
-/// cells as their nearest ones do.
+/// The warp on a larger grid that covers [low, high] and has only active cells. Beyond the warp's own cells it
+/// continues as their nearest ones.
 Warp spread(const Warp& warp, Vec2 low, Vec2 high);
 
-/// Curves after the map.
+/// The outline after the map.
 Outline warped_outline(Outline outline, const Warp& warp);
 
-/// The same map in the frame in which p lies at p * scale + offset, its x reversed before where `mirrored`.
+/// Converts the map to the frame in which p lies at p * scale + offset; if `mirrored`, x is negated first.
 Warp in_frame(const Warp& warp, float scale, Vec2 offset, bool mirrored);
 
 }  // namespace tessera

@@ -9,11 +9,11 @@
 namespace tessera {
 namespace {
 
-/// Round the outline: smoothed curves and antialiased edges lie a little beyond it.
+/// Cells around the outline that are active, too: smoothed curves and antialiased edges lie slightly beyond it.
 constexpr int kMarginCells = 2;
-/// Of a grid: ten times as many as a shape of usual proportions has. What is longer gets wider cells.
+/// Largest number of nodes of a grid: ten times that of a shape with usual proportions. Longer shapes get wider cells.
 constexpr float kMostNodes = 1 << 16;
-/// On the diagonal: holds what no point of the outline reaches.
+/// Added on the diagonal: holds nodes that no point of the outline reaches.
 constexpr double kHold = 1e-9;
 
 /// Calls f(point, length of the outline that it stands for).
@@ -37,7 +37,7 @@ WarpFit::WarpFit(const Shape& shape, const WarpFitSettings& settings) {
   set_system(settings.stiffness);
 }
 
-/// Active is what lies in the shape or near its outline.
+/// Sets the grid. Cells in the shape or near its outline are active.
 void WarpFit::lay_grid(const Shape& shape, float step) {
   const Box box = bounding_box(shape.outline);
   step =
@@ -54,7 +54,7 @@ void WarpFit::lay_grid(const Shape& shape, float step) {
       grid_.active(i, j) = shape.field.at(grid_.node(i, j) + Vec2{0.5f * step, 0.5f * step}) < margin;
     }
   }
-  each_point(shape.outline, [&](Vec2 p, float) {  // what is too thin for the field, too
+  each_point(shape.outline, [&](Vec2 p, float) {  // parts that are too thin for the field, too
     const Vec2 at = (p - grid_.origin) * (1 / step);
     grid_.active(std::clamp(int(at.x), 0, columns - 2), std::clamp(int(at.y), 0, rows - 2)) = 1;
   });

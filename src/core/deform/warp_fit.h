@@ -1,5 +1,5 @@
-// From where the points of an outline are to go to a warp of all that it encloses: as near to that as it can be while it
-// stays smooth. Least squares of what is missing at the outline's points and of the strain of the whole grid, a membrane.
+// Fits a smooth warp of a shape's whole area to the wished displacements of its outline's points. Least squares of the
+// errors at these points and of the strain of the whole grid, a membrane.
 #pragma once
 
 #include <Eigen/SparseCholesky>
@@ -13,10 +13,10 @@ namespace tessera {
 
 struct WarpFitSettings {
   float step = 0.03f;        // of the grid, shape units
-  float stiffness = 0.003f;  // shape units: what is shorter along the outline is smoothed away
+  float stiffness = 0.003f;  // shape units: waves shorter than this along the outline are smoothed away
 };
 
-/// For one shape, which has outline and field; for any number of wishes.
+/// The fit for one shape, which has outline and field; for any number of displacements.
 class WarpFit {
  public:
   WarpFit(const Shape& shape, const WarpFitSettings& settings);
@@ -29,7 +29,7 @@ class WarpFit {
   struct Point {
     std::array<int, 3> unknown{};
     std::array<float, 3> weight{};
-    float length = 0;  // of the outline that it stands for
+    float length = 0;  // length of the outline that the point stands for
   };
 
   void lay_grid(const Shape& shape, float step);
@@ -38,10 +38,10 @@ class WarpFit {
   void set_system(float stiffness);
 
   Warp grid_;             // without displacements
-  Grid<int> unknown_of_;  // of each node; -1: it belongs to no active cell
+  Grid<int> unknown_of_;  // unknown of each node; -1: it belongs to no active cell
   int unknowns_ = 0;
   std::vector<Point> points_;
-  bool solvable_ = false;  // else nothing moves
+  bool solvable_ = false;  // false: nothing moves
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> system_;
 };
 

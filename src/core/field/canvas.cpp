@@ -61,7 +61,7 @@ Canvas make_mask_canvas(const Grid<float>& coverage, int cells_per_px) {
   const Grid<float> to_outside = squared_distance_to(outside);
   const Grid<float> to_inside = squared_distance_to(inside);
   const float cell_px = 1.f / float(cells_per_px);
-  // The boundary runs midway between the last cell inside and the first outside.
+  // The boundary runs midway between the last cell inside and the first cell outside.
   const auto signed_px = [&](int x, int y) {
     return cell_px * (inside(x, y) ? std::sqrt(to_outside(x, y)) - 0.5f : 0.5f - std::sqrt(to_inside(x, y)));
   };

@@ -1,4 +1,5 @@
-// A number for some of the grid's edges: found by edge, and by window in a time that only the window's size decides.
+// A table from grid edges to numbers, for some of the edges. It finds the number of an edge, and all numbered edges of
+// a window in a time that depends on the window's size only.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +9,7 @@
 
 namespace tessera {
 
-/// It is dense within tiles, and only tiles in use take memory.
+/// The table is dense within tiles; only tiles in use take memory.
 class EdgeTable {
  public:
   static constexpr int kNone = -1;
@@ -30,7 +31,7 @@ class EdgeTable {
   static constexpr int kTile_nodes = 16;
 
   struct Tile {
-    std::vector<int> value;  // empty where no edge has a number
+    std::vector<int> value;  // empty if no edge has a number
     int used = 0;
   };
 

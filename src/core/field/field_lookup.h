@@ -1,11 +1,11 @@
-// Bilinear look-up in a canvas field. kernels/field_lookup.cl is the same in OpenCL C, bit for bit.
+// Bilinear look-up in a canvas field. kernels/field_lookup.cl does the same in OpenCL C, bit for bit.
 #pragma once
 
 #include "core/field/canvas.h"
 
 namespace tessera {
 
-/// Off the grid everything is deep outside the region.
+/// The value off the grid: deep outside the region.
 inline constexpr float kOffGridDistance = -60.f;
 
 struct FieldView {
@@ -40,8 +40,8 @@ inline float field_value(const FieldView& f, Vec2 p) {
   return (q[0] * (1 - s) + q[1] * s) * (1 - t) + (q[f.width] * (1 - s) + q[f.width + 1] * s) * t;
 }
 
-/// The value with its gradient; off the grid the gradient points back to the middle, so that a pose that strayed is
-/// pulled in.
+/// The value and its gradient. Off the grid the gradient points back to the middle, so that a pose outside is pulled
+/// in.
 inline FieldSample field_sample(const FieldView& f, Vec2 p) {
   const float u = p.x - f.origin.x;
   const float v = p.y - f.origin.y;

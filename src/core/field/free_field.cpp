@@ -92,7 +92,7 @@ Window FreeField::stamp(const Shape& shape, const Similarity& canvas_from_shape)
   return stamp(shape, canvas_from_shape, stamp_window(shape, canvas_from_shape));
 }
 
-/// A node is changed in the one period, by the distance at that of its images which lies in the window.
+/// Changes nodes of the one period only, each by the distance at the image of the node that lies in the window.
 Window FreeField::stamp(const Shape& shape, const Similarity& canvas_from_shape, const Window& window) {
   const PieceDistance piece(shape, canvas_from_shape, padding_px_);
   const float line_radius_px = line_radius(shape.field, shape.perimeter) * canvas_from_shape.scale() + padding_px_;
@@ -112,7 +112,7 @@ Window FreeField::stamp(const Shape& shape, const Similarity& canvas_from_shape,
   return changed;
 }
 
-/// The image of the part in the one period is a window, too.
+/// Stamps a part of the window whose image in the one period is also a window.
 Window FreeField::stamp_part(const PieceDistance& piece, const HeldDepth& held, const Window& part) {
   const int to_image = grid_.column(part.x0) - part.x0;
   Window changed;
@@ -128,7 +128,7 @@ Window FreeField::stamp_part(const PieceDistance& piece, const HeldDepth& held, 
         first = std::min(first, x);
         end = x + 1;
       }
-      // On to the next node that the piece may be nearer to than what is there.
+      // Continues at the next node where the piece may be nearer than the present value.
       const int here = x++;
       while (x < part.x1 && held(d - PieceDistance::most_change_px(float(x - here))) >= row[x]) ++x;
     }

@@ -1,5 +1,4 @@
-// The free region: what of the canvas is not yet covered. Every piece is docked to its boundary, from inside the
-// region.
+// The free region: the part of the canvas that is not yet covered. Every piece is docked to its boundary, from inside.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +15,17 @@ namespace tessera {
 class HeldDepth;
 class PieceDistance;
 
-/// Canvas nodes (see CanvasField) whose pixels the piece and a rim of `margin_px` around it can touch; not clipped.
+/// Canvas nodes (see CanvasField) whose pixels the piece and a rim of `margin_px` around it can touch; not clipped to
+/// the canvas.
 Window piece_window(const Outline& outline, const Similarity& canvas_from_shape, Vec2 origin, float margin_px);
 
-/// The nodes of the free field: the canvas' own, and on its seamless sides as many images as pieces and look-ups reach.
+/// The nodes of the free field: the canvas' own nodes, and on seamless sides as many images as pieces and look-ups
+/// reach.
 PeriodicGrid free_field_grid(const Canvas& canvas, const PieceSettings& pieces);
 
-/// Signed distance to the free region's boundary, px, positive inside. Exact up to stamp_band_px from a piece and
-/// everywhere near the canvas' edge; beyond, a bound that says "far". Within pieces of lines it falls faster (HeldDepth). On a seamless canvas it repeats itself to the
-/// bit, and windows stand for all of their images.
+/// Signed distance to the free region's boundary, px, positive inside. It is exact up to stamp_band_px from a piece and
+/// everywhere near the canvas' edge; elsewhere it is a bound that says "far". Within pieces of lines it falls faster
+/// (HeldDepth). On a seamless canvas it repeats exactly, and windows stand for all of their images.
 class FreeField {
  public:
   FreeField(const Canvas& canvas, const PieceSettings& pieces);
@@ -32,12 +33,12 @@ class FreeField {
   const CanvasField& field() const { return field_; }
   const PeriodicGrid& grid() const { return grid_; }
   FieldView view() const { return FieldView(field_); }
-  /// Of the canvas without pieces: distance to its edge, positive inside, less the padding.
+  /// The distance to the edge of the canvas without pieces, positive inside, less the padding.
   FieldView canvas_view() const;
   float padding_px() const { return padding_px_; }
-  /// The same without the padding, with its gradient.
+  /// A look-up in canvas_view(), but without the padding and with its gradient.
   FieldSample canvas_sample(Vec2 canvas_px) const;
-  /// Whether the canvas has zones that are kept out of: one may be smaller than a piece.
+  /// Whether the canvas has zones that pieces keep out of. A zone may be smaller than a piece.
   bool has_zones() const { return has_zones_; }
 
   /// Takes the piece out of the region: d = min(d, distance to the piece - padding). Returns the nodes that changed.
@@ -45,12 +46,13 @@ class FreeField {
 
   /// The nodes that stamp() may change.
   Window stamp_window(const Shape& shape, const Similarity& canvas_from_shape) const;
-  /// As stamp(), but for the nodes in `window` alone. Together with clear() it takes pieces back out: clear their
-  /// windows, then stamp what remains there.
+  /// Stamps the piece at the nodes in `window` only. Together with clear() this removes pieces: clear their windows,
+  /// then stamp the remaining pieces there.
   Window stamp(const Shape& shape, const Similarity& canvas_from_shape, const Window& window);
   void clear(const Window& window);
 
-  /// Area of the free region of one period, padding included: the same whole number whatever came and went before.
+  /// Area of the free region of one period, padding included, in 1/256 px². Exact: it does not depend on the order in
+  /// which pieces came and went.
   std::int64_t free_256ths_px2() const { return free_256ths_px2_; }
 
  private:
@@ -58,7 +60,7 @@ class FreeField {
   Window stamp_part(const PieceDistance& piece, const HeldDepth& held, const Window& part);
 
   PeriodicGrid grid_;
-  Grid<float> empty_;  // of the canvas without pieces
+  Grid<float> empty_;  // the field of the canvas without pieces
   CanvasField field_;
   float padding_px_;
   float hard_depth_px_;

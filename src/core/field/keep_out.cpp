@@ -6,7 +6,7 @@
 namespace tessera {
 namespace {
 
-/// Images that lie further beyond the canvas' edge are nearer to no place than what fields tell apart.
+/// Images farther beyond the canvas' edge than this make no difference that fields can show.
 constexpr int kMostBeyond_px = 512;
 
 CanvasField nodes_of(const Canvas& canvas) {
@@ -16,7 +16,7 @@ CanvasField nodes_of(const Canvas& canvas) {
 
 int beyond_px(int period_px) { return std::min(period_px / 2, kMostBeyond_px); }
 
-/// The coverage with as much of its images around it.
+/// The coverage with `beyond` cells of its images around it.
 Grid<float> repeated(const Grid<float>& coverage, int beyond_x, int beyond_y) {
   Grid<float> wide(coverage.width() + 2 * beyond_x, coverage.height() + 2 * beyond_y);
   for (int y = 0; y < wide.height(); ++y) {
@@ -48,8 +48,8 @@ namespace {
 
 constexpr int kBlock_px = 16;
 
-/// Those that are the nearest to some node of the block, and few others: a distance changes by no more than the way
-/// from the block's middle.
+/// The zones that are the nearest to some node of the block, and few others. A zone's distance changes by no more than
+/// the distance from the block's middle.
 std::vector<KeepOutRectangle> nearest_to_any_of(const std::vector<KeepOutRectangle>& zones, const Window& block,
                                                 Vec2 origin) {
   constexpr float kReach_px = 0.75f * kBlock_px;  // more than half the diagonal

@@ -11,7 +11,7 @@
 namespace tessera {
 namespace {
 
-/// Where the contour crosses the edge, canvas px.
+/// The point where the contour crosses the edge, canvas px.
 Vec2 crossing(const Grid<float>& contour, Vec2 origin, const GridEdge& e) {
   const float here = contour(e.x, e.y);
   const float there = e.down ? contour(e.x, e.y + 1) : contour(e.x + 1, e.y);
@@ -19,7 +19,7 @@ Vec2 crossing(const Grid<float>& contour, Vec2 origin, const GridEdge& e) {
   return origin + (e.down ? Vec2{float(e.x), float(e.y) + t} : Vec2{float(e.x) + t, float(e.y)});
 }
 
-/// Calls f(x, y) for those of the cells, row by row, of whose corners some lie above 0 and some do not: few of many.
+/// Calls f(x, y), row by row, for each cell of which some corners lie above 0 and some do not. Few cells do.
 template <class F>
 void each_crossed(const Grid<float>& contour, const Window& cells, F f) {
   if (cells.empty()) return;
@@ -115,7 +115,7 @@ void LinkedContour::trace_cell(const Grid<float>& contour, Vec2 origin, int x, i
     link(contour, origin, edge[leaving[0]], edge[entering[0]]);
     return;
   }
-  // A saddle: the sign of the middle says whether the inside corners are joined.
+  // A saddle: the sign of the middle tells whether the inside corners are joined.
   const bool joined = corner[0] + corner[1] + corner[2] + corner[3] > 0;
   for (int k = 0; k < 2; ++k) link(contour, origin, edge[leaving[k]], edge[(leaving[k] + (joined ? 1 : 3)) & 3]);
 }
@@ -131,7 +131,7 @@ void LinkedContour::link(const Grid<float>& contour, Vec2 origin, const GridEdge
   vertices_[b].raw = crossing(contour, origin, edge_b);
 }
 
-/// Two more than the smoothing reaches: what is measured at a vertex depends on its neighbours' positions.
+/// The margin is two more than the reach of the smoothing: values of a vertex also depend on its neighbours' positions.
 void LinkedContour::forget_smoothing(const Window& window) {
   each(window.grown(int(3 * sigma_px_) + 5), [&](const GridEdge&, int v) {
     vertices_[v].smoothed = false;
@@ -148,7 +148,7 @@ Vec2 LinkedContour::smooth_position(int v) {
   return vertex.smooth;
 }
 
-/// Kept, because every walk that passes a vertex asks the same of it.
+/// Stores the values, as every walk that passes a vertex needs them.
 void LinkedContour::measure(int v) {
   const Vec2 here = smooth_position(v);
   const Vec2 before = grid_.period().nearest(smooth_position(vertices_[v].previous), here);
@@ -163,8 +163,8 @@ float LinkedContour::length_px(int from, int to) const {
   return norm(grid_.period().nearest(vertices_[to].raw, begin) - begin);
 }
 
-/// Gaussian along the arclength; every vertex weighs as much as half of its two edges is long. Summed outwards from v,
-/// so that the result does not depend on where the loop starts.
+/// Gaussian along the arclength; each vertex weighs half the length of its two edges. Summed outwards from v, so that
+/// the result does not depend on the start of the loop.
 Vec2 LinkedContour::smoothed_at(int v) const {
   const Vertex& centre = vertices_[v];
   const float edge_after = length_px(v, centre.next);

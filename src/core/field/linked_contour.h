@@ -1,8 +1,9 @@
-// The zero line of a field as linked vertices, traced anew only where the field has changed, and smoothed along its
-// length.
+// The zero line of a field as linked vertices, smoothed along its length. Only changed parts of the field are traced
+// again.
 //
-// A vertex is known by the grid edge that the line crosses; whatever a change did not touch keeps its vertices. What is
-// said of a vertex follows from its own neighbourhood alone, so tracing a window gives the bits of tracing everything.
+// A vertex is identified by the grid edge that the line crosses; parts that a change did not touch keep their vertices.
+// All values of a vertex follow from its own neighbourhood, so tracing a window gives the same bits as tracing
+// everything.
 #pragma once
 
 #include <vector>
@@ -19,7 +20,7 @@ class LinkedContour {
  public:
   static constexpr int kNone = EdgeTable::kNone;
 
-  /// Positions are smoothed by a Gaussian of this width along the line, cut off at three times of it.
+  /// Smooths positions by a Gaussian of width `sigma_px` along the line, cut off at three times that width.
   explicit LinkedContour(float sigma_px) : sigma_px_(sigma_px) {}
 
   /// Positions and lengths are canvas px; positive nodes lie on the left of the line.
@@ -30,14 +31,14 @@ class LinkedContour {
     int next = -1;
     int previous = -1;
     Vec2 raw;               // on the line itself
-    Vec2 smooth;            // valid where `smoothed`; what follows, where `measured`
+    Vec2 smooth;            // valid if `smoothed`; the members below are valid if `measured`
     float edge_after = 0;   // length of the smoothed line to the next vertex
-    float turning_rad = 0;  // of the smoothed line here, absolute
+    float turning_rad = 0;  // turning of the smoothed line here, absolute value
   };
 
-  /// Traces the nodes of `window` again; all others are as before. `origin` is the canvas position of node (0, 0).
-  /// Where `grid`, always the same, repeats, the line goes on from one end of the period to the other: it has its
-  /// vertices in the one period, and is read from `field` at grid.with_next_nodes().
+  /// Traces the nodes of `window` again; all others are unchanged. `origin` is the canvas position of node (0, 0).
+  /// `grid` is the same in each call. If it repeats, the line continues from one end of the period to the other. Its
+  /// vertices lie in the one period, and `field` must be valid at grid.with_next_nodes().
   void retrace(const Grid<float>& field, const PeriodicGrid& grid, Vec2 origin, const Window& window);
 
   const PeriodicGrid& grid() const { return grid_; }
@@ -48,11 +49,11 @@ class LinkedContour {
   void each(const Window& window, Visit visit) const {
     for (const Window& part : grid_.images(window, grid_.with_next_nodes())) vertex_of_edge_.each(part, visit);
   }
-  /// The vertex, of which edge, links and `raw` are valid.
+  /// A vertex of which only edge, links and `raw` are valid.
   const Vertex& vertex(int v) const { return vertices_[v]; }
-  /// Between neighbours on the line itself, canvas px.
+  /// Distance between neighbours on the line itself, canvas px.
   float length_px(int from, int to) const;
-  /// The vertex with all its members valid. Its line must be closed.
+  /// A vertex with all members valid. Its line must be closed.
   const Vertex& measured(int v) {
     if (!vertices_[v].measured) measure(v);
     return vertices_[v];

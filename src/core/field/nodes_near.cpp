@@ -7,8 +7,8 @@
 namespace tessera {
 namespace {
 
-constexpr int kLargest = 16;  // nodes across the blocks that are looked at first
-constexpr int kSmallest = 4;  // and across those whose nodes are looked at one by one
+constexpr int kLargest = 16;  // nodes across the first blocks
+constexpr int kSmallest = 4;  // nodes across the blocks whose nodes are tested one by one
 
 class Search {
  public:
@@ -35,7 +35,8 @@ class Search {
     }
   }
 
-  /// Where the node in the middle is so far from the limit that the corners are on its side, all are.
+  /// Tests the node in the middle. If it is so far from the limit that the corners must be on the same side, all nodes
+  /// are.
   void look_at(const Window& block) {
     if (asked_ && !asked_->any(block)) return;
     const int x = (block.x0 + block.x1) / 2;
@@ -68,7 +69,7 @@ class Search {
   const PieceDistance& piece_;
   Vec2 origin_;
   Window window_;
-  const BitGrid* asked_;  // none: all nodes
+  const BitGrid* asked_;  // empty: all nodes
   BitGrid nearer_;
 };
 

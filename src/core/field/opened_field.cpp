@@ -9,13 +9,13 @@
 namespace tessera {
 namespace {
 
-/// A rejected node of the contour field: a little below zero, so that the traced line stays close to the last good
+/// The contour value of a rejected node: a little below zero, so that the traced line stays close to the last good
 /// node.
 constexpr float kClosed = -0.3f;
-/// Discs are centred on nodes whose distance is the radius or up to this much more.
+/// Discs are centred on nodes whose distance exceeds the radius by 0 up to this.
 constexpr float kDiscBand_px = 1.5f;
 
-/// Of the nodes up to `reach` from the one in the middle, both ways.
+/// Distances of the nodes within `reach`, in both directions, to the node in the middle.
 Grid<float> distances_to_middle(int reach) {
   Grid<float> distances(2 * reach + 1, 2 * reach + 1);
   for (int y = -reach; y <= reach; ++y) {
@@ -55,7 +55,8 @@ void OpenedField::open(const Grid<float>& distance, const Window& window) {
       contour_(x, y) = d > opening_px_ + kDiscBand_px ? d : std::min(d, kClosed);
     }
   }
-  // The union of discs round all nodes at least opening_px deep is that round the shallowest of them, plus the core.
+  // The union of the discs around all nodes at least opening_px deep equals the core and the discs around the
+  // shallowest of them.
   const Window centres = window.grown(to_middle_.width() / 2).intersected(distance.bounds());
   for (int y = centres.y0; y < centres.y1; ++y) {
     for (int x = centres.x0; x < centres.x1; ++x) {

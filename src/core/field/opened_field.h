@@ -1,5 +1,5 @@
-// The free region without what is too narrow for a piece: what the target curve is traced on, and where target samples
-// are worth having.
+// The free region without the parts that are too narrow for a piece. The target curve is traced on it, and it tells
+// where target samples are useful.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,8 @@ class OpenedField {
  public:
   OpenedField(const FreeField& free, const PieceSettings& pieces);
 
-  /// Recomputes all that depends on the nodes of `changed`; returns the nodes of the result that may have changed.
+  /// Recomputes everything that depends on the nodes of `changed`. Returns the nodes of the result that may have
+  /// changed.
   Window update(const FreeField& free, const Window& changed);
 
   const PeriodicGrid& grid() const { return grid_; }
@@ -31,7 +32,7 @@ class OpenedField {
   float reachable_px_;
   Grid<float> contour_;
   Grid<std::uint8_t> reachable_;
-  Grid<float> to_middle_;  // from each node of the largest disc that is drawn
+  Grid<float> to_middle_;  // distance of each node of the largest drawn disc to its middle
 };
 
 }  // namespace tessera

@@ -1,4 +1,4 @@
-// The distance to a piece as it lies on the canvas.
+// The distance to a placed piece.
 #pragma once
 
 #include "core/geometry/hull_distance.h"
@@ -8,7 +8,7 @@
 namespace tessera {
 
 /// Signed distance, px, from canvas positions (px) to a piece grown by `padding_px`; positive outside. Beyond the
-/// shape's own grid it is a lower bound: the better one of the grid's and the hull's.
+/// shape's own grid it is a lower bound: the larger of the grid's and the hull's bound.
 class PieceDistance {
  public:
   /// Keeps a reference to the shape.
@@ -26,13 +26,14 @@ class PieceDistance {
     return scale_ * (beyond > 0 ? outside(p, nearest, beyond) : nearest) - padding_px_;
   }
 
-  /// The most by which positions `apart_px` apart differ: bilinear look-up in exact distances is at most sqrt(2) steep,
-  /// the rest is for the rounding of the stored field and of the positions.
+  /// The largest difference between the distances at two positions `apart_px` apart. Bilinear look-up in exact
+  /// distances has a slope of at most sqrt(2); the rest is for the rounding of the stored field and of the positions.
   static float most_change_px(float apart_px) { return 1.5f * apart_px + kRounding_px; }
-  /// How many positions of a row of nodes, from one that is `to_limit_px` from a limit on, are on the same side of it.
+  /// Number of successive nodes of a row that surely lie on the same side of a limit; `to_limit_px` is the first node's
+  /// distance to it.
   static int nodes_on_same_side(float to_limit_px) {
     constexpr float kTwoNodes_px = 2 * 1.5f + kRounding_px;
-    if (to_limit_px < kTwoNodes_px) return 1;  // a branch: where it holds, the next look-up need not wait for this one
+    if (to_limit_px < kTwoNodes_px) return 1;  // a branch lets the next look-up start without waiting for this one
     return 1 + int((to_limit_px - kRounding_px) * (1 / 1.5f));
   }
 
@@ -41,7 +42,7 @@ class PieceDistance {
 
   float outside(Vec2 p, float nearest, float beyond) const {
     const float by_grid = std::sqrt(nearest * nearest + beyond * beyond);
-    // No more than the way round the nearest point of the grid, so that there is no jump at the grid's edge.
+    // At most the way via the nearest point of the grid, so that there is no jump at the grid's edge.
     return std::min(std::max(by_grid, hull_.at(p)), nearest + beyond);
   }
 

@@ -9,15 +9,16 @@
 namespace tessera {
 namespace {
 
-constexpr int kMostFineSide_px = 2048;  // of what is looked at with two cells a px; beyond one saves memory
+// windows up to this side have two cells per px; larger ones have one, to save memory
+constexpr int kMostFineSide_px = 2048;
 
-/// A piece at one of its images, and the px of the canvas that it may have a say in.
+/// A piece at one of its images, and the px of the canvas that it may affect.
 struct Image {
   PieceThatLay piece;
   Window window;
 };
 
-/// Images whose windows meet, and the window that holds them.
+/// Images whose windows overlap, and the window that contains them.
 struct Cluster {
   Window window;
   std::vector<PieceThatLay> pieces;
@@ -36,7 +37,7 @@ std::vector<Image> images_of(const std::vector<PieceThatLay>& pieces, int beyond
   return images;
 }
 
-/// A cluster that grows may meet others that it did not meet before.
+/// Groups the images. A cluster that grows may meet further clusters.
 std::vector<Cluster> clusters_of(const std::vector<Image>& images) {
   std::vector<Cluster> clusters;
   for (const Image& image : images) {
@@ -57,7 +58,7 @@ std::vector<Cluster> clusters_of(const std::vector<Image>& images) {
   return clusters;
 }
 
-/// What the cluster's pieces covered, as a canvas of its window's size.
+/// The area that the cluster's pieces covered, as a canvas of its window's size.
 Canvas covered_by(const Cluster& cluster) {
   const Window& w = cluster.window;
   const int cells_per_px = std::max(w.width(), w.height()) <= kMostFineSide_px ? 2 : 1;
@@ -71,7 +72,7 @@ Canvas covered_by(const Cluster& cluster) {
   return make_mask_canvas(coverage, cells_per_px);
 }
 
-/// At the nodes of the canvas.
+/// Adds the cluster's room at the nodes of the canvas.
 void add_room(const Cluster& cluster, float beyond_px, Grid<float>& room) {
   const Canvas covered = covered_by(cluster);
   if (covered.area_px2 == 0) return;

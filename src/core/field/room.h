@@ -1,4 +1,5 @@
-// The room where pieces lay that were taken out of a collage: all that is filled anew where the rest is to stay.
+// The room that pieces leave when they are taken out of a collage. Only this room is filled again if the rest must
+// stay.
 #pragma once
 
 #include <vector>
@@ -14,8 +15,8 @@ struct PieceThatLay {
   Similarity canvas_from_shape;
 };
 
-/// Makes that room, and up to `beyond_px` around it, all that is filled of each of the canvas' regions; of one, if it
-/// has none. The canvas itself stays as it is. Away from the room the regions' distance is -1, whatever lies between.
+/// Limits each of the canvas' regions to that room and a rim of `beyond_px` around it. A canvas without regions gets
+/// one. The canvas' own distance is unchanged. Away from the room the regions' distance is -1, whatever lies between.
 void fill_only_where_they_lay(const std::vector<PieceThatLay>& pieces, float beyond_px, Canvas& canvas);
 
 }  // namespace tessera

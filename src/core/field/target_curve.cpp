@@ -9,7 +9,7 @@
 namespace tessera {
 namespace {
 
-/// Whether a PAD moved so much that what was matched with the old one no longer holds.
+/// Whether a PAD changed so much that results of matching the old one are no longer valid.
 bool changed_much(const ArclengthPyramid& a, const ArclengthPyramid& b, int levels) {
   if (a.convexity != b.convexity) return true;
   for (int i = 0; i < levels; ++i) {
@@ -26,14 +26,14 @@ MatchedPad matched_pad(SampleId id, const ArclengthPyramid& pyramid) {
 
 }  // namespace
 
-/// A vertex of the curve, seen smoothed; adds to `support` whatever it visits.
+/// A walk over the smoothed vertices of the curve; adds everything it visits to `support`.
 class TargetCurve::Walk {
  public:
   Walk(TargetCurve& curve, int at, TileIndex::Region& support) : curve_(&curve), at_(at), support_(&support) {
     visit();
   }
 
-  /// Goes on beyond the period where the curve does.
+  /// The position; it continues beyond the period with the curve.
   Vec2 position() const { return here().smooth + beyond_px_; }
   float turning_rad() const { return here().turning_rad; }
   float edge_forward() const { return here().edge_after; }
@@ -47,7 +47,7 @@ class TargetCurve::Walk {
   void visit() { curve_->visit(at_, *support_); }
   void go(int to) {
     const Period& period = curve_->contour_.grid().period();
-    if (period.repeats()) {  // 1 % of a run's time where it does not
+    if (period.repeats()) {  // without this test 1 % of a run's time on other canvases
       const Vec2 next = curve_->contour_.measured(to).smooth;
       beyond_px_ = beyond_px_ + (period.nearest(next, here().smooth) - next);
     }
@@ -123,7 +123,7 @@ TargetCurve::Change TargetCurve::retrace(const OpenedField& opened, Vec2 origin,
   return change;
 }
 
-/// Where a sample may have to be made (again), or to be dropped: ascending.
+/// Samples that may have to be made, made again or dropped: ascending.
 std::vector<SampleId> TargetCurve::reached_by(const Window& window) const {
   std::vector<SampleId> ids;
   const PeriodicGrid& grid = contour_.grid();
@@ -150,7 +150,7 @@ void TargetCurve::drop(SampleId id) {
   samples_.erase(found);
 }
 
-/// The tiles of the loop that was too short for a sample here; none: it was not.
+/// Notes the tiles of the loop that is too short for a sample here; empty: the loop is not too short.
 void TargetCurve::reject(SampleId id, std::vector<TileIndex::Tile> support) {
   const auto found = rejected_.find(id);
   if (found == rejected_.end() && support.empty()) return;

@@ -1,8 +1,8 @@
 // The boundary of the free region and its target samples (paper section 4: "cut and paste").
 //
-// Whatever a placement did not touch keeps its samples and PADs; only what is new, or whose PAD reaches into the
-// change, is computed again. Everything about a sample follows from a walk along its own neighbourhood, so updating
-// gives the bits that starting afresh would give.
+// Parts that a placement did not touch keep their samples and PADs. Only new samples, and those whose PAD reaches into
+// the change, are computed again. Everything about a sample follows from a walk along its own neighbourhood, so an
+// update gives the same bits as a new start.
 #pragma once
 
 #include <algorithm>
@@ -28,38 +28,38 @@ class TargetCurve {
     std::vector<SampleId> renewed;  // samples that are new or whose PAD changed much, ascending
   };
 
-  /// Traces the nodes of `window` again (all others are as before): where the opened field repeats itself, the curve is
-  /// that of one period, and its PADs see beyond it. `origin` is the canvas position of node (0, 0).
+  /// Traces the nodes of `window` again; all others are unchanged. If the opened field repeats, the curve is that of
+  /// one period, and its PADs continue beyond it. `origin` is the canvas position of node (0, 0).
   Change retrace(const OpenedField& opened, Vec2 origin, const Window& window);
 
   const TargetSample& sample(SampleId id) const { return samples_.at(id).sample; }
   std::size_t sample_count() const { return samples_.size(); }
   bool has_sample(SampleId id) const { return samples_.contains(id); }
   std::vector<SampleId> samples() const;
-  /// Whether `holds` of the place of any sample, canvas px; the first one ends the search.
+  /// Whether holds(position), canvas px, is true for any sample. Stops at the first.
   template <class Holds>
   bool any_position(const Holds& holds) const {
     return std::any_of(samples_.begin(), samples_.end(),
                        [&](const auto& held) { return holds(held.second.sample.position); });
   }
 
-  /// The PADs that samples were matched with, where they have changed a little since, ascending by sample. They are the
+  /// The PADs with which samples were matched, if they have changed a little since, ascending by sample. They are the
   /// only part of a curve that does not follow from the opened field.
   std::vector<MatchedPad> matched_pads() const;
-  /// All other samples count as matched with the PAD that they have.
+  /// Sets the PADs with which samples were matched. All other samples count as matched with their present PAD.
   void set_matched_pads(const std::vector<MatchedPad>& pads);
 
  private:
   struct Held {
     TargetSample sample;
-    ArclengthPyramid matched;              // as it was when last reported as renewed
-    std::vector<TileIndex::Tile> support;  // of the nodes that it depends on
+    ArclengthPyramid matched;              // as it was when the sample was last reported as renewed
+    std::vector<TileIndex::Tile> support;  // tiles of the nodes that the sample depends on
   };
   class Walk;
 
   std::vector<SampleId> reached_by(const Window& window) const;
   bool on_raster(const GridEdge& e) const { return (e.down ? e.x : e.y) % spacing_px_ == 0; }
-  /// A smoothed position depends on what lies up to three sigma along the curve.
+  /// A smoothed position depends on up to three sigma along the curve.
   int support_nodes() const { return int(3 * sigma_px_) + 3; }
   void visit(int v, TileIndex::Region& support) const;
   bool on_short_loop(int v, TileIndex::Region& support) const;
@@ -75,8 +75,8 @@ class TargetCurve {
   int spacing_px_;
   PadParameters pad_;
   std::map<SampleId, Held> samples_;
-  std::map<SampleId, std::vector<TileIndex::Tile>> rejected_;  // where a loop is too short for a sample
-  TileIndex supports_;  // samples and the rejected, by the nodes that they depend on
+  std::map<SampleId, std::vector<TileIndex::Tile>> rejected_;  // places where the loop is too short for a sample
+  TileIndex supports_;  // samples and rejected places, by the nodes that they depend on
 };
 
 }  // namespace tessera

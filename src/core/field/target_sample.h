@@ -1,4 +1,4 @@
-// The target samples: where on the boundary of the free region shapes are docked.
+// The target samples: points of the free region's boundary where shapes are docked.
 #pragma once
 
 #include <array>
@@ -13,13 +13,13 @@ namespace tessera {
 /// A point of the target curve where shapes are docked. Canvas px; the free region lies on the left.
 struct TargetSample {
   SampleId id{};
-  std::uint32_t pass = 0;    // how often it was matched before: other random draws each time
+  std::uint32_t pass = 0;    // how often it was matched before; each pass has other random draws
   Vec2 position;             // on the curve itself
   Vec2 tangent;              // unit
   ArclengthPyramid pyramid;  // of the curve smoothed by target_sigma_px
 };
 
-/// What a sample's PAD was when it was last to be matched: it decides whether the PAD has changed much since.
+/// A sample's PAD when it was last due to be matched. It shows whether the PAD has changed much since.
 struct MatchedPad {
   SampleId sample{};
   std::array<float, kMaxPadLevels> left{};

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint64_t kAllBits = ~std::uint64_t(0);
 
-/// Every run of nodes longer by one at both ends.
+/// Extends every run of nodes by one at both ends.
 void widen(BitGrid& set) {
   const int last = set.words() - 1;
   const std::uint64_t within = kAllBits >> (63 & -set.width());
@@ -47,7 +47,7 @@ void each_word_of_run(int x0, int x1, F f) {
   }
 }
 
-/// Of eight bytes that are 0 or 1, the first as the lowest bit.
+/// The bits of eight bytes that are 0 or 1; the first byte gives the lowest bit.
 std::uint64_t bits_of_bytes(const std::uint8_t* byte) {
   static_assert(std::endian::native == std::endian::little);
   std::uint64_t bytes;
@@ -55,7 +55,7 @@ std::uint64_t bits_of_bytes(const std::uint8_t* byte) {
   return bytes * 0x0102040810204080ull >> 56;
 }
 
-/// One bit for each of `count` values, 64 at most. In two steps, of which the compiler does the first for many at once.
+/// One bit for each of `count` values, at most 64. Works in two steps, as the compiler vectorises the first one.
 std::uint64_t bits_above(const float* value, int count, float threshold) {
   std::uint8_t above[64] = {};
   for (int i = 0; i < count; ++i) above[i] = value[i] > threshold;
@@ -107,7 +107,7 @@ BitGrid dilated_by_disc(const BitGrid& set, float squared_radius) {
   while (within(0, dy + 1)) ++dy;
   BitGrid dilated(set.width(), set.height());
   if (set.words() == 0) return dilated;
-  // The disc's rows from its rim to its middle: each as wide as the one before, or wider.
+  // The disc's rows from its rim to its middle: each at least as wide as the one before.
   BitGrid widened = set;
   for (int half_width = 0; dy >= 0; --dy) {
     for (; within(half_width + 1, dy); ++half_width) widen(widened);

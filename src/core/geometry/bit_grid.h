@@ -1,4 +1,4 @@
-// A set of grid nodes, one bit each: what is asked of whole neighbourhoods is answered 64 nodes at a time.
+// A set of grid nodes, one bit each, for operations on 64 nodes at a time.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ class BitGrid {
   /// Sets nodes [x0, x1) of row y.
   void set_run(int y, int x0, int x1);
   void set(const Window& window);
-  /// Whether a node of the window is in the set.
+  /// Whether any node of the window is in the set.
   bool any(const Window& window) const;
 
   /// Node x is bit x & 63 of word x >> 6; bits beyond the width are zero.
@@ -29,11 +29,11 @@ class BitGrid {
  private:
   int width_;
   int height_;
-  int words_;  // of a row
+  int words_;  // words in a row
   std::vector<std::uint64_t> bits_;
 };
 
-/// The nodes of `window` whose value lies above the threshold; node (0, 0) of the result is the window's first.
+/// The nodes of `window` whose value lies above the threshold; node (0, 0) of the result is the window's first node.
 BitGrid nodes_above(const Grid<float>& field, const Window& window, float threshold);
 
 /// All nodes with a node of `set` at a squared distance of at most `squared_radius` nodes².

@@ -1,5 +1,5 @@
-// Bilinear look-ups in a grid of cells over the canvas, whose values lie in the middle of the cells.
-// kernels/cell_lookup.cl is the same in OpenCL C, bit for bit.
+// Bilinear look-up in a grid of cells over the canvas, with values at the middles of the cells. kernels/cell_lookup.cl
+// does the same in OpenCL C, bit for bit.
 #pragma once
 
 #include <algorithm>
@@ -8,12 +8,12 @@
 
 namespace tessera {
 
-/// The four cells round a point and where it lies between their middles; beyond the grid what is at its edge.
+/// The four cells around a point and the point's place between their middles. Points beyond the grid are clamped to it.
 struct CellLookup {
   int left, right, upper, lower;
   float s, t;
 
-  /// Canvas px; the grid begins at the canvas' upper left corner.
+  /// `p_px`: canvas px; the grid begins at the canvas' upper left corner.
   CellLookup(Vec2 p_px, float cells_per_px, int width, int height) {
     const float u = std::clamp(p_px.x * cells_per_px - 0.5f, 0.f, float(width - 1));
     const float v = std::clamp(p_px.y * cells_per_px - 0.5f, 0.f, float(height - 1));

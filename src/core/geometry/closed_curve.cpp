@@ -45,7 +45,7 @@ std::vector<Vec2> gaussian_smoothed(const std::vector<Vec2>& even_curve, float s
     total += k ? 2 * weight[k] : weight[k];
   }
   for (float& w : weight) w /= total;
-  // Unrolled borders: the inner loop then runs over plain memory.
+  // Copied borders let the inner loop run over plain memory.
   std::vector<Vec2> padded(n + 2 * reach);
   for (int i = 0; i < n + 2 * reach; ++i) padded[i] = even_curve[(i - reach + n) % n];
   std::vector<Vec2> result(n);

@@ -1,4 +1,4 @@
-// Closed polylines: their length, even points along them, and smoothing along their length.
+// Closed polylines: length, evenly spaced points, smoothing along the length.
 #pragma once
 
 #include <vector>
@@ -7,12 +7,13 @@
 
 namespace tessera {
 
-/// Closed curve of evenly spaced points convolved with a Gaussian of width sigma (cut off at 3 sigma) along its length.
+/// The closed curve of evenly spaced points, convolved with a Gaussian of width `sigma` along its length (cut off at 3
+/// sigma).
 std::vector<Vec2> gaussian_smoothed(const std::vector<Vec2>& even_curve, float sigma);
 
 float closed_length(const std::vector<Vec2>& curve);
 
-/// `count` points of even arclength of a closed polyline, the first one kept.
+/// `count` points of a closed polyline at even arclength, beginning with its first point.
 std::vector<Vec2> resampled_closed(const std::vector<Vec2>& curve, int count);
 
 }  // namespace tessera

@@ -87,7 +87,7 @@ class Tracer {
   Vec2 crossing(const Entry& e) const {
     const int k = e.side, l = (e.side + 1) & 3;
     const float from = corner(e.x, e.y, k), to = corner(e.x, e.y, l);
-    // Off the nodes by a little: neighbouring crossings never coincide.
+    // A small distance from the nodes, so that neighbouring crossings never coincide.
     const float t = std::clamp((from - level_) / (from - to), 1e-3f, 1 - 1e-3f);
     return {float(e.x - 1) + kCornerX[k] + t * (kCornerX[l] - kCornerX[k]),
             float(e.y - 1) + kCornerY[k] + t * (kCornerY[l] - kCornerY[k])};

@@ -38,7 +38,7 @@ std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
   return corners;
 }
 
-/// One side of the narrowest strip holds a side of the polygon.
+/// One side of the narrowest strip contains a side of the polygon.
 double least_width(const std::vector<Vec2>& hull) {
   if (hull.size() < 3) return 0;
   double least = std::numeric_limits<double>::infinity();

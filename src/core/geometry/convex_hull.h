@@ -1,4 +1,4 @@
-// The convex hull of points.
+// The convex hull of a set of points.
 #pragma once
 
 #include <vector>
@@ -7,11 +7,12 @@
 
 namespace tessera {
 
-/// The corners of the smallest convex polygon that holds the points, with its interior on the left (positive shoelace
-/// area, as an Outline's outer curve); none on a straight side. Of fewer than three corners where the points lie on a line.
+/// The corners of the smallest convex polygon that contains the points, with its interior on the left (positive
+/// shoelace area, as an Outline's outer curve). No corner lies on a straight side. Points on a line give fewer than
+/// three corners.
 std::vector<Vec2> convex_hull(std::vector<Vec2> points);
 
-/// The width of the narrowest strip that holds a convex polygon; 0 of fewer than three corners.
+/// The width of the narrowest strip that contains a convex polygon; 0 for fewer than three corners.
 double least_width(const std::vector<Vec2>& hull);
 
 }  // namespace tessera

@@ -1,4 +1,4 @@
-// Angles as people write them.
+// Conversion of angles to degrees, for texts and files.
 #pragma once
 
 #include <numbers>

@@ -17,7 +17,7 @@ struct Extent {
   friend bool operator==(const Extent&, const Extent&) = default;
 };
 
-/// The box of the points (at least one) where the similarity puts them.
+/// The bounding box of the points (at least one), transformed by the similarity.
 inline Extent extent_of(std::span<const Vec2> points, const Similarity& canvas_from_shape) {
   Extent extent{canvas_from_shape.apply(points.front()), canvas_from_shape.apply(points.front())};
   for (const Vec2& q : points) {
@@ -29,7 +29,7 @@ inline Extent extent_of(std::span<const Vec2> points, const Similarity& canvas_f
 }
 
 /// All nodes within `margin_px` of the extent, on a grid whose nodes are 1 px apart and whose node (0, 0) lies at
-/// `origin`. The window may reach beyond the grid.
+/// `origin`. The window may exceed the grid.
 inline Window nodes_round(const Extent& extent, Vec2 origin, float margin_px) {
   const Vec2 low = extent.low - origin;
   const Vec2 high = extent.high - origin;

@@ -1,4 +1,4 @@
-// How far points are from the convex hull of others.
+// Distance of points to the convex hull of other points.
 #pragma once
 
 #include <array>
@@ -10,8 +10,9 @@
 
 namespace tessera {
 
-/// A lower bound of the distance to any curve through the points: to the polygon of the hull's tangents in 32 evenly
-/// spaced directions. Outside the hull it falls short of the distance to it by half a percent at most.
+/// A lower bound of the distance to any curve through the points. It is the distance to the polygon of the hull's
+/// tangents in 32 evenly spaced directions. Outside the hull it is at most half a percent less than the distance to the
+/// hull.
 class HullDistance {
  public:
   explicit HullDistance(const std::vector<Vec2>& points) {
@@ -24,7 +25,7 @@ class HullDistance {
     }
   }
 
-  /// The bound at `p`; it is negative inside.
+  /// The bound at `p`; negative inside.
   float at(Vec2 p) const {
     std::array<float, kDirections> beyond;
     for (int k = 0; k < kDirections; ++k) {
@@ -55,7 +56,7 @@ class HullDistance {
     return made;
   }
 
-  std::array<float, kDirections> farthest_;  // of the points in each direction
+  std::array<float, kDirections> farthest_;  // largest projection of a point on each direction
 };
 
 }  // namespace tessera

@@ -1,4 +1,4 @@
-// A plane that repeats itself: what lies at p lies a whole number of periods further on, too. These are its images.
+// A plane that repeats: a thing at p also lies a whole number of periods away. These copies are its images.
 #pragma once
 
 #include <cmath>
@@ -8,8 +8,8 @@
 
 namespace tessera {
 
-/// px of the canvas; 0: it does not repeat that way. Without repetition every function gives back what it was given, to
-/// the bit.
+/// The period in canvas px; 0: no repetition in this direction. Without repetition every function returns its argument
+/// exactly.
 struct Period {
   int x_px = 0;
   int y_px = 0;
@@ -17,7 +17,7 @@ struct Period {
   bool repeats() const { return x_px > 0 || y_px > 0; }
   bool repeats_both_ways() const { return x_px > 0 && y_px > 0; }
 
-  /// The image in the first period, from 0 up to where it ends.
+  /// The image in the first period, [0, period).
   Vec2 wrapped(Vec2 p) const { return {wrapped(p.x, x_px), wrapped(p.y, y_px)}; }
   Similarity wrapped(Similarity canvas_from_shape) const {
     const Vec2 at = wrapped(canvas_from_shape.translation());
@@ -27,7 +27,7 @@ struct Period {
   /// The image of `p` that is nearest to `to`.
   Vec2 nearest(Vec2 p, Vec2 to) const { return {nearest(p.x, to.x, x_px), nearest(p.y, to.y, y_px)}; }
 
-  /// From a thing to its images within one period, its own place, (0, 0), first.
+  /// The offsets from a thing to its images up to one period away; first (0, 0), its own place.
   std::vector<Vec2> offsets() const {
     std::vector<Vec2> all = {{}};
     for (int j = y_px > 0 ? -1 : 0; j <= (y_px > 0 ? 1 : 0); ++j) {
@@ -44,7 +44,7 @@ struct Period {
   static float wrapped(float v, int period) {
     if (period == 0) return v;
     const float w = v - float(period) * std::floor(v / float(period));
-    return w < float(period) ? w : 0;  // a little below zero is rounded to the period itself
+    return w < float(period) ? w : 0;  // a value slightly below zero is rounded to the period itself
   }
   static float nearest(float v, float to, int period) {
     if (period == 0) return v;

@@ -10,7 +10,7 @@ struct NodeRun {
 
 int floor_of(int a, int b) { return a / b - (a % b < 0 ? 1 : 0); }
 
-/// What of the images of [begin, end) lies in [low, high).
+/// The parts of the images of [begin, end) that lie in `bounds`.
 std::vector<NodeRun> runs(NodeRun run, int period, NodeRun bounds) {
   std::vector<NodeRun> parts;
   const auto add = [&](int begin, int end) {
@@ -34,7 +34,7 @@ bool overlap(NodeRun a, NodeRun b, int period) {
   return period == 0 ? a.begin < b.end && b.begin < a.end : !runs(a, period, b).empty();
 }
 
-/// The way from [begin, ..) of b to its image that is nearest to a, by their middles.
+/// The offset from `b` to its image whose middle is nearest to that of `a`.
 int to_nearest(NodeRun a, NodeRun b, int period) {
   if (period == 0) return 0;
   const int apart = (b.begin + b.end) - (a.begin + a.end);  // twice the middles' distance

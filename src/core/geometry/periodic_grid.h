@@ -1,5 +1,5 @@
-// The nodes of a grid that holds one period of a plane and a rim of its images around it, and what windows mean there:
-// a window stands for all of its images, wherever it lies. A grid that does not repeat is one period without a rim.
+// The nodes of a grid that holds one period of a plane and a rim of its images around it. A window, wherever it lies,
+// stands for all of its images. A grid that does not repeat is one period without a rim.
 #pragma once
 
 #include <vector>
@@ -9,12 +9,12 @@
 
 namespace tessera {
 
-/// Nodes are 1 px apart.
+/// A periodic grid; nodes are 1 px apart.
 class PeriodicGrid {
  public:
   PeriodicGrid() = default;
   explicit PeriodicGrid(const Window& nodes) : nodes_(nodes), one_period_(nodes) {}
-  /// `one_period` is as wide and high as the period where the grid repeats, and as `nodes` where it does not.
+  /// `one_period` has the size of the period in directions that repeat, and the size of `nodes` in the others.
   PeriodicGrid(const Window& nodes, const Window& one_period, const Period& period)
       : nodes_(nodes),
         one_period_(one_period),
@@ -23,25 +23,25 @@ class PeriodicGrid {
   const Window& nodes() const { return nodes_; }
   const Window& one_period() const { return one_period_; }
   const Period& period() const { return period_; }
-  /// One period, and the column and row that follow it where the grid repeats: the far ends of its edges.
+  /// One period and, in directions that repeat, the next column and row: the far ends of the period's edges.
   Window with_next_nodes() const {
     return {one_period_.x0, one_period_.y0, one_period_.x1 + (period_.x_px > 0), one_period_.y1 + (period_.y_px > 0)};
   }
 
-  /// A node's image in the one period.
+  /// Column and row of a node's image in the one period.
   int column(int x) const { return image(x, period_.x_px, one_period_.x0); }
   int row(int y) const { return image(y, period_.y_px, one_period_.y0); }
 
-  /// Cut off where the grid ends without repeating.
+  /// The window, cut off where the grid ends without repeating.
   Window clipped(const Window& window) const;
-  /// What of the window's images lies in `bounds`: parts that cover it, none of them empty.
+  /// The parts of the window's images that lie in `bounds`; they cover that area, and none is empty.
   std::vector<Window> images(const Window& window, const Window& bounds) const;
-  /// Whether some image of one window overlaps the other.
+  /// Whether some image of one window overlaps the other window.
   bool overlap(const Window& a, const Window& b) const;
-  /// Holds an image of each: that of `b` which is nearest to `a`.
+  /// The smallest window that contains `a` and the image of `b` nearest to `a`.
   Window united(const Window& a, const Window& b) const;
 
-  /// Gives all images in `bounds` the values of the one period, in `window`.
+  /// Copies the values of the one period in `window` to all images in `bounds`.
   template <class T>
   void spread(Grid<T>& values, const Window& window, const Window& bounds) const;
 

@@ -6,7 +6,7 @@
 namespace tessera {
 namespace {
 
-constexpr int kCellsAcross = 32;  // of the longer side: about as many cells on the boundary as it has segments
+constexpr int kCellsAcross = 32;  // cells along the longer side: the boundary has about as many cells as segments
 
 bool separates(const Segment& line, Vec2 p, Vec2 q) {
   const Vec2 d = line.to - line.from;
@@ -25,7 +25,7 @@ Box box_of(const Segment& s) {
           {std::max(s.from.x, s.to.x), std::max(s.from.y, s.to.y)}};
 }
 
-/// Whether what lies in the two boxes is certainly further apart than `reach`, rounding included.
+/// Whether the contents of the two boxes are certainly farther apart than `reach`, rounding included.
 inline bool out_of_reach(const Box& a, const Box& b, float reach) {
   const float x = std::max({a.low.x - b.high.x, b.low.x - a.high.x, 0.f});
   const float y = std::max({a.low.y - b.high.y, b.low.y - a.high.y, 0.f});

@@ -14,14 +14,14 @@ struct RowCrossing {
   bool operator<(const RowCrossing& o) const { return std::tie(row, x) < std::tie(o.row, o.x); }
 };
 
-/// Keeps a coordinate of any size within what an int holds.
+/// Limits a coordinate to the range of an int.
 float within_int(float v) { return std::clamp(v, -1e9f, 1e9f); }
 
 /// First row or column whose centre is at `v` or beyond it.
 int first_centre_from(float v) { return int(std::ceil(within_int(v) - 0.5f)); }
 
 void add_crossings(Vec2 p, Vec2 q, const Window& window, std::vector<RowCrossing>& crossings) {
-  // Always from top to bottom, so that two outlines that share an edge cut each row at the same x.
+  // Always from top to bottom, so that two outlines with a common edge cut each row at the same x.
   if (p.y > q.y) std::swap(p, q);
   const int begin = std::max(window.y0, first_centre_from(p.y));
   const int end = std::min(window.y1, first_centre_from(q.y));

@@ -17,7 +17,7 @@ struct Similarity {
   Vec2 apply(Vec2 p) const { return {a * p.x - b * p.y + tx, b * p.x + a * p.y + ty}; }
   Vec2 apply_direction(Vec2 d) const { return {a * d.x - b * d.y, b * d.x + a * d.y}; }
   float scale() const { return std::sqrt(a * a + b * b); }
-  /// The angle in (-pi, pi], counted from x towards y.
+  /// The angle in (-pi, pi], from x towards y.
   float rotation_rad() const { return std::atan2(b, a); }
   Vec2 translation() const { return {tx, ty}; }
 

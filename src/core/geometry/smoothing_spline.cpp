@@ -26,8 +26,8 @@ std::array<double, 4> basis(double u, int derivative) {
   }
 }
 
-/// B + lambda·D² of n knots, cyclic: B takes control points to knots (1 4 1)/6, D² is the fourth difference. It is
-/// the normal equation of the smoothing spline with a factor B taken out, and all positive.
+/// B + lambda·D² of n cyclic knots: B takes control points to knots (1 4 1)/6, D² is the fourth difference. This is the
+/// normal equation of the smoothing spline, divided by a factor B; it is positive definite.
 Eigen::SparseMatrix<double> normal_matrix(int n, double lambda) {
   const std::array<double, 3> diagonal = {4.0 / 6 + 6 * lambda, 1.0 / 6 - 4 * lambda, lambda};
   std::vector<Eigen::Triplet<double>> entries;
@@ -77,7 +77,7 @@ std::vector<Vec2> ClosedSpline::even_points(int count) const {
   return points;
 }
 
-/// `cursor` is the table entry to search on from: lengths are asked for in ascending order.
+/// `cursor` is the table entry at which the search begins: lengths are asked in ascending order.
 double ClosedSpline::parameter_at(double length, std::size_t& cursor) const {
   while (cursor + 2 < length_until_.size() && length_until_[cursor + 1] < length) ++cursor;
   const double step = length_until_[cursor + 1] - length_until_[cursor];
@@ -94,7 +94,7 @@ ClosedSpline smoothing_spline(const std::vector<Vec2>& polygon, double sigma) {
   for (int i = 0; i < n; ++i) target.row(i) << even[i].x, even[i].y;
   // Half of a ripple passes where lambda · omega^4 = 1, omega in radians per knot.
   const double lambda = std::pow(sigma * n / length / kHalfHeight, 4);
-  // In natural order only the two rows that close the cycle fill in: time and memory grow with n.
+  // In natural order only the two rows that close the cycle fill in, so time and memory are proportional to n.
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>> solver(
       normal_matrix(n, lambda));
   const Eigen::MatrixX2d control = solver.solve(target);

@@ -19,7 +19,7 @@ class ClosedSpline {
   Vec2 position(double t) const { return combine(t, 0); }
   Vec2 first_derivative(double t) const { return combine(t, 1); }
   Vec2 second_derivative(double t) const { return combine(t, 2); }
-  /// Signed, 1 / unit of length; positive where the curve turns left (an outer curve is convex there).
+  /// Signed curvature, 1 / unit of length; positive where the curve turns left (an outer curve is convex there).
   double curvature(double t) const;
 
   double length() const { return length_until_.back(); }
@@ -35,10 +35,10 @@ class ClosedSpline {
 };
 
 /// The spline with control points at even arclength that minimises
-///     sum over its knots of |S - polygon|²  +  lambda · integral of |S''|²,
-/// lambda being such that a ripple is damped as by a Gaussian of width `sigma` along the curve (equal at half
-/// height); coarser features stay, where a Gaussian would shrink them. Knots are min(sigma, 1) units of length apart,
-/// but there are at least 16. `polygon` is closed, with at least 3 points and a positive length.
+///   sum over its knots of |S - polygon|²  +  lambda · integral of |S''|².
+/// lambda is chosen so that a ripple is damped as by a Gaussian of width `sigma` along the curve (equal at half
+/// height). Coarser features stay, which a Gaussian would shrink. Knots are min(sigma, 1) units of length apart, but
+/// there are at least 16. `polygon` is closed, with at least 3 points and a positive length.
 ClosedSpline smoothing_spline(const std::vector<Vec2>& polygon, double sigma);
 
 }  // namespace tessera

@@ -1,4 +1,4 @@
-// Which things have to do with which tiles of a grid: a spatial index over an unbounded plane of nodes.
+// A spatial index from the tiles of an unbounded plane of nodes to the things in each tile.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ class TileIndex {
    private:
     void add_tiles();
 
-    Window last_;  // in tiles: windows that follow each other often lie in the same ones
+    Window last_;  // in tiles; successive windows often lie in the same tiles
     std::vector<Tile> tiles_;
   };
 
@@ -39,7 +39,7 @@ class TileIndex {
 
   static Tile tile_at(int x, int y) { return tile(tile_coordinate(x), tile_coordinate(y)); }
 
-  /// Calls f(thing) for each thing of each tile that overlaps the window; a thing of several tiles comes once for each.
+  /// Calls f(thing) for each thing of each tile that overlaps the window. A thing in several tiles comes once for each.
   template <class F>
   void each(const Window& window, F f) const {
     const Window tiles = in_tiles(window);
@@ -53,7 +53,7 @@ class TileIndex {
   }
 
  private:
-  static constexpr int kTileBits = 5;  // 32 nodes: a piece is some tiles wide
+  static constexpr int kTileBits = 5;  // a tile is 32 nodes wide, a piece some tiles
 
   static int tile_coordinate(int node) { return node >> kTileBits; }
   static Tile tile(int x, int y) { return Tile(std::uint32_t(y)) << 32 | std::uint32_t(x); }

@@ -1,4 +1,4 @@
-// A point or direction of the plane. The frame (canvas, shape, field node) stands in the name of whoever holds it.
+// A point or direction of the plane. The name of the variable tells the frame (canvas, shape, field node).
 #pragma once
 
 #include <cmath>

@@ -10,7 +10,7 @@ namespace {
 constexpr double kFewestLines = 16;
 constexpr double kMostLines = 128;
 
-/// A line across meets the boundary at x, which runs up (+1) or down (-1) there.
+/// The boundary crosses a line at x, upwards (+1) or downwards (-1).
 struct LineCrossing {
   int line;
   double x;
@@ -19,7 +19,7 @@ struct LineCrossing {
   bool operator<(const LineCrossing& o) const { return std::tie(line, x) < std::tie(o.line, o.x); }
 };
 
-/// Horizontal ones, evenly between the lowest and the highest y.
+/// Horizontal lines, evenly spaced between the lowest and the highest y.
 struct Lines {
   double first_y = 0;
   double apart = 1;
@@ -63,7 +63,7 @@ double twisted_area(const Outline& outline) {
   }
   std::sort(crossings.begin(), crossings.end());
   double length = 0;
-  int winding = 0;  // of what lies behind the crossing; a closed curve ends each line with 0
+  int winding = 0;  // winding number behind the crossing; a closed curve ends each line with 0
   for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
     winding -= crossings[i].turn;
     if (winding != 0 && winding != 1) length += crossings[i + 1].x - crossings[i].x;

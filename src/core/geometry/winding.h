@@ -1,13 +1,13 @@
-// Whether closed curves bound what the even-odd rule fills, or cross themselves and each other.
+// Detects closed curves that cross themselves or each other.
 #pragma once
 
 #include "core/geometry/polygon.h"
 
 namespace tessera {
 
-/// The area round which the outline runs neither once nor not at all: backwards, or several times. 0 where outer curves
-/// have positive and holes negative area, and none crosses another or itself. Measured on lines across, two units
-/// apart, but 16 to 128 of them.
+/// The area with a winding number other than 0 and 1: the outline runs around it backwards or several times. It is 0 if
+/// outer curves have positive and holes negative area, and no curve crosses another or itself. Measured on horizontal
+/// lines, two units apart, but at least 16 and at most 128 of them.
 double twisted_area(const Outline& outline);
 
 }  // namespace tessera

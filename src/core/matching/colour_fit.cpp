@@ -15,9 +15,9 @@ namespace {
 
 static_assert(kColourCells == kLanes);
 
-/// What lies beneath each cell of a piece.
+/// Colours of the picture beneath each cell of a piece.
 struct CoveredCells {
-  Lanes weight;  // of the cell, times how much is wished there
+  Lanes weight;  // the cell's part of the piece, times the target's weight there
   std::array<Lab, kColourCells> colour;
 
   std::optional<Lab> mean() const {

@@ -9,7 +9,8 @@
 namespace tessera {
 namespace {
 
-/// Both best first. Of many parts most have nothing that belongs into the list: then one comparison tells.
+/// Merges `more` into `list`; both are sorted, best first. With many parts most have no docking good enough for the
+/// list: the first comparison tells.
 void join_shortlist(std::vector<Docking>& list, std::span<const Docking> more) {
   if (list.size() == kShortlist && !docks_better(more.front(), list.back())) return;
   const auto middle = std::ptrdiff_t(list.size());
@@ -53,8 +54,8 @@ bool JoinedMatcher::take_ready_steps() {
   return any_ready;
 }
 
-/// Devices of different speeds and parts need different numbers of steps: none stands idle because another one takes
-/// longer for its step.
+/// Devices of different speeds and with different parts of the library need different numbers of steps. So no device is
+/// idle because another takes longer for its step.
 bool JoinedMatcher::step_count() {
   constexpr std::chrono::microseconds kLook{50};
   if (counting_.size() == 1) {
@@ -70,8 +71,8 @@ bool JoinedMatcher::step_is_ready() {
          std::any_of(counting_.begin(), counting_.end(), [](MatcherPart* part) { return part->step_is_ready(); });
 }
 
-/// Devices take all of their steps first: parts that wait for other ranks, which step by themselves, would hold them
-/// up.
+/// Takes all steps of the devices first. A part that waits for other ranks, which step by themselves, would otherwise
+/// delay the devices.
 std::vector<DistanceHistogram> JoinedMatcher::take_count() {
   while (step_count()) {
   }
@@ -110,7 +111,7 @@ DockReply JoinedMatcher::take_dock() {
   return joined;
 }
 
-/// To each part the dockings of its shapes.
+/// Sends each part the dockings of its own shapes.
 void JoinedMatcher::post_divided(const std::vector<Docking>& dockings, PostTo post) {
   posted_to_.assign(parts_.size(), {});
   for (const Docking& d : dockings) {

@@ -1,4 +1,4 @@
-// Several matchers, each with its own part of the library, as one: the devices of a rank, or the ranks of a job.
+// Joins several matchers into one, each with its own part of the library: the devices of a rank, or the ranks of a job.
 #pragma once
 
 #include <memory>
@@ -8,13 +8,13 @@
 
 namespace tessera {
 
-/// Divides questions among parts, and joins their answers. A sub-class owns the parts, and tells all of them what they
-/// are told alike.
+/// Divides questions among the parts and joins their answers. A sub-class owns the parts and sends them the messages
+/// that are the same for all.
 class JoinedMatcher : public Matcher {
  public:
   ShapeRange shapes() const override;
   void post_count(const CountRequest& request) final;
-  /// One step of each part that is ready; where none is, it waits until one is.
+  /// Takes one step of each part that is ready. Waits until a part is ready if none is.
   bool step_count() override;
   bool step_is_ready() override;
   std::vector<DistanceHistogram> take_count() override;
@@ -34,7 +34,7 @@ class JoinedMatcher : public Matcher {
   virtual void post_dock_to_all(const DockRequest& request) = 0;
 
   void expect_steps() { counting_ = parts_; }
-  /// Steps of the parts that are ready. False: none was.
+  /// Takes one step of each part that is ready. False if no part was ready.
   bool take_ready_steps();
 
   using PostTo = void (MatcherPart::*)(const std::vector<Docking>&);
@@ -50,7 +50,7 @@ class JoinedMatcher : public Matcher {
   std::vector<std::vector<std::size_t>> posted_to_;  // per part: positions in the request that was divided
 };
 
-/// Whole matchers, told one after another.
+/// Joins complete matchers and calls them one after another.
 class CompositeMatcher : public JoinedMatcher {
  public:
   /// The parts' shape ranges follow one another without gaps.

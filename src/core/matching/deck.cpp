@@ -8,7 +8,7 @@
 namespace tessera {
 namespace {
 
-/// `runs` runs of `length` places out of `all`, that may overlap.
+/// Draws `runs` runs of `length` places out of `all`; runs may overlap. Empty if the runs would cover all places.
 std::vector<std::uint32_t> drawn_places(std::uint64_t key, std::uint32_t all, std::uint32_t runs,
                                         std::uint32_t length) {
   std::vector<std::uint32_t> places;

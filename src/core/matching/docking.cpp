@@ -9,9 +9,9 @@
 namespace tessera {
 namespace {
 
-/// Key points of both, less their means: what least squares needs of them.
+/// Sums over the key points of both pyramids, less their means, for the least squares fit.
 struct PointMoments {
-  Vec2 product;  // real and imaginary part
+  Vec2 product;  // sum of target times conjugate shape point: real and imaginary part
   float shape_spread = 1e-12f;
   float target_spread = 0;
   Vec2 shape_mean;
@@ -46,7 +46,7 @@ struct Fit {
   float residual;  // mean square, px²
 };
 
-/// The best pose within the range. False where it would have to be turned by more than a right angle.
+/// The best pose within the range. False if it would have to be turned by more than a right angle.
 bool fit_within(const PoseRange& poses, const PointMoments& m, Fit& fit) {
   Vec2 product = m.product;
   if (!poses.rotations.contains(product, norm(product), 0)) {
@@ -60,7 +60,7 @@ bool fit_within(const PoseRange& poses, const PointMoments& m, Fit& fit) {
   s.b = product.y / m.shape_spread;
   const float best_scale = s.scale();
   poses.pull_in(s);
-  // The spread that is explained: at the best scale its square, less by the square of what the scale is off.
+  // The explained part of the spread: the square of the best scale, less the square of the scale's deviation from it.
   const float off = s.scale() - best_scale;
   fit.residual = (m.target_spread - (best_scale * best_scale - off * off) * m.shape_spread) / m.count;
   return true;
@@ -144,7 +144,7 @@ Similarity tangent_docking(const ShapeModel& shape, int boundary_point, float sc
   const Vec2 u = shape.tangent[boundary_point];
   const Vec2 p = shape.boundary[boundary_point];
   Similarity s;
-  // target tangent times the conjugate of the shape's: the rotation from one to the other.
+  // Target tangent times the conjugate of the shape's tangent: the rotation from the shape to the target.
   s.a = dot(u, sample.tangent) * scale_px;
   s.b = cross(u, sample.tangent) * scale_px;
   if (!poses.rotations.all()) poses.pull_in(s);  // the scale was drawn within its range
@@ -158,7 +158,7 @@ float docking_key(const ShapeModel& shape, const Similarity& canvas_from_shape, 
   const float scale = canvas_from_shape.scale();
   const float hopeless_px = std::max(kHopelessDocking_px, kHopelessDocking * scale);
   const float near_px = std::max(kNearDocking_px, kNearDocking * scale);
-  // One look-up settles most: where the disc does not fit, the piece does not.
+  // One look-up rejects most dockings: where the shape's disc does not fit, the piece does not fit.
   if (field_value(field, canvas_from_shape.apply(shape.disc_centre)) < shape.disc_radius * scale - hopeless_px) {
     return kRejectedDocking;
   }

@@ -1,5 +1,5 @@
-// Dockings: (target sample, shape sample) and the similarity that it implies (paper section 3.3), with the early
-// reject. kernels/docking.cl does the same for many at once, bit for bit.
+// Dockings: (target sample, shape sample) and the similarity that this pair implies (paper section 3.3), with the early
+// reject. kernels/docking.cl computes the same for many at once, bit for bit.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,14 @@
 
 namespace tessera {
 
-/// A larger key is better; ties go by shape, then source: a total order that no partition of the library changes.
+/// A larger key is better. Ties go by shape, then by source: a total order that does not depend on how the library is
+/// divided.
 struct Docking {
-  std::uint32_t sample = 0;  // place among the request's target samples
+  std::uint32_t sample = 0;  // index among the request's target samples
   ShapeId shape{};
   /// PAD docking: index of the shape's PAD, counted over the levels in use. Tangent docking: kTangentSource + draw.
   std::uint32_t source = 0;
-  std::uint32_t stance = 0;  // of the context's: the pose is one of it
+  std::uint32_t stance = 0;  // index in the context's StanceTable; the pose lies in this stance
   float key = 0;
   Similarity canvas_from_shape;
 
@@ -37,46 +38,47 @@ inline bool docks_better(const Docking& a, const Docking& b) {
 
 struct Alignment {
   Similarity canvas_from_shape;
-  std::uint32_t stance = 0;  // place among those given
+  std::uint32_t stance = 0;  // index in the stances given
   bool valid = false;
 };
 
-/// Aligns the key points of both pyramids in the least squares sense, at the longest level at which they agree within
-/// kAlignmentTolerance, by the pose of `stances` that fits them best (of equals that of the first); invalid where none
-/// does or the scale leaves `scales`. The paper aligns the ends of level 0 only; using all ends of the matched
-/// intervals averages the noise away.
+/// Aligns the key points of both pyramids by least squares, at the longest level whose residual is below
+/// kAlignmentTolerance. Takes the stance whose pose fits best; among equals, the first. The result is invalid if no
+/// stance fits or if the scale leaves `scales`. The paper aligns the ends of level 0 only; the ends of all matched
+/// intervals average the noise away.
 Alignment align_pyramids(const Keypoints& shape, const ArclengthPyramid& target, int levels, ScaleRange scales,
                          std::span<const Stance> stances);
 
-/// The tangent docking number `draw` of a target sample: shape, stance, boundary point and log-uniform scale from
-/// counter-based random bits keyed by (seed, sample, pass, draw). Any shape that may stand is as likely.
+/// The tangent docking number `draw` of a target sample: shape, stance, boundary point and log-uniform scale. It comes
+/// from counter-based random bits with the key (seed, sample, pass, draw).
 struct TangentDraw {
   bool drawn = false;  // false: no shape may stand
   ShapeId shape{};
-  std::uint32_t stance = 0;      // of the context's
-  std::uint32_t point_bits = 0;  // choose among the boundary points that come into question
+  std::uint32_t stance = 0;      // index in the context's StanceTable
+  std::uint32_t point_bits = 0;  // select one of the boundary points that qualify
   float scale_px = 0;
 };
-/// Of the shapes that may stand, or those of a deck. Where there is a list of `near` colours, most draws take one of
-/// those shapes, the nearer the more likely.
+/// Draws from the deck, or from all open shapes if the deck is empty; each shape is equally likely. If `near` is not
+/// empty, most draws take a shape from that list of similar colours instead. The nearer its colour, the more likely is
+/// a shape.
 TangentDraw draw_tangent(const MatchingContext& context, const TargetSample& sample, std::uint32_t draw,
                          std::span<const std::uint32_t> near = {}, const Deck& deck = {});
 
-/// The boundary point that the draw docks: any of those whose tangent implies one of docked_rotations is as likely;
-/// kNoPoint where there is none.
+/// The boundary point that the draw docks. Points whose tangent implies a rotation in `docked_rotations` are equally
+/// likely; kNoPoint if there is none.
 inline constexpr int kNoPoint = -1;
 int docked_point(const ShapeModel& shape, const TangentDraw& draw, const TargetSample& sample,
                  const DirectionRange& docked_rotations);
-/// The pose that puts the point on the sample and its tangent along the sample's, but for the turn that brings it into
-/// `poses`.
+/// The pose that puts the boundary point on the sample and the tangent along the sample's tangent. The pose is then
+/// turned and scaled into `poses` if necessary.
 Similarity tangent_docking(const ShapeModel& shape, int boundary_point, float scale_px, const TargetSample& sample,
                            const PoseRange& poses);
 
-/// The key of a docking that is not possible at all.
+/// The key of a docking that the early reject refuses.
 inline constexpr float kRejectedDocking = -1;
 
-/// Early reject on a few boundary and interior points; the key ranks what is left. A key below kLeastDockingKey means
-/// that it is rejected.
+/// Early reject on a few boundary and interior points; the key ranks the dockings that pass. A docking with a key below
+/// kLeastDockingKey is rejected.
 float docking_key(const ShapeModel& shape, const Similarity& canvas_from_shape, const FieldView& field,
                   float max_scale_px);
 

@@ -1,5 +1,5 @@
-// What the objective is made of (paper section 4: L, O_i, G_i), estimated along the piece's contour.
-// kernels/docking_terms.cl does the same for many at once, bit for bit.
+// Terms of the objective (paper section 4: L, O_i, G_i), estimated along the piece's contour. kernels/docking_terms.cl
+// computes the same for many at once, bit for bit.
 #pragma once
 
 #include "core/field/field_lookup.h"
@@ -15,13 +15,14 @@ struct DockingTerms {
   float gap_px2 = 0;            // sum of G_i
   float overlap_px4 = 0;        // sum of O_i²
   float gap_px4 = 0;            // sum of G_i²
-  float colour_difference = 0;  // from what the piece covers, CIEDE2000
+  float colour_difference = 0;  // CIEDE2000 to the place that the piece covers
 
   friend bool operator==(const DockingTerms&, const DockingTerms&) = default;
 };
 
-/// A gap or overlap is a run of boundary points whose distances lie within gap_px, or below zero; its area is the sum
-/// of distance times boundary step. Interior points that are covered count where they show more overlap.
+/// A gap is a run of boundary points whose distances lie between noise and gap_px; an overlap is a run below zero. The
+/// area of a run is the sum of distance times boundary step. Covered interior points replace the overlap area where
+/// they show more overlap.
 DockingTerms docking_terms(const Similarity& canvas_from_shape, const ShapeModel& shape, const FieldView& field,
                            const MatchingContext& context);
 

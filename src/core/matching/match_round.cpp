@@ -9,7 +9,7 @@
 namespace tessera {
 namespace {
 
-/// Per sample: the bins of the pairs that are docked.
+/// Per sample: the number of bins whose pairs are docked.
 std::vector<std::uint32_t> bin_limits(Matcher& matcher, const std::vector<TargetSample>& samples,
                                       std::uint64_t pairs_per_sample) {
   if (pairs_per_sample == 0) return std::vector<std::uint32_t>(samples.size(), 0);
@@ -19,7 +19,7 @@ std::vector<std::uint32_t> bin_limits(Matcher& matcher, const std::vector<Target
 /// The best kRefined distinct dockings of each sample; `dockings` come by sample, best first.
 std::vector<Docking> distinct(const std::vector<Docking>& dockings, std::vector<bool>& truncated) {
   std::vector<Docking> kept;
-  std::size_t first = 0;  // of the current sample, in kept
+  std::size_t first = 0;  // index in `kept` of the current sample's first docking
   for (std::size_t i = 0; i < dockings.size(); ++i) {
     const Docking& d = dockings[i];
     if (i == 0 || d.sample != dockings[i - 1].sample) first = kept.size();

@@ -1,4 +1,4 @@
-// One round of matching (paper section 3.3): samples in, refined candidates of the whole library out.
+// One round of matching (paper section 3.3): target samples in, refined candidates of the whole library out.
 #pragma once
 
 #include <cstdint>
@@ -13,25 +13,25 @@ namespace tessera {
 struct MatchPlan {
   std::uint64_t pairs_per_sample = 0;  // top K % of the library's PADs, capped by match.most_pairs; 0 = no PAD dockings
   std::uint32_t tangent_dockings = 0;
-  bool first_drawn = false;  // as DockRequest's
+  bool first_drawn = false;  // as in DockRequest
 };
 
 MatchPlan match_plan(const MatchSettings& settings, std::uint64_t library_pads);
 
 struct MatchRound {
-  /// The feasible ones, at most kRefined for each sample, in the order of the samples.
+  /// The feasible dockings, at most kRefined for each sample, in the order of the samples.
   std::vector<RefinedDocking> refined;
-  /// Per sample: whether something was left out for want of room, so that matching it again may find more.
+  /// Per sample: true if a limit left something out, so that matching the sample again may find more.
   std::vector<bool> truncated;
 };
 
-/// Adds to the counters and times of `statistics`. Calls `meanwhile` once where the matcher has a question to work on.
+/// Adds to the counters and times of `statistics`. Calls `meanwhile` once while the matcher works on a question.
 MatchRound match(
     Matcher& matcher, const std::vector<TargetSample>& samples, const MatchPlan& plan, std::uint64_t library_pads,
     RunStatistics& statistics, const std::function<void()>& meanwhile = [] {});
 
-/// Whether two poses of one shape would look the same: they are closer than `tolerance` of b's scale in place, and in
-/// size and rotation.
+/// Whether two poses of one shape would look the same: their positions, and their rotations with scales, differ by less
+/// than `tolerance` times b's scale.
 bool near_copy(const Similarity& a, const Similarity& b, float tolerance);
 
 }  // namespace tessera

@@ -1,17 +1,17 @@
-// The one interface of matching: target samples in, candidates out. Implemented by a plain C++ reference, by OpenCL
-// devices, and by whatever joins several of them (devices of a rank, ranks of a job); one test suite holds for all.
+// The one interface of matching: target samples in, candidates out. Implementations are a plain C++ reference, OpenCL
+// devices, and matchers that join others (devices of a rank, ranks of a job). One test suite holds for all.
 //
-// Matching is four questions. Each selects per (sample, shape) or through a threshold over the whole library, never
-// per part of it, so that the answers do not depend on how the library is divided:
-//   count   how many pairs (target sample, shape PAD) lie in each bin of the PAD distance, as far as is asked -> the top
-//           K % threshold (pair_limits.h)
+// Matching is four questions. Each selects per (sample, shape) or by a threshold over the whole library, never per part
+// of the library. So the answers do not depend on how the library is divided:
+//   count   number of pairs (target sample, shape PAD) in each bin of the PAD distance, up to a limit -> the top K %
+//           threshold (pair_limits.h)
 //   dock    the best dockings of each target sample, from pairs below the threshold and from tangent dockings
-//   refine  given dockings moved to their best pose, with the terms of the objective and what else scoring needs
+//   refine  moves given dockings to their best pose; adds the terms of the objective and the sizes that scoring needs
 //   measure the terms of given poses, after the field has changed
 //
-// A question is posted, then taken: whoever joins several matchers posts to all before it takes from any. One of them
-// may count some samples after others: whoever joins several has each of them take its next step as soon as it is
-// ready, so that they work at the same time, however many steps each has.
+// A question is posted first and taken later, so that a joining matcher posts to all parts before it takes from any. A
+// matcher may count its samples in several steps. The joining matcher lets each part take its next step as soon as that
+// part is ready. So all parts work at the same time, however many steps each has.
 #pragma once
 
 #include <array>
@@ -37,34 +37,35 @@ struct FieldPatch {
 using DistanceHistogram = std::array<std::uint32_t, kDistanceBins>;
 
 struct CountRequest {
-  /// None: those of the question before, which was to count, too.
+  /// Empty: the samples of the question before, which must have been a count, too.
   std::vector<TargetSample> samples;
-  /// Of each sample: its pairs in the bins below this are counted; 0 = it is left out.
+  /// Per sample: pairs in bins below this number are counted; 0 = the sample is left out.
   std::vector<std::uint32_t> bins;
-  /// Of the library's segments (kSegmentShapes) only each one whose number is a multiple of this counts, to estimate.
+  /// Only library segments (kSegmentShapes) whose number is a multiple of this stride are counted; above 1 the count is
+  /// an estimate.
   std::uint32_t segment_stride = 1;
 };
 
 struct DockRequest {
   std::vector<TargetSample> samples;
-  /// Per sample: pairs whose distance bin is below this are docked; 0 = none.
+  /// Per sample: pairs whose distance bin is below this number are docked; 0 = none.
   std::vector<std::uint32_t> bin_limit;
   std::uint32_t tangent_dockings = 0;
-  /// Each sample keeps the dockings that were drawn first of those that the early reject leaves, instead of the best
-  /// ones: by its key dockings that cross thin lines come first. Without pairs.
+  /// If set, each sample keeps the dockings that were drawn first and passed the early reject, not the best ones. The
+  /// key prefers dockings that cross thin lines. Requests with this flag have no pairs.
   bool first_drawn = false;
 };
 
 struct DockReply {
   /// At most kShortlist for each sample, by sample, then best first (docks_better).
   std::vector<Docking> dockings;
-  std::uint64_t evaluated = 0;  // dockings that looked at the field
+  std::uint64_t evaluated = 0;  // dockings that were tested on the field
 };
 
 struct RefinedDocking {
   Docking docking;  // with the refined pose
   DockingTerms terms{};
-  bool feasible = false;  // if not, nothing but the docking counts
+  bool feasible = false;  // if false, only `docking` is meaningful
   Extent extent{};        // of the boundary points
   float perimeter = 0;    // the shape's
   float radius = 0;
@@ -72,23 +73,23 @@ struct RefinedDocking {
   friend bool operator==(const RefinedDocking&, const RefinedDocking&) = default;
 };
 
-/// A part of a divided library, as whoever joins the parts sees it: what only this part is asked, and all its answers.
-/// What all parts are told alike is no function of a part, as it may reach all of them at once (Matcher).
+/// A part of a divided library: the questions that only this part is asked, and all its answers. Messages that are the
+/// same for all parts are functions of Matcher instead, as one message may reach all parts at once.
 class MatcherPart {
  public:
   virtual ~MatcherPart() = default;
 
   virtual ShapeRange shapes() const = 0;
 
-  /// Takes the next step of the count that was posted, which waits for no more than this matcher's own devices, and
-  /// tells whether there may be another one. take_count takes the steps that are left; without steps there are none.
+  /// Takes the next step of the count that was posted and tells whether another step may follow. The step waits for
+  /// this matcher's own devices only. take_count takes the steps that are left. The default has no steps.
   virtual bool step_count() { return false; }
-  /// Whether the next step would not have to wait.
+  /// Whether the next step can start without waiting.
   virtual bool step_is_ready() { return true; }
-  /// Of the samples that were not left out, in order.
+  /// One histogram for each sample that was not left out, in order.
   virtual std::vector<DistanceHistogram> take_count() = 0;
   virtual DockReply take_dock() = 0;
-  /// Every docking's shape must be in shapes(), its stance one of the context's.
+  /// Every docking's shape must be in shapes(), its stance in the context's StanceTable.
   virtual void post_refine(const std::vector<Docking>& dockings) = 0;
   /// The answers stand in the order of the dockings posted.
   virtual std::vector<RefinedDocking> take_refine() = 0;
@@ -104,7 +105,7 @@ class Matcher : public MatcherPart {
   /// (0, 0).
   virtual void start_field(int width, int height, Vec2 origin) = 0;
   virtual void update_field(const FieldPatch& patch) = 0;
-  /// What may stand in the requests that follow; without it all that the context allows.
+  /// Limits the requests that follow. Before the first call all that the context allows may stand.
   virtual void limit(const StandingLimits& limits) = 0;
 
   virtual void post_count(const CountRequest& request) = 0;
@@ -116,24 +117,24 @@ inline std::uint32_t distance_bin(std::uint32_t distance_steps, std::uint32_t be
   return distance_steps * kDistanceBins / beta_steps;
 }
 
-/// Exactly the distances of the first `bins` bins are below this.
+/// The distances of the first `bins` bins are exactly those below this value, steps.
 inline std::uint32_t reach_of_bins(std::uint32_t bins, std::uint32_t beta_steps) {
   return (bins * beta_steps + kDistanceBins - 1) / kDistanceBins;
 }
 
-/// The number of whole bins, counted from the best, that hold at most `most` pairs; at least the first one that is not
-/// empty, so that no sample goes without. All of them where the histogram holds no more than `most`.
+/// The number of whole bins, counted from the best, that hold at most `most` pairs. It includes the first bin that is
+/// not empty, so that every sample gets pairs. All bins if the histogram holds no more than `most`.
 std::uint32_t bin_limit_for(const DistanceHistogram& histogram, std::uint64_t most);
 
-/// Throws std::logic_error where a CountRequest has bins of other samples than the `counted` ones.
+/// Throws std::logic_error if `bins` is not empty and its size differs from `counted`, the number of samples.
 void expect_bins_of(std::size_t counted, const std::vector<std::uint32_t>& bins);
 
 RefinedDocking feasible_docking(const Docking& docking, const DockingTerms& terms, const ShapeModel& shape);
 
-/// Replaces the keys of random dockings, so that those that were drawn earlier are better.
+/// Replaces the keys of random dockings, so that earlier draws are better.
 void rank_by_draw(std::vector<Docking>& dockings);
 
-/// Sorts (docks_better) and keeps the best kShortlist.
+/// Sorts by docks_better and keeps the best kShortlist.
 void keep_shortlist(std::vector<Docking>& dockings);
 
 FieldPatch read_patch(const Grid<float>& field, const Window& window);

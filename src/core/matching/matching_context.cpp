@@ -10,7 +10,7 @@
 namespace tessera {
 namespace {
 
-/// Of a level that is not in use at the present sizes.
+/// Scales of a level that is not in use at the present sizes.
 constexpr ScaleRange kNoScales{1e6f, 1e-6f};
 
 PieceSettings of_sizes(const ScaleRange& scales_px, float factor) {
@@ -21,7 +21,8 @@ std::vector<int> levels_for(const PieceSettings& sizes) {
   return levels_for_scales(sizes.min_scale_px, sizes.max_scale_px, target_sigma_px(sizes));
 }
 
-/// At all factors from 1 to `least_factor`; a level serves an octave.
+/// Levels in use at all factors from 1 down to `least_factor`. A level serves an octave, so steps of half an octave
+/// miss none.
 std::vector<int> levels_down_to(float least_factor, const ScaleRange& scales_px) {
   constexpr float kHalfAnOctave = 0.70710678f;
   std::set<int> levels;

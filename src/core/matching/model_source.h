@@ -1,4 +1,5 @@
-// Where a matcher gets the models of its shapes: a few at a time, so that a large library never lies in memory whole.
+// Source of the shape models of a matcher. It gives a few at a time, so that a large library never lies in memory
+// whole.
 #pragma once
 
 #include <functional>
@@ -10,18 +11,18 @@
 
 namespace tessera {
 
-/// Which parts of the models are wanted.
+/// The parts of the models that the caller needs.
 struct ModelParts {
-  /// If not, there are no tangents, no colours but ColourModel::mean and cell, and of the points every kCoarseStride-th
-  /// of the boundary and every kInteriorStride-th of the interior, the others being anything.
+  /// If false, there are no tangents, and no colours but ColourModel::mean and cell. Of the points only every
+  /// kCoarseStride-th of the boundary and every kInteriorStride-th of the interior are valid.
   bool contours = true;
-  bool pads = true;       // if not, there are no levels
+  bool pads = true;       // if false, there are no levels
   bool keypoints = true;  // of the PADs
 };
 
 class ModelSource {
  public:
-  /// A PAD of a library shape, by its number among those of its levels in use.
+  /// A PAD of a library shape: the shape, and the PAD's number among all levels in use.
   struct PadName {
     ShapeId shape;
     std::uint32_t source;
@@ -32,18 +33,18 @@ class ModelSource {
   /// The models of the library's shapes [begin, end), in order. A matcher calls it with neighbouring ranges.
   virtual std::vector<ShapeModel> models(const ShapeRange& range, const ModelParts& parts) const = 0;
 
-  /// The PADs of shapes [begin, end), of each all of its levels in use.
+  /// The PADs of the shapes [begin, end), for each shape all of its levels in use.
   virtual std::vector<LibraryPad> pads(const ShapeRange& range) const;
 
-  /// Of a level in use, of some shapes that follow one another, the PADs in the order of an index (PadIndex::order);
-  /// nothing where it must be made. Whatever comes is an order of all of them.
+  /// The order of an index (PadIndex::order) for the PADs of a level in use and a range of shapes: a permutation of all
+  /// of them. Empty if the caller must compute the order.
   virtual std::vector<std::uint32_t> pad_order(const ShapeRange&, std::size_t /*level*/) const { return {}; }
 
-  /// Whether contours and key points can be read later, shape by shape and PAD by PAD; if not, models come whole.
+  /// Whether contours and key points can be read later, shape by shape and PAD by PAD. If false, models come whole.
   virtual bool reads_singly() const { return false; }
   /// Models without levels, in the order of the shapes.
   virtual std::vector<ShapeModel> contours(std::span<const ShapeId>) const { return {}; }
-  /// 2 n + 1 points of each PAD, n being the levels of a pyramid, in its order.
+  /// 2 n + 1 points for each PAD, in the pyramid's order; n is the number of levels of a pyramid.
   virtual std::vector<ModelSample::Step> keypoints(std::span<const PadName>) const { return {}; }
 
  protected:
@@ -64,7 +65,7 @@ class MadeModels : public ModelSource {
   Make make_;
 };
 
-/// `models[i]` is library shape first_shape + i. They outlive the source.
+/// `models[i]` is library shape first_shape + i. The models outlive the source.
 inline std::shared_ptr<const ModelSource> given(const std::vector<ShapeModel>& models, std::uint32_t first_shape = 0) {
   return std::make_shared<MadeModels>([&models, first_shape](const ShapeRange& range) {
     return std::vector<ShapeModel>(models.begin() + (range.begin - first_shape),

@@ -11,7 +11,7 @@
 namespace tessera {
 namespace {
 
-constexpr std::size_t kMostNearestKept = std::size_t(32) << 20;  // shapes of all points: 128 MB
+constexpr std::size_t kMostNearestKept = std::size_t(32) << 20;  // shapes in the lists of all points together: 128 MB
 
 }  // namespace
 
@@ -42,8 +42,8 @@ NearColours::List NearColours::list_for(const TargetSample& sample) {
   return known != lists_.end() ? known->second : make_list(point);
 }
 
-/// All shapes, the nearest to the point first; of equals the first. As most places are smooth, what a drawing has of
-/// contrast of its own counts as a difference.
+/// All shapes, nearest to the point first; among equals, the first of the library. A drawing's own contrast counts as a
+/// difference, because most places of a picture are smooth.
 const std::vector<std::uint32_t>& NearColours::nearest(const Point& point) {
   const auto [known, is_new] = nearest_.try_emplace(point);
   if (!is_new) return known->second;

@@ -12,31 +12,32 @@ namespace {
 
 constexpr std::uint32_t kFewestBins = 2;
 
-/// As far as samples look at first: in a larger library as many pairs are nearer, and fewer are nearer still. A third to
-/// half of what most need with 120 and with 10,000 shapes: those that need less have not looked much too far.
+/// The number of bins of the first count. In a larger library the wanted pairs lie nearer. The number is a third to
+/// half of what most samples need with 120 and with 10,000 shapes, so that samples that need less have not searched
+/// much too far.
 std::uint32_t first_bins(std::uint32_t shapes, std::uint64_t pairs) {
   constexpr double kBinsOfOnePairAShape = 27;
   const double bins = kBinsOfOnePairAShape * std::cbrt((double(pairs) + 1) / (double(shapes) + 1));
   return std::uint32_t(std::clamp(bins, double(kFewestBins), kDistanceBins / 2.0));
 }
 
-/// How far to look where `bins` bins held `found` pairs: pairs grow about with the third power of the distance, and half
-/// as many again as are wanted cost little.
+/// The next number of bins, after `bins` bins held `found` pairs. The number of pairs grows about with the cube of the
+/// distance; aiming at half as many again as wanted costs little.
 std::uint32_t farther(std::uint32_t bins, std::uint64_t found, double wanted) {
   const double factor = std::cbrt(1.5 * (wanted + 1) / double(std::max<std::uint64_t>(found, 1)));
   const auto next = std::uint32_t(std::ceil(double(bins) * std::clamp(factor, 1.0, 2.0)));
   return std::clamp(next, std::max(kFewestBins, bins + 1), std::uint32_t(kDistanceBins));
 }
 
-/// Of a library's segments every so manieth is counted to estimate: a few of them, and not so few that a sample finds
-/// hardly any pair there.
+/// The stride of segments that are counted for an estimate. A few segments are enough, but not so few that a sample
+/// finds hardly any pair in them.
 std::uint32_t stride_of_estimate(std::uint32_t shapes) {
   constexpr std::uint32_t kFewestSegments = 6;
   constexpr std::uint32_t kMostStride = 16;
   return std::clamp(shapes / (kFewestSegments * kSegmentShapes), 1u, kMostStride);
 }
 
-/// The share of the library's shapes that every stride-th segment has.
+/// The fraction of the library's shapes that lies in every stride-th segment.
 double share_of(std::uint32_t stride, std::uint32_t shapes) {
   std::uint32_t counted = 0;
   for (std::uint32_t first = 0; first < shapes; first += stride * kSegmentShapes) {
@@ -45,7 +46,7 @@ double share_of(std::uint32_t stride, std::uint32_t shapes) {
   return double(counted) / double(shapes);
 }
 
-/// From `bins` on as far as it takes each sample to find more than `pairs` of them, or all there are.
+/// Counts from `bins` bins on, with more bins each time, until each sample has more than `pairs` pairs or all bins.
 std::vector<DistanceHistogram> look(std::vector<std::uint32_t> bins, std::uint64_t pairs, std::uint32_t stride,
                                     const CountPairs& count) {
   std::vector<DistanceHistogram> found(bins.size());
@@ -67,10 +68,10 @@ std::vector<DistanceHistogram> look(std::vector<std::uint32_t> bins, std::uint64
   return found;
 }
 
-/// About how far each sample must look, by every stride-th segment.
+/// An estimate of the bins that each sample needs, from every stride-th segment.
 std::vector<std::uint32_t> estimated_bins(std::vector<std::uint32_t> first, std::uint64_t pairs, std::uint32_t shapes,
                                           std::uint32_t stride, const CountPairs& count) {
-  // A quarter more than its share: one look is then enough for most.
+  // The share is raised by a quarter, so that one further count is enough for most samples.
   const auto share = std::uint64_t(std::ceil(1.25 * double(pairs) * share_of(stride, shapes)));
   std::vector<std::uint32_t> bins;
   for (const DistanceHistogram& found : look(std::move(first), share, stride, count)) {

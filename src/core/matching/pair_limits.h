@@ -1,6 +1,6 @@
-// How far each target sample looks for its pairs: as far as it takes to find as many as are docked (paper section 3.3,
-// the best K % below beta), and hardly farther. Whoever asks the whole library decides, so that a part of it looks no
-// farther than the whole must.
+// Limits of the PAD distance up to which each target sample searches its pairs. They are just large enough to find as
+// many pairs as are docked (paper section 3.3, the best K % below beta). The caller that asks the whole library decides
+// the limits, so that no part of the library is searched farther than the whole needs.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,17 @@
 
 namespace tessera {
 
-/// The answer to a CountRequest: of each sample with bins, in order.
+/// Answers a CountRequest: one histogram for each sample whose number of bins is not 0, in order.
 using CountPairs =
     std::function<std::vector<DistanceHistogram>(const std::vector<std::uint32_t>& bins, std::uint32_t segment_stride)>;
 
-/// Of each of `samples` target samples the bins of its best pairs (bin_limit_for), at most `pairs` in a library of so
-/// many `shapes`. Asks step by step: large libraries for some segments at first, which tell about how far it will be.
+/// Returns for each of `samples` target samples the bins of its best pairs (bin_limit_for), at most `pairs`, in a
+/// library of `shapes` shapes. Counts step by step. In a large library it first counts a few segments, to estimate the
+/// limits.
 std::vector<std::uint32_t> pair_limits(std::size_t samples, std::uint64_t pairs, std::uint32_t shapes,
                                        const CountPairs& count);
 
-/// The same, asking a matcher.
+/// Computes the limits with the counts of a matcher.
 std::vector<std::uint32_t> pair_limits(Matcher& matcher, const std::vector<TargetSample>& samples, std::uint64_t pairs);
 
 }  // namespace tessera

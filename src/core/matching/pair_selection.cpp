@@ -23,7 +23,7 @@ bool may_turn(Vec2 chord, const Target& target, std::span<const Stance> stances)
                      [&](const Stance& s) { return s.docked_rotations.contains(turn, 1, 0); });
 }
 
-/// Distances of one level's PADs; kNoPair where the scale or the sign cannot fit.
+/// PAD distances of one level's samples; kNoPair where the scale, the sign or the rotation cannot fit.
 std::vector<std::uint32_t> level_distances(const ModelLevel& level, const Target& target, const ScaleRange& scales,
                                            std::span<const Stance> stances, const MatchingContext& context) {
   const int levels = context.pad.levels;

@@ -1,6 +1,6 @@
-// Which (target sample, shape PAD) pairs are worth docking (paper section 3.3): scale window first, then sign, then
-// local minima of the distance along the shape's curve, then the best few of the shape. kernels/pairs.cl and
-// worker/pair_choice do the same for many at once, bit for bit.
+// Selects the (target sample, shape PAD) pairs that are worth docking (paper section 3.3). The tests are, in this
+// order: scale window, sign, local minima of the distance along the shape's curve, the best few of the shape.
+// kernels/pairs.cl and worker/pair_choice do the same for many at once, bit for bit.
 #pragma once
 
 #include <vector>
@@ -13,15 +13,15 @@ namespace tessera {
 
 struct PadPair {
   std::uint32_t source = 0;    // index of the shape's PAD, counted over the levels in use
-  std::uint32_t distance = 0;  // steps
+  std::uint32_t distance = 0;  // pad_steps
 };
 
-/// Gives at most kPairsPerShape pairs nearer than `reach_steps`, best first; ties go by source. `list`: the shape's
-/// stances, of the context's.
+/// Returns at most kPairsPerShape pairs nearer than `reach_steps`, best first; ties go by source. `list`: the shape's
+/// stances in the context's StanceTable.
 std::vector<PadPair> select_pairs(const ShapeModel& shape, const TargetSample& sample, const StanceList& list,
                                   const MatchingContext& context, std::uint32_t reach_steps);
 
-/// The level in use and the index within it of a source.
+/// Level slot and index within the level of a source.
 struct SourceLocation {
   int level_slot;
   int index;

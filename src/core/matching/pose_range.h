@@ -1,28 +1,29 @@
-// What a pose may be: an interval of scales and an interval of rotations, one value being an interval too. Candidates
-// are made within it and stay within it, so that nothing is searched only to be thrown away. kernels/similarity.cl does
-// the same, bit for bit.
+// The range of a pose: an interval of scales and an interval of rotations; a single value is an interval, too.
+// Candidates are made within the range and stay within it, so that no search result is thrown away for its pose.
+// kernels/similarity.cl does the same, bit for bit.
 #pragma once
 
 #include "core/geometry/similarity.h"
 
 namespace tessera {
 
-/// A pose at a bound of its interval lies inside by this part of itself, so that rounding never puts it outside.
+/// A pose pulled to a bound lies inside by this fraction of its scale, so that rounding never puts it outside.
 inline constexpr float kInsideBound = 5e-7f;
-/// By how much rounding may take a pose out of its interval: a part of the scale, and rad.
+/// Tolerances for rounding: a fraction of the scale, and an angle in rad.
 inline constexpr float kScaleRounding = 1e-6f;
 inline constexpr float kRotationRounding_rad = 1e-5f;
-/// The Cayley angle of a turn without limit.
+/// The Cayley angle that stands for "no limit".
 inline constexpr float kNoTurnLimit = 1e9f;
 
-/// Directions up to half a width to either side of one in the middle.
+/// All directions within half a width of a middle direction.
 struct DirectionRange {
   Vec2 middle{1, 0};  // unit
   Vec2 edge{-1, 0};   // cosine and sine of half the width; a cosine of -1: every direction
 
   bool all() const { return edge.x <= -1; }
 
-  /// Whether `d`, of this length, is one of them; `slack` is the sine of the angle by which it may be outside.
+  /// Whether `d`, a vector of this length, is in the range; `slack` is the sine of the angle by which it may be
+  /// outside.
   bool contains(Vec2 d, float length, float slack) const {
     if (all()) return true;
     const float along = dot(d, middle);
@@ -31,7 +32,7 @@ struct DirectionRange {
     return across * edge.x - along * edge.y <= slack * length;
   }
 
-  /// The unit vector of the bound that is on the side of `d`.
+  /// The bound on the side of `d`, as a unit vector.
   Vec2 nearest_edge(Vec2 d) const {
     const float side = cross(middle, d) >= 0 ? edge.y : -edge.y;
     return {middle.x * edge.x - middle.y * side, middle.y * edge.x + middle.x * side};
@@ -41,7 +42,7 @@ struct DirectionRange {
 /// The directions from `min_rad` to `max_rad`.
 DirectionRange direction_range(float min_rad, float max_rad);
 
-/// How far a pose may turn before it leaves its interval: Cayley angles, 2 tan(angle / 2).
+/// The turns, as Cayley angles 2 tan(angle / 2), that keep a pose in its interval.
 struct TurnLimits {
   float low = -kNoTurnLimit;
   float high = kNoTurnLimit;
@@ -58,7 +59,7 @@ struct PoseRange {
            rotations.contains({s.a, s.b}, scale, kRotationRounding_rad);
   }
 
-  /// Turns and scales the pose about its own centre by as little as brings it into the range.
+  /// Turns and scales the pose about its own centre by the least amount that brings it into the range.
   void pull_in(Similarity& s) const {
     const float scale = s.scale();
     float wanted = scale;
@@ -74,7 +75,7 @@ struct PoseRange {
     }
   }
 
-  /// How far a pose in the range may turn.
+  /// The turns that keep a pose of the range inside.
   TurnLimits turns(const Similarity& s) const {
     TurnLimits limits;
     if (rotations.all()) return limits;

@@ -43,7 +43,7 @@ std::vector<PadPair> ReferenceMatcher::pairs_of(std::size_t model, const TargetS
   return select_pairs(models_[model], sample, context_.stances.list(shape), context_, reach_steps);
 }
 
-/// Of how it fits and of its mean colour.
+/// The key of the fit, faded by the difference of the mean colours.
 float ReferenceMatcher::key_of(const ShapeModel& model, const Similarity& pose) const {
   const float key = docking_key(model, pose, FieldView(field_), context_.max_scale_px);
   if (key < kLeastDockingKey) return kRejectedDocking;

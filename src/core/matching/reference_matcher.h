@@ -1,4 +1,4 @@
-// The matcher in plain C++, one docking after the other: the reference that the kernels are tested against.
+// The matcher in plain C++, one docking after the other. The kernels are tested against it.
 #pragma once
 
 #include <memory>
@@ -35,10 +35,10 @@ class ReferenceMatcher : public Matcher {
   const ShapeModel& model_of(ShapeId shape) const;
   DockingTerms terms_of(const Docking& docking) const;
 
-  MatchingContext context_;  // within the limits
+  MatchingContext context_;  // within the present limits
   StanceTable all_stances_;
   std::uint32_t first_shape_;
-  Deck deck_;                 // of the question
+  Deck deck_;                 // of the question under way
   NearColours near_colours_;  // of the shapes within the limits
   std::vector<ShapeModel> models_;
   CanvasField field_;

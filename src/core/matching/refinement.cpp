@@ -16,13 +16,13 @@ struct PoseLimits {
   float limited(float x) const { return x < low ? low : x > high ? high : x; }
 };
 
-/// A symmetric 4 x 4 system; unknowns: shift x, shift y, growth, rotation, the last two as movements at `arm_px`.
+/// A symmetric 4 x 4 system. Unknowns: shift x, shift y, growth, rotation; the last two as movements at `arm_px`.
 struct NormalEquations {
   float m[4][4] = {};
   float g[4] = {};
 
-  /// Solves (M + damping) x = -g by L D L^T, in place, x[2] and x[3] within their limits. Each limit is applied before
-  /// the unknowns above it follow, so that those are the best that go with it.
+  /// Solves (M + damping) x = -g by L D L^T, in place, with x[2] and x[3] clamped to their limits. Each clamp happens
+  /// before the unknowns that depend on it are computed, so that these fit the clamped value best.
   void solve(float (&x)[4], const PoseLimits& growth, const PoseLimits& turn) {
     const float trace = m[0][0] + m[1][1] + m[2][2] + m[3][3];
     for (int r = 0; r < 4; ++r) m[r][r] += kDamping * trace + kLeastDamping;
@@ -52,7 +52,7 @@ struct NormalEquations {
   }
 };
 
-/// 16 boundary points where they lie.
+/// 16 boundary points on the canvas, with the field at each.
 struct PlacedPoints {
   Lanes x, y, value, gradient_x, gradient_y;
 
@@ -61,7 +61,7 @@ struct PlacedPoints {
   }
 };
 
-/// Points 16 * block and so on of those that `stride` leaves.
+/// Block number `block` of 16 boundary points, when every `stride`-th point is used.
 PlacedPoints placed_points(const Similarity& s, const ShapeModel& shape, const FieldView& field, int block,
                            int stride) {
   PlacedPoints points;
@@ -77,7 +77,7 @@ PlacedPoints placed_points(const Similarity& s, const ShapeModel& shape, const F
   return points;
 }
 
-/// How much each point weighs; those farther than `radius` nothing.
+/// The weight of each point; 0 for points farther than `radius` from the boundary.
 Lanes weights_of(const PlacedPoints& points, float radius, float overlap_weight) {
   Lanes weights;
   for (int i = 0; i < kLanes; ++i) {
@@ -89,7 +89,7 @@ Lanes weights_of(const PlacedPoints& points, float radius, float overlap_weight)
   return weights;
 }
 
-/// NormalEquations on the way: point i of the set that is walked is added to lane i % 16.
+/// NormalEquations in 16 lanes: point i of the set is added to lane i % 16.
 struct LaneEquations {
   Lanes m[4][4] = {};
   Lanes g[4] = {};
@@ -125,7 +125,8 @@ struct LaneEquations {
   }
 };
 
-/// Turns and scales about the piece's own centre, then shifts. The rotation is the Cayley form of `angle`: no sine.
+/// Turns and scales about the piece's own centre, then shifts. The rotation is the Cayley form of `angle`, which needs
+/// no sine.
 void move(Similarity& s, float dx, float dy, float growth, float angle) {
   const float t = 0.5f * angle;
   const float k = (1 + growth) / (1 + t * t);

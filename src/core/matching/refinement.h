@@ -1,4 +1,4 @@
-// Refinement of a docking on the free field: Gauss-Newton, then push until no boundary point is too deep.
+// Refinement of a docking on the free field: Gauss-Newton steps, then pushing until no boundary point is too deep.
 // kernels/refinement.cl does the same for many at once, bit for bit.
 #pragma once
 
@@ -10,21 +10,21 @@
 
 namespace tessera {
 
-/// One descent as `descent` (tuning.h) says: its steps draw the boundary points onto the free region's boundary. The
-/// pose stays in `poses`.
+/// One descent with the parameters of `descent` (tuning.h): its steps pull the boundary points onto the free region's
+/// boundary. The pose stays in `poses`.
 void descend(Similarity& canvas_from_shape, const ShapeModel& shape, const FieldView& field, const Descent& descent,
              const PoseRange& poses);
 
-/// How deep the piece reaches into what is covered: over the boundary points, px, and kInteriorDepth_px more over
-/// the interior points.
+/// Depth of the piece in the covered area, px: the largest depth of a boundary point, or of an interior point plus
+/// kInteriorDepth_px. 0 if no point is covered.
 float depth_px(const Similarity& canvas_from_shape, const ShapeModel& shape, const FieldView& field);
 
-/// The whole refinement within `poses`. False where the piece is still deeper than `hard_depth_px`.
+/// The whole refinement within `poses`. False if the piece ends deeper than `hard_depth_px`.
 bool refine(Similarity& canvas_from_shape, const ShapeModel& shape, const FieldView& field, const PoseRange& poses,
             float hard_depth_px);
 
-/// Makes the piece larger by kGrowStep at a time, with a descent after each, while it stays feasible; it never becomes
-/// smaller.
+/// Enlarges the piece in steps of kGrowStep, with a descent after each, while it stays feasible. The piece never
+/// becomes smaller.
 void grow(Similarity& canvas_from_shape, const ShapeModel& shape, const FieldView& field, const PoseRange& poses,
           float hard_depth_px);
 

@@ -46,7 +46,7 @@ double size_factor(double area_px2, double part, const std::vector<WantedPieces>
   }
   if (needed_px2 <= 0) return 1;
   if (padding_px <= 0) return std::sqrt(part * area_px2 / needed_px2);
-  // As if all were squares of their area: the side of each grows by the padding.
+  // Treats all pieces as squares of their area: the side of each grows by the padding.
   const double half = padding_px * sides_px / needed_px2;
   const double left = (part * area_px2 - count * padding_px * padding_px) / needed_px2;
   return left > 0 ? std::sqrt(half * half + left) - half : 0;

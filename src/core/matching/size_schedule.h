@@ -1,5 +1,5 @@
-// Sizes for pieces of which each must find a place: how large they can be, all together, and how large the next one may
-// be, so that those that are still to come find room.
+// Sizes of pieces that must all find a place: how large all of them can be, and how large the next one may be so that
+// the rest still finds room.
 #pragma once
 
 #include <vector>
@@ -8,23 +8,23 @@
 
 namespace tessera {
 
-/// Pieces that are to find a place: so many of a shape whose sizes are an interval, from the smallest to the largest of
-/// its stances.
+/// Pieces of one shape that must find a place: their number, and their sizes from the smallest to the largest of the
+/// shape's stances.
 struct WantedPieces {
   Interval scale_px;
   double count = 1;
 };
 
-/// Of a shape whose sizes are spread evenly over the octaves from `low_px` to `high_px`: the mean of their squares,
-/// px².
+/// Mean square size, px², of a shape whose sizes are spread evenly over the octaves from `low_px` to `high_px`.
 double mean_square_px2(double low_px, double high_px);
 
-/// The largest size, of a ladder that leads down from the largest of all, at which the pieces that are left, none of
-/// them larger, would fill no more than kFilledByTheRest of `free_px2`. Never less than one of them needs.
+/// The largest size for the next piece: the pieces that are left, none of them larger than this, fill no more than
+/// kFilledByTheRest of `free_px2`. Sizes are tried downwards from the largest, in steps of kSizeStep. The result is
+/// never below the smallest size of any of these pieces.
 float most_scale_px(double free_px2, const std::vector<WantedPieces>& left);
 
-/// By what the sizes have to be multiplied so that the pieces, each with half of the padding all round, fill this part
-/// of the area. 0 where the padding alone takes more; 1 where no piece is wanted.
+/// The factor for all sizes at which the pieces fill the fraction `part` of the area. Each piece counts with half of
+/// the padding all round. 0 if the padding alone takes more; 1 if no piece is wanted.
 double size_factor(double area_px2, double part, const std::vector<WantedPieces>& pieces, double padding_px);
 
 }  // namespace tessera

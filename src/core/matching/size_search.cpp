@@ -9,15 +9,17 @@
 namespace tessera {
 namespace {
 
-/// The most that the next factor is of the last one, by how many attempts have failed: first small steps, as a few
-/// missing pieces need little, then larger ones, so that the least factor is tried in any case.
+/// Upper bounds for the ratio of the next factor to the present one, by the number of failed attempts. The first steps
+/// are small, as a few missing pieces need little. Later steps are larger, so that the least factor is tried in any
+/// case.
 constexpr std::array kLargestStep = {0.98f, 0.96f, 0.93f, 0.89f, 0.83f, 0.75f, 0.65f, 0.5f, 0.35f};
 static_assert(kLargestStep.size() + 3 <= kMostAttempts, "one for the least factor and one for a larger one are left");
 constexpr float kSmallestStep = 0.5f;
-/// What is missing found no place although some room was left: it needs more than its area.
+/// The missing area is multiplied by this: pieces found no place although some room was left, so they need more than
+/// their area.
 constexpr double kMoreThanMissing = 1.25;
-/// The search goes up where the factors between which the largest one lies are so far apart, once; and again only where
-/// they are farther apart.
+/// The search goes up once if the ratio of the known bounds of the largest possible factor exceeds kNearFactors, and
+/// again only if it exceeds kFarFactors.
 constexpr float kNearFactors = 1.01f;
 constexpr float kFarFactors = 1.1f;
 
@@ -27,7 +29,7 @@ bool SizeSearch::restore(const SizeSearchState& state) {
   const auto known_if_any = [&](float factor) { return factor == 0 || knows(factor); };
   if (state.attempt >= kMostAttempts || !knows(state.factor)) return false;
   if (!known_if_any(state.too_large) || !known_if_any(state.fits)) return false;
-  if (state_.over && state != state_) return false;  // of a job that does not search
+  if (state_.over && state != state_) return false;  // the state of a job that searches; this one does not
   state_ = state;
   return true;
 }
@@ -47,14 +49,14 @@ void SizeSearch::settle_for(float factor) {
   state_.over = true;
 }
 
-/// Sizes times s cover s² as much.
+/// The next factor, smaller than the present one. Sizes times s cover s² as much.
 float SizeSearch::smaller(double placed) const {
   if (state_.attempt >= kLargestStep.size()) return least_factor_;
   const float step = float(1 - kMoreThanMissing * (1 - std::sqrt(std::max(0., placed))));
   return std::max(least_factor_, state_.factor * std::min(kLargestStep[state_.attempt], std::max(kSmallestStep, step)));
 }
 
-/// The present factor where there is nothing to gain.
+/// The next factor, larger than the one that fits; the present factor if there is nothing to gain.
 float SizeSearch::larger(bool raised_before) const {
   const float apart = raised_before ? kFarFactors : kNearFactors;
   if (state_.too_large <= apart * state_.fits) return state_.factor;

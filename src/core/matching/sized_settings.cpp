@@ -50,7 +50,7 @@ double first_size_factor(const CollageSettings& settings, std::uint32_t library_
   std::vector<WantedPieces> wanted;
   for (std::uint32_t i = 0; i < stances.open_shapes(); ++i) {
     const ShapeId shape = stances.open_shape(i);
-    if (drawing(shape) != index_of(shape)) continue;  // has the places of its drawing
+    if (drawing(shape) != index_of(shape)) continue;  // its drawing has these places
     const auto given = standing.find(index_of(shape));
     const int missing = uses.least(shape) - (given == standing.end() ? 0 : given->second);
     const StanceList& list = stances.list(shape);

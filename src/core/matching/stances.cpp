@@ -26,7 +26,8 @@ void add_common(const Interval& a, const Interval& b, float shift, std::vector<I
   if (both.min <= both.max) common.push_back(both);
 }
 
-/// What is said on the lowest level counts; where a shape and its region both say something, both hold.
+/// The most specific wish counts: the region's or the shape's before the job's. If both the shape and the region have a
+/// wish, both hold.
 template <class Common>
 std::vector<Interval> wished(const std::vector<Interval>& job, const std::vector<Interval>& shape,
                              const std::vector<Interval>& region, Common common) {
@@ -92,7 +93,7 @@ StanceTable::StanceTable(const CollageSettings& settings, std::uint32_t library_
   *this = limited({});
 }
 
-/// Small scales first, so that a limit leaves the beginning of the list.
+/// Adds the stances of one class, small scales first, so that a limit of the scale leaves the beginning of the list.
 StanceList StanceTable::add_list(std::vector<Interval> scales_px, const std::vector<Interval>& rotations_rad,
                                  float weight) {
   std::sort(scales_px.begin(), scales_px.end(), [](const Interval& a, const Interval& b) { return a.min < b.min; });

@@ -1,4 +1,5 @@
-// How often each shape may stand, and how often it must: what the job says, or a wish for the shape itself.
+// Limits of the number of pieces of each shape: the largest and the least number, from the job or from a wish for the
+// shape.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +15,11 @@ class UseLimits {
  public:
   UseLimits(const PieceSettings& pieces, const Wishes& wishes);
 
-  /// Whether it matters at all how often a shape stands.
+  /// Whether any limit exists.
   bool any() const { return any_; }
-  /// At most so many pieces of the shape; 0 = no limit.
+  /// The largest number of pieces of the shape; 0 = no limit.
   int most(ShapeId shape) const { return of_class(shape).most; }
-  /// At least so many. With fit = "all" that is 1 or more.
+  /// The least number of pieces of the shape; 1 or more with fit = "all".
   int least(ShapeId shape) const { return of_class(shape).least; }
 
  private:
@@ -32,7 +33,7 @@ class UseLimits {
 
   bool any_ = false;
   std::vector<Limits> classes_;
-  std::vector<std::uint32_t> class_of_shape_;  // empty: all of class 0
+  std::vector<std::uint32_t> class_of_shape_;  // empty: all shapes are of class 0
 };
 
 }  // namespace tessera

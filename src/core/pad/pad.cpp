@@ -19,7 +19,7 @@ Pad make_pad(const ArclengthPyramid& pyramid, int levels) {
 
 float pad_distance(const Pad& p, const Pad& q, int levels) {
   float distance = 0;
-  // A flat point (0) agrees with either sign: its triangle is below the noise.
+  // A flat point (0) agrees with both signs: its triangle is below the noise.
   const float relative_sign = p.convexity * q.convexity < 0 ? -1.f : 1.f;
   for (int i = 0; i < 2 * (levels - 1); ++i) {
     distance = std::max(distance, std::abs(p.element[i] - relative_sign * q.element[i]));

@@ -1,7 +1,7 @@
 // The pyramid of arclength descriptor (PAD), paper section 3.
 //
-// Around a point of a curve, level i reaches so far to the left and to the right that the integral of the absolute
-// curvature over each side is 2^i delta_tau. The PAD holds these arclengths, each side divided by its longest.
+// At a point of a curve, level i is the interval to the left and right over which the integral of the absolute
+// curvature is 2^i delta_tau on each side. The PAD holds these arclengths, each side divided by its longest.
 #pragma once
 
 #include <array>
@@ -25,9 +25,10 @@ struct PadParameters {
 struct ArclengthPyramid {
   std::array<float, kMaxPadLevels> left{};   // l_0 .. l_{n-1}, increasing
   std::array<float, kMaxPadLevels> right{};  // r_0 .. r_{n-1}, increasing
-  /// Left end of level n-1, .., left end of level 0, the point itself, right end of level 0, .., of level n-1.
+  /// Left end of level n-1, .., left end of level 0, the point itself, right end of level 0, .., right end of level
+  /// n-1.
   std::array<Vec2, 2 * kMaxPadLevels + 1> keypoint{};
-  float convexity = 0;  // s of the paper: +1 convex (interior bulges out), -1 concave, 0 where the triangle is flat
+  float convexity = 0;  // s of the paper: +1 convex (interior bulges out), -1 concave, 0 if the triangle is flat
 
   friend bool operator==(const ArclengthPyramid&, const ArclengthPyramid&) = default;
 };
@@ -40,11 +41,11 @@ struct Pad {
 
 Pad make_pad(const ArclengthPyramid& pyramid, int levels);
 
-/// Equation 1, on the signed vectors s·m: where the convexities are opposite, the magnitudes of each element add up. A
-/// flat point agrees with either.
+/// Equation 1, on the signed vectors s·m: if the convexities are opposite, the magnitudes of each element add up. A
+/// flat point agrees with both.
 float pad_distance(const Pad& p, const Pad& q, int levels);
 
-/// The PAD for outward docking: the order is reversed and the convexity flipped (paper, end of section 3.2).
+/// The PAD for outward docking: reversed order, opposite convexity (paper, end of section 3.2).
 Pad flipped(const Pad& pad, int levels);
 
 }  // namespace tessera

@@ -7,7 +7,7 @@ namespace tessera {
 namespace {
 
 constexpr float kBytesAnOctave = 16;
-constexpr float kByteOfOne = 160;  // lengths from 2^-10 to 2^6: beyond lie no pieces, only the ends of the range
+constexpr float kByteOfOne = 160;  // lengths from 2^-10 to 2^6; no pieces lie beyond, only the ends of the range
 
 }  // namespace
 
@@ -28,7 +28,7 @@ PadWindow pad_window(const QuantisedPad& target, std::uint32_t reach_steps) {
 }
 
 ScaleWindow scale_window(float least, float most) {
-  // One more on either side: logarithms may round either way.
+  // One more on each side: logarithms may round either way.
   const int low = std::max(int(scale_byte(least)) - 1, 0);
   const int high = std::min(int(scale_byte(most)) + 1, 255);
   return {std::uint8_t(low), std::uint8_t(high)};

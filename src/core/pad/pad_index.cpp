@@ -13,23 +13,24 @@ constexpr std::size_t kNodePads = std::size_t(kIndexFanOut) * kIndexFanOut;
 constexpr std::size_t kScaleRow = kMaxPadElements;
 constexpr std::size_t kRows = kMaxPadElements + 1;
 
-/// A PAD on its way to its place in the order, with its bytes: to look them up elsewhere takes most of the time.
+/// A PAD on its way to its place in the order, with a copy of its bytes: looking them up elsewhere would take most of
+/// the time.
 struct Entry {
   std::array<std::uint8_t, kRows> row;
   std::uint32_t place;
 };
 
-/// Branches of so many PADs are split on a thread of their own.
+/// Branches with more PADs than this are split on two threads.
 constexpr std::size_t kOwnThread = 1 << 16;
 
-/// Sums of bytes and of their squares, of each row.
+/// Sums of the bytes and of their squares, per row.
 struct Moments {
   std::array<std::uint64_t, kRows> sum{};
   std::array<std::uint64_t, kRows> squares{};
 };
 
 Moments moments_of(std::span<const Entry> entries) {
-  constexpr std::size_t kMostSummed = 65536;  // squares of bytes that 32 bits hold
+  constexpr std::size_t kMostSummed = 65536;  // their squares fit into 32 bits
   Moments moments;
   for (; !entries.empty(); entries = entries.subspan(std::min(entries.size(), kMostSummed))) {
     std::array<std::uint32_t, kRows> sum{};
@@ -51,7 +52,7 @@ Moments moments_of(std::span<const Entry> entries) {
 
 class Splitter {
  public:
-  /// `all`: by their places, first the convex ones, then the others. `scratch`: as many.
+  /// `all`: all PADs by place, the convex ones first. `scratch`: of the same size.
   Splitter(std::span<Entry> all, std::span<Entry> scratch, int elements, double scale_share)
       : all_(all),
         scratch_(scratch),
@@ -73,8 +74,8 @@ class Splitter {
     }
   }
 
-  /// The first `convex` of them are: convex ones have a tree of their own, the others (concave, flat) another,
-  /// but for one `unit` in which both meet.
+  /// The first `convex` PADs are convex. They get a tree of their own, the others (concave, flat) another; one `unit`
+  /// in between contains both kinds.
   void split_by_sign(std::span<Entry> order, std::size_t convex, std::size_t unit) const {
     const std::size_t whole = convex / unit * unit;
     const std::size_t mixed_end = std::min(order.size(), whole + unit);
@@ -85,17 +86,17 @@ class Splitter {
   }
 
  private:
-  /// Parts the PADs by the row that varies most: none before `middle` has a larger byte there than one behind it. Both
-  /// parts keep their order, so that PADs of equal bytes are told apart by their places.
+  /// Partitions the PADs at `middle` by the row that varies most: no PAD before has a larger byte there than one
+  /// behind. Both parts keep their order, so PADs with equal bytes are ordered by place.
   void part(std::span<Entry> order, std::size_t middle) const {
     if (middle == 0 || middle >= order.size()) return;
     const std::size_t row = widest_row(order);
     std::array<std::size_t, 256> of_byte{};
     for (const Entry& entry : order) ++of_byte[entry.row[row]];
-    std::size_t byte = 0;  // that of the PAD at `middle`
+    std::size_t byte = 0;  // byte of the PAD at `middle`
     std::size_t smaller = 0;
     for (; smaller + of_byte[byte] <= middle; ++byte) smaller += of_byte[byte];
-    std::size_t ties = middle - smaller;  // of them come before `middle`
+    std::size_t ties = middle - smaller;  // PADs with that byte that come before `middle`
 
     const std::span<Entry> parted = scratch_.subspan(std::size_t(order.data() - all_.data()), order.size());
     std::size_t before = 0;
@@ -109,7 +110,7 @@ class Splitter {
     std::copy(parted.begin(), parted.end(), order.begin());
   }
 
-  /// The row whose bytes vary most, of the elements in use and the scale.
+  /// The row whose bytes vary most, among the elements in use and the scale.
   std::size_t widest_row(std::span<const Entry> order) const {
     const Moments moments = moments_of(order);
     const auto count = double(order.size());
@@ -135,7 +136,7 @@ class Splitter {
   double scale_share_;
 };
 
-/// Of some PADs; bytes side by side, so that one instruction compares them all.
+/// The bounds of some PADs, with bytes side by side, so that one instruction compares them all.
 class BoxOfPads {
  public:
   void enclose(const PadBytes& pad) {

@@ -1,9 +1,9 @@
-// An order of PADs in which those that follow one another are alike, with a box round every 64 of them and one round
-// every 64 boxes: a search for the pairs within reach of a target skips the boxes that cannot hold any. The distance is
-// a maximum norm (Eq. 1), so boxes are its natural bound, and the search finds what a full scan finds
-// (kernels/pad_index.cl; tests/core/pad/test_pad_index.cpp).
+// A spatial index of PADs: an order in which similar PADs follow one another, with a box around every 64 of them and
+// one around every 64 boxes. A search for the pairs within reach of a target skips the boxes that cannot contain any.
+// The distance is a maximum norm (Eq. 1), for which boxes give tight bounds. The search finds exactly what a full scan
+// finds (kernels/pad_index.cl; tests/core/pad/test_pad_index.cpp).
 //
-// A k-d tree (Bentley 1975) that splits at the median of the widest element, of bytes, laid out without pointers:
+// It is a k-d tree (Bentley 1975) on bytes that splits at the median of the widest element, stored without pointers:
 // block b holds the places [64 b, 64 b + 64) of the order, node n the blocks [64 n, 64 n + 64).
 #pragma once
 
@@ -18,11 +18,11 @@ namespace tessera {
 
 inline constexpr std::uint32_t kIndexFanOut = 64;
 
-/// Each level of so many shapes of a library has an index of its own, so that it can be made, kept and read piece by
-/// piece. The more, the tighter are the boxes, and the more memory it takes to make one.
+/// The number of shapes in a segment of the library. Each level of a segment has an index of its own, so that indexes
+/// are made, kept and read piece by piece. Larger segments give tighter boxes but need more memory.
 inline constexpr std::uint32_t kSegmentShapes = 2048;
 
-/// What the filter knows of a PAD.
+/// The bytes of a PAD that the filter tests.
 struct PadBytes {
   std::array<std::uint8_t, kMaxPadElements> element{};  // pad_byte()
   std::uint8_t scale = 0;                               // scale_byte()
@@ -31,7 +31,7 @@ struct PadBytes {
 
 PadBytes pad_bytes(const QuantisedPad& pad, float scale_length, float convexity);
 
-/// Bounds of the bytes of some PADs, inclusive. As it is made it holds none.
+/// Inclusive bounds of the bytes of some PADs. A new box contains none.
 struct PadBox {
   PadBox() {
     low.fill(255);
@@ -42,30 +42,30 @@ struct PadBox {
   std::array<std::uint8_t, kMaxPadElements> high;
   std::uint8_t scale_low = 255;
   std::uint8_t scale_high = 0;
-  std::uint8_t signs = 0;  // all that occur
+  std::uint8_t signs = 0;  // all signs that occur
 
   friend bool operator==(const PadBox&, const PadBox&) = default;
 };
 
 struct PadIndex {
-  std::vector<std::uint32_t> order;  // places in what the index was made of
+  std::vector<std::uint32_t> order;  // indices in the list of PADs that the index was made of
   std::vector<PadBox> blocks;
   std::vector<PadBox> nodes;
 };
 
-/// How much the variance of the scales counts beside that of an element, when a branch of the tree is split. Pairs that
-/// are docked agree in their elements to a few percent, and their window of scales is an octave wide: here it hardly
-/// matters (3,000 shapes, shares of 1, 1/4, 1/16, 1/64: 1.57, 1.52, 1.47, 1.47 % of the blocks are visited).
+/// Weight of the scales' variance against that of an element, when a branch of the tree is split. Docked pairs agree in
+/// their elements to a few percent, and their window of scales is an octave wide: here the weight hardly matters (3,000
+/// shapes, shares of 1, 1/4, 1/16, 1/64: 1.57, 1.52, 1.47, 1.47 % of the blocks are visited).
 inline constexpr double kDockingScaleShare = 1.0 / 16;
-/// Recognition looks for PADs of which few elements are known, at scales of half an octave: the scale tells most (700
-/// shapes, shares of 1/16, 1, 10: 95, 68, 48 microseconds a search).
+/// Weight of the scales' variance for recognition, which searches PADs with few known elements at scales of half an
+/// octave. Here the scale tells most (700 shapes, shares of 1/16, 1, 10: 95, 68, 48 microseconds a search).
 inline constexpr double kRecognitionScaleShare = 10;
 
-/// The order of an index. `elements`: of a PAD, from the first on. The same PADs give the same order.
+/// The order of an index. The first `elements` elements of a PAD count. The same PADs give the same order.
 std::vector<std::uint32_t> pad_order(std::span<const PadBytes> pads, int elements,
                                      double scale_share = kDockingScaleShare);
 
-/// The index with an order of all these PADs. Whatever the order, a search finds the same; it decides how fast.
+/// The index with an order of all these PADs. Any order gives the same search results; a good one is faster.
 PadIndex boxed(std::vector<std::uint32_t> order, std::span<const PadBytes> pads);
 
 PadIndex make_pad_index(std::span<const PadBytes> pads, int elements, double scale_share = kDockingScaleShare);

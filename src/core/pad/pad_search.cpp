@@ -11,7 +11,7 @@ constexpr float kNotMet = std::numeric_limits<float>::infinity();
 /// The middle of the elements that have this byte (pad_byte).
 float element_of(std::uint8_t byte) { return (float(byte) + 0.5f) * (1.f / 256); }
 
-/// The places of a side's levels among the elements of a PAD, and what a target says of them.
+/// The elements of a PAD that belong to one side, and the target's values for them.
 struct Side {
   const std::array<float, kMaxPadLevels>& wanted;
   int known;      // levels
@@ -20,7 +20,8 @@ struct Side {
 
   int elements() const { return known - 1; }
   int element(int level) const { return direction < 0 ? levels - 2 - level : levels - 1 + level; }
-  /// Whether lengths must be divided by one that is an element, too: the longest level of all is 1.
+  /// Whether lengths must be divided by an element. If all levels are known, the divisor is the longest level, which is
+  /// 1.
   bool divided() const { return known < levels; }
 };
 
@@ -30,13 +31,13 @@ std::array<Side, 2> sides_of(const PadTarget& target, int levels) {
 
 using Row = std::array<std::uint8_t, kIndexFanOut>;
 
-/// One over the length of the side's last known level, of 64 PADs; 1 where all levels are known.
+/// One over the length of the side's last known level, for 64 PADs; 1 if all levels are known.
 std::array<float, kIndexFanOut> inverse_lengths(const std::array<Row, kMaxPadElements>& elements, const Side& side) {
   std::array<float, kIndexFanOut> inverse;
   inverse.fill(1);
   if (!side.divided()) return inverse;
   const Row& last = elements[std::size_t(side.element(side.known - 1))];
-  const float weight = float(1 << (side.known - 1));  // the inverse of what make_pad() multiplied it with
+  const float weight = float(1 << (side.known - 1));  // the inverse of the factor in make_pad()
   for (std::size_t i = 0; i < kIndexFanOut; ++i) inverse[i] = 1 / (weight * element_of(last[i]));
   return inverse;
 }
@@ -109,8 +110,8 @@ void PadSearch::measure(const PadRows& rows, const PadTarget& target, Distances&
   }
 }
 
-/// A lower bound of the distances of the PADs in each box. These are the operations of measure() on the ends of intervals;
-/// each of them is monotone, rounding included, so that no bound lies above a distance.
+/// A lower bound of the distances of the PADs in each box. It applies the operations of measure() to the ends of
+/// intervals. Each operation is monotone, rounding included, so no bound lies above a distance.
 void PadSearch::bound(const BoxRows& rows, const PadTarget& target, Distances& distance) const {
   for (std::size_t i = 0; i < kIndexFanOut; ++i) {
     const bool met = (rows.signs[i] & target.sign) != 0 && rows.scale_high[i] >= target.scales.low &&
@@ -139,7 +140,7 @@ class Nearest {
  public:
   Nearest(float reach, std::size_t most) : below_reach_(std::nextafter(reach, 0.f)), most_(most) {}
 
-  /// Hits that are farther away are none of the nearest; some at this distance may be.
+  /// Hits farther away are not among the nearest; hits at this distance may be.
   float farthest() const { return hits_.size() < most_ ? below_reach_ : hits_.front().distance; }
   void take(const PadHit& hit) {
     if (hits_.size() == most_) {
@@ -161,7 +162,7 @@ class Nearest {
   std::vector<PadHit> hits_;
 };
 
-/// A loop without jumps, as few blocks have any.
+/// A loop without branches, as few blocks contain any.
 bool any_within(const std::array<float, kIndexFanOut>& distances, float limit) {
   int within = 0;
   for (const float distance : distances) within |= distance <= limit;
@@ -192,7 +193,7 @@ std::vector<PadHit> PadSearch::nearest(const PadTarget& target, float reach, std
       }
     }
   }
-  // The nearest block is on top. Few are looked at, so that to sort them all would take longer.
+  // The nearest block is on top of a heap. Few blocks are visited, so sorting all would take longer.
   const auto farther = [](const NearBlock& a, const NearBlock& b) {
     return a.distance != b.distance ? a.distance > b.distance : a.block > b.block;
   };

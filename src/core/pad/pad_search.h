@@ -1,9 +1,10 @@
-// The PADs of an index that are nearest to one, of which some levels may be missing, as along the boundary of a shape that
-// is partly hidden. The distance is the largest difference of an element, as in Equation 1, but each side is divided by its
-// longest interval that is known. Elements are the index's bytes: a difference is known to 1/256.
+// Finds the PADs of an index that are nearest to a target PAD. Levels of the target may be missing, as along the
+// boundary of a shape that is partly hidden. The distance is the largest difference of an element, as in Equation 1,
+// but each side is divided by its longest known interval. Elements are the index's bytes: a difference is exact to
+// 1/256.
 //
-// The search visits the index's blocks from the nearest box on and stops where no box can hold anything nearer. What it
-// finds is what a scan of all PADs finds (tests/core/pad/test_pad_search.cpp).
+// The search visits the index's blocks from the nearest box on and stops when no box can contain a nearer PAD. It finds
+// exactly what a scan of all PADs finds (tests/core/pad/test_pad_search.cpp).
 #pragma once
 
 #include <array>
@@ -16,23 +17,24 @@
 
 namespace tessera {
 
-/// The PAD that a search looks for. Each side has as many levels as are known of it.
+/// The PAD that a search looks for. Each side has its own number of known levels.
 struct PadTarget {
-  /// 2^-i times the length of level i, divided by that of the side's last known level, for all levels below that one.
+  /// 2^-i times the length of level i, divided by the length of the side's last known level, for all levels below that
+  /// one.
   std::array<float, kMaxPadLevels> left{};
   std::array<float, kMaxPadLevels> right{};
-  int left_levels = 0;  // 2 .. levels, both
+  int left_levels = 0;  // 2 .. levels, both sides
   int right_levels = 0;
   std::uint8_t sign = 0;       // sign_byte()
-  ScaleWindow scales{0, 255};  // of the bytes of the lengths that estimate the scale
+  ScaleWindow scales{0, 255};  // bytes of the lengths that estimate the scale
 };
 
-/// `left_levels`, `right_levels`: how many levels of each side are known.
+/// `left_levels`, `right_levels`: number of known levels of each side.
 PadTarget make_pad_target(const ArclengthPyramid& pyramid, int left_levels, int right_levels);
 
 struct PadHit {
   float distance = 0;
-  std::uint32_t place = 0;  // in what the index was made of
+  std::uint32_t place = 0;  // index in the list of PADs that the index was made of
 
   friend bool operator==(const PadHit&, const PadHit&) = default;
 };
@@ -42,11 +44,11 @@ inline bool operator<(const PadHit& a, const PadHit& b) {
 
 class PadSearch {
  public:
-  /// `levels`: of the PADs.
+  /// `levels`: number of levels of the PADs.
   PadSearch(const PadIndex& index, std::span<const PadBytes> pads, int levels);
 
-  /// The `most` nearest of the PADs that are nearer than `reach`, lie within the target's scales, agree with its sign and
-  /// are `wanted`; the nearest first, equal ones by their places.
+  /// The PADs nearest to the target, at most `most`. They are nearer than `reach`, lie within the target's scales,
+  /// agree with its sign, and wanted(place) is true for them. Nearest first; ties go by place.
   std::vector<PadHit> nearest(const PadTarget& target, float reach, std::size_t most,
                               const std::function<bool(std::uint32_t place)>& wanted) const;
 
@@ -74,8 +76,8 @@ class PadSearch {
   int levels_;
   std::vector<std::uint32_t> order_;
   std::vector<PadRows> pads_;    // by block
-  std::vector<BoxRows> blocks_;  // by node: of its blocks
-  std::vector<BoxRows> nodes_;   // of 64 nodes each
+  std::vector<BoxRows> blocks_;  // by node: the boxes of its blocks
+  std::vector<BoxRows> nodes_;   // in groups of 64 nodes
 };
 
 }  // namespace tessera

@@ -1,7 +1,8 @@
-// The arclength pyramid around a vertex of a closed polyline (paper section 3.2), by walking outwards on both sides.
+// Computes the arclength pyramid at a vertex of a closed polyline (paper section 3.2) by walking outwards on both
+// sides.
 //
-// Only a walk sees the curve, so the result depends on nothing but the vertices it passes: a piece of boundary that was
-// cut and pasted elsewhere has the same pyramids to the bit, wherever its loop starts.
+// The result depends only on the vertices that the walk passes. A piece of boundary that was cut and pasted elsewhere
+// has the same pyramids, bit for bit, wherever its loop starts.
 #pragma once
 
 #include <algorithm>
@@ -19,14 +20,15 @@ inline float turning_rad(Vec2 p, Vec2 q, Vec2 r) {
   return std::atan2(cross(in, out), dot(in, out));
 }
 
-/// |curvature| below this is noise of straight sides, not shape. sigma and the result's unit of length are the curve's.
+/// Absolute curvature below this is noise of straight sides. `sigma` is the width of the smoothing, in the curve's unit
+/// of length.
 inline float curvature_dead_zone(float sigma) { return 0.024f / sigma; }
 
-/// A point has convexity 0 where its triangle is flatter than this (sine of its outer angle); level 0 of a smooth arc
+/// A point has convexity 0 if its triangle is flatter than this (sine of its outer angle). Level 0 of a smooth arc
 /// gives delta_tau.
 inline constexpr float kFlatTriangle = 0.05f;
 
-/// s of the paper: the sign of the triangle of level 0's ends and the point itself, 0 where it is flat.
+/// s of the paper: the orientation of the triangle of level 0's ends and the point itself; 0 if it is flat.
 inline float convexity_of(const ArclengthPyramid& pyramid, int levels) {
   const Vec2 in = pyramid.keypoint[levels] - pyramid.keypoint[levels - 1];
   const Vec2 out = pyramid.keypoint[levels + 1] - pyramid.keypoint[levels];
@@ -41,12 +43,12 @@ struct SideOfPyramid {
   std::array<Vec2, kMaxPadLevels> end{};
 };
 
-/// Walks one side. `step(walk)` goes to the next vertex on it, `ahead(walk)` is the length of that edge; `edge_before`
-/// is the edge on the centre's other side. Where the loop closes, or when it is `longest` long, the walk ends, and the
-/// levels not reached get all that was walked.
+/// Walks one side. `step(walk)` goes to the next vertex, `ahead(walk)` is the length of the edge to it; `edge_before`
+/// is the edge on the centre's other side. The walk ends where the loop closes, or when it is `longest` long; the
+/// levels that were not reached get the whole length walked.
 ///
 /// The turning at a vertex is spread over the halves of its two edges, so that levels end between vertices and move
-/// smoothly; the centre's is split between both sides.
+/// smoothly. The centre's turning is divided between both sides.
 template <class Walk, class Step, class Ahead>
 SideOfPyramid walk_side(const Walk& start, Vec2 before, float edge_before, Step step, Ahead ahead,
                         const PadParameters& pad, float dead_zone, float longest) {
@@ -98,9 +100,9 @@ SideOfPyramid walk_side(const Walk& start, Vec2 before, float edge_before, Step 
 
 }  // namespace detail
 
-/// `Walk` stands on a vertex of a closed polyline. It has forward(), backward() and operator==; position(), the
-/// absolute turning_rad() there, and edge_forward() and edge_backward(), the lengths of the edges on both sides. No side
-/// is walked much farther than `longest`.
+/// Makes the pyramid at `centre`. A `Walk` stands on a vertex of a closed polyline. It has forward(), backward() and
+/// operator==; position() and the absolute turning_rad() there; edge_forward() and edge_backward(), the lengths of the
+/// edges on both sides. No side is walked much farther than `longest`.
 template <class Walk>
 ArclengthPyramid make_pyramid(const Walk& centre, const PadParameters& pad, float dead_zone,
                               float longest = std::numeric_limits<float>::infinity()) {
@@ -119,7 +121,7 @@ ArclengthPyramid make_pyramid(const Walk& centre, const PadParameters& pad, floa
   const int n = pad.levels;
   pyramid.keypoint[n] = centre.position();
   for (int i = 0; i < n; ++i) {
-    // A length of zero (a cusp sharper than the curve's spacing) would divide by zero in the PAD.
+    // A length of zero (a cusp sharper than the curve's spacing) would cause a division by zero in the PAD.
     pyramid.left[i] = std::max(l.length[i], 1e-6f);
     pyramid.right[i] = std::max(r.length[i], 1e-6f);
     pyramid.keypoint[n - 1 - i] = l.end[i];

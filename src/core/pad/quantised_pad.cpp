@@ -7,7 +7,7 @@ namespace tessera {
 QuantisedPad quantised(const Pad& pad) {
   QuantisedPad result;
   for (std::size_t e = 0; e < pad.element.size(); ++e) {
-    // Not above 0 is also what a damaged library may hold.
+    // A damaged library may also contain values that are not above 0.
     if (pad.element[e] > 0) result.element[e] = std::uint16_t(std::min(pad.element[e], 1.f) * float(kPadSteps) + 0.5f);
   }
   return result;

@@ -1,4 +1,4 @@
-// PADs in whole steps: what a library's PADs are matched by. Distances are whole numbers, the same on every machine.
+// PADs in whole steps, for matching with a library. Distances are whole numbers, the same on every machine.
 #pragma once
 
 #include <array>
@@ -19,10 +19,10 @@ struct QuantisedPad {
 
 QuantisedPad quantised(const Pad& pad);
 
-/// Of a library's PADs 12 bits an element are kept, as many as an index of a million shapes has room for: elements are
-/// multiples of so many steps. Those of targets are not rounded.
+/// A library keeps 12 bits per element, so that an index of a million shapes has room: elements are multiples of this
+/// number of steps. PADs of targets are not rounded.
 inline constexpr std::uint32_t kLibraryPadSteps = 16;
-/// The nearest PAD that a library may have.
+/// The PAD rounded to the steps of a library.
 QuantisedPad library_pad(QuantisedPad pad);
 
 /// Equation 1 for PADs of the same convexity, steps.

@@ -1,4 +1,4 @@
-// A piece as it lies on the canvas, whoever laid it there: what a collage is judged by.
+// A piece of any collage, given by its outline on the canvas: the unit of all quality measures.
 #pragma once
 
 #include <functional>
@@ -12,14 +12,14 @@
 namespace tessera {
 
 struct JudgedPiece {
-  Outline outline_px;   // canvas frame; has a point at least. By the even-odd rule: several outer curves are one piece
-  std::string shape;    // pieces of one name show one shape, or its mirror image; empty: nobody says which
-  Vec2 centre_px;       // of its area
+  Outline outline_px;   // canvas frame; at least one point. Even-odd rule: several outer curves are one piece
+  std::string shape;    // pieces with the same name show one shape or its mirror image; empty: the shape is unknown
+  Vec2 centre_px;       // centroid of its area
   double scale_px = 0;  // square root of its area, above 0
   StyleFeatures style = {};  // of its shape
 };
 
-/// Of a collage. `shape(i)` gives library shape i with its outline.
+/// The pieces of a collage. `shape(i)` gives library shape i with its outline.
 std::vector<JudgedPiece> judged_pieces(const std::vector<Placement>& placements,
                                        const std::function<const Shape&(ShapeId)>& shape);
 

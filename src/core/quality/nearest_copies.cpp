@@ -16,7 +16,7 @@ struct Centre {
 
 bool to_the_left(const Centre& a, const Centre& b) { return a.position_px.x < b.position_px.x; }
 
-/// The pieces of one shape with all of their images, from left to right.
+/// The centres of the pieces of one shape with all of their images, from left to right.
 std::vector<Centre> centres_of(const std::vector<std::uint32_t>& group, const std::vector<JudgedPiece>& pieces,
                                const Period& period) {
   std::vector<Centre> centres;
@@ -28,7 +28,8 @@ std::vector<Centre> centres_of(const std::vector<std::uint32_t>& group, const st
   return centres;
 }
 
-/// Takes `other` where it is another piece and nearer. False: neither it nor what lies beyond it can be.
+/// Takes the distance of `other` if it is another piece and nearer. False if neither it nor any centre beyond it can be
+/// nearer.
 bool take_nearer(const Centre& here, const Centre& other, float& nearest_px) {
   if (std::abs(other.position_px.x - here.position_px.x) >= nearest_px) return false;
   if (other.piece != here.piece) nearest_px = std::min(nearest_px, norm(other.position_px - here.position_px));

@@ -1,4 +1,4 @@
-// How far one has to look from a piece to see its shape again.
+// The distance from a piece to the nearest other piece of the same shape.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,9 @@
 
 namespace tessera {
 
-/// The median, over the pieces whose shape has a name, of the distance from a piece's centre to that of the nearest
-/// other piece of this name, px. On a seamless canvas the other one's images count, its own do not. Nothing where half
-/// of the pieces are the only ones of their shape.
+/// The median of the distance, px, from a piece's centre to the nearest centre of another piece of the same name. It is
+/// taken over the pieces whose shape has a name. On a seamless canvas the other piece's images count, the piece's own
+/// do not. Empty if half of the pieces are the only ones of their shape.
 std::optional<double> median_copy_distance_px(const std::vector<JudgedPiece>& pieces, const Period& period);
 
 }  // namespace tessera

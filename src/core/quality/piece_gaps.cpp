@@ -9,28 +9,28 @@
 namespace tessera {
 namespace {
 
-/// A piece, or an image of it. Its index is made when something comes near, and kept while it may meet others.
+/// A piece or an image of it. Its index is made when another piece comes near, and kept while it may meet others.
 struct Standing {
   std::uint32_t piece;
-  Vec2 offset_px;  // from where the piece was laid
-  bool is_image;   // else the piece itself, its centre in the first period
+  Vec2 offset_px;  // from the piece's given place
+  bool is_image;   // false: the piece itself, with its centre in the first period
   Box box_px;
   std::unique_ptr<const PolygonIndex> index = {};
 };
 
-/// Of two whose boundaries do not cross.
+/// Whether a curve of `inner` lies inside `outer`; the boundaries do not cross.
 bool has_a_curve_in(const PolygonIndex& inner, const PolygonIndex& outer) {
   const auto& curves = inner.outline().curves;
   return std::any_of(curves.begin(), curves.end(), [&](const auto& curve) { return outer.contains(curve.front()); });
 }
 
-/// Where it is `reach_px` or more: that.
+/// The distance of two pieces, or `reach_px` if they are farther apart.
 float distance_px(const PolygonIndex& a, const PolygonIndex& b, float reach_px) {
   const float boundaries_px = approach_of(a, b, reach_px).distance;
   return boundaries_px <= 0 || has_a_curve_in(a, b) || has_a_curve_in(b, a) ? 0 : boundaries_px;
 }
 
-/// From left to right: each meets those that it may reach of the ones before it.
+/// A sweep from left to right: each piece is compared with the earlier ones that it may reach.
 class GapSweep {
  public:
   GapSweep(const std::vector<JudgedPiece>& pieces, const Period& period, float reach_px)
@@ -70,7 +70,7 @@ class GapSweep {
  private:
   Vec2 a_point_px(const Standing& s) const { return pieces_[s.piece].outline_px.curves.front().front() + s.offset_px; }
 
-  /// The smallest gap is smaller.
+  /// An upper bound of the smallest gap.
   float bound_px() const {
     float least_px = norm(a_point_px(standing_[0]) - a_point_px(standing_[1]));
     for (std::size_t k = 2; k < standing_.size(); ++k) {
@@ -104,7 +104,7 @@ class GapSweep {
   float reach_px_;
   float smallest_px_ = 0;  // so far
   std::vector<Standing> standing_;
-  std::vector<bool> accompanied_;  // by another within reach
+  std::vector<bool> accompanied_;  // another piece lies within reach
 };
 
 }  // namespace

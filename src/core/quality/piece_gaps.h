@@ -1,4 +1,4 @@
-// How far pieces lie from each other, polygon to polygon.
+// The distances between pieces, polygon to polygon.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,12 @@
 namespace tessera {
 
 struct PieceGaps {
-  std::optional<double> smallest_px;  // between two pieces; 0: some touch or overlap. Nothing: there are no two
-  double alone = 0;                   // share of the pieces that no other comes nearer than the reach
+  std::optional<double> smallest_px;  // between two pieces; 0: some touch or overlap; empty: there are fewer than two
+  double alone = 0;                   // fraction of the pieces with no other piece within the reach
 };
 
-/// True distances; a piece in the hole of another is as far from it as from the hole's edge. On a seamless canvas all
-/// images count, a piece's own, too.
+/// Measures true distances. A piece in the hole of another has its distance from the hole's edge. On a seamless canvas
+/// all images count, including a piece's own.
 PieceGaps piece_gaps(const std::vector<JudgedPiece>& pieces, const Period& period, float reach_px);
 
 }  // namespace tessera

@@ -21,15 +21,15 @@ namespace {
 
 constexpr std::size_t kMaxCells = std::size_t(1) << 26;     // 64 MiB a grid
 constexpr std::size_t kMaxGapNodes = std::size_t(1) << 23;  // two float grids of 32 MiB
-constexpr int kMaxGapSides = 32768;                         // width + height that the distance transform takes
+constexpr int kMaxGapSides = 32768;  // largest sum of width and height for the distance transform
 
-/// Which cells are covered by pieces, and which belong to the region to fill: 0 or 1.
+/// Cells of the canvas: which are covered by pieces, and which belong to the region to fill; 0 or 1.
 struct CellCounts {
   int per_px = 1;
-  Window cells;  // node (0, 0) of the grids is its upper left cell
+  Window cells;  // node (0, 0) of the grids is the upper left cell
   Grid<std::uint8_t> covered;
   Grid<std::uint8_t> region;
-  std::uint64_t layers = 0;  // cells of the region, each as often as pieces cover it
+  std::uint64_t layers = 0;  // sum, over the cells of the region, of the number of pieces that cover the cell
 };
 
 int cells_per_px(const Canvas& canvas) {
@@ -37,8 +37,8 @@ int cells_per_px(const Canvas& canvas) {
   return px * 16 <= kMaxCells ? 4 : px * 4 <= kMaxCells ? 2 : 1;
 }
 
-/// The canvas, with a rim that is no region, and all pieces, as far as half of its width and height beyond it: one piece
-/// far away takes no memory. Where it is seamless, one period.
+/// The cells of the canvas, with a rim outside the region, and of all pieces, up to half of the canvas' width and
+/// height beyond it. So a piece far away takes no memory. On a seamless canvas: one period.
 Window counted_cells(const Canvas& canvas, const std::vector<JudgedPiece>& pieces,
                      const Similarity& cells_from_canvas) {
   const int n = int(cells_from_canvas.a);
@@ -103,14 +103,15 @@ void measure_areas(const CellCounts& counts, double canvas_area_px2, Quality& qu
   quality.outside = double(outside) / cells;
 }
 
-/// The cells among which gaps are looked for.
+/// The cells in which gaps are searched.
 Window gap_cells(const CellCounts& counts, const Period& period) {
   const int beyond_x = period.x_px * counts.per_px / 2;
   const int beyond_y = period.y_px * counts.per_px / 2;
   return {-beyond_x, -beyond_y, counts.cells.width() + beyond_x, counts.cells.height() + beyond_y};
 }
 
-/// Every `step`-th cell both ways: enough for a distance, and 4 to 16 times less to transform.
+/// Gaps are searched on every `step`-th cell in both directions. That is fine enough for a distance, and there are 4 to
+/// 16 times fewer cells to transform.
 int gap_step(const Window& cells, int per_px) {
   int step = std::max(1, per_px / 2);
   while (cells.width() / step * std::size_t(cells.height() / step) > kMaxGapNodes ||
@@ -125,7 +126,7 @@ double largest_gap_px(const CellCounts& counts, const Period& period) {
   const int step = gap_step(cells, counts.per_px);
   const PeriodicGrid images(counts.region.bounds(), counts.region.bounds(),
                             {period.x_px * counts.per_px, period.y_px * counts.per_px});
-  // One node more on every side, never free: the rim of one cell may fall between the nodes.
+  // A rim of nodes that are never free: the rim of one cell may lie between the nodes.
   Grid<std::uint8_t> taken(cells.width() / step + 2, cells.height() / step + 2, 1);
   bool any_free = false;
   for (int y = 1; y + 1 < taken.height(); ++y) {
@@ -144,7 +145,7 @@ double largest_gap_px(const CellCounts& counts, const Period& period) {
   return (nodes - 0.5) * step / counts.per_px;
 }
 
-/// Linear between the sorted values.
+/// Linear interpolation between the sorted values.
 double quantile(const std::vector<double>& sorted, double q) {
   const double at = q * double(sorted.size() - 1);
   const std::size_t below = std::size_t(at);

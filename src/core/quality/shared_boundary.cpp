@@ -10,12 +10,12 @@ namespace tessera {
 namespace {
 
 constexpr float kMostBuckets = 1 << 24;
-constexpr float kSpacing_px = 0.5f;  // of boundary samples; misjudges a distance of 2 px by 0.016 px at most
+constexpr float kSpacing_px = 0.5f;  // of boundary samples; a distance of 2 px has an error of at most 0.016 px
 
 struct BoundarySample {
   Vec2 position_px;
   std::uint32_t piece;
-  bool image = false;  // of one on the other side of a seam: near to others, but no part of the boundary by itself
+  bool image = false;  // an image across a seam: near to other pieces, but not part of the counted boundary
 };
 
 bool of_earlier_piece(const BoundarySample& a, const BoundarySample& b) { return a.piece < b.piece; }
@@ -32,7 +32,8 @@ void append_curve(const std::vector<Vec2>& curve_px, std::uint32_t piece, std::v
   }
 }
 
-/// Brings the samples into the first period, and adds the images that lie within reach of it; in the order of the pieces.
+/// Moves the samples into the first period and adds the images within reach of it. The result is in the order of the
+/// pieces.
 void cross_seams(const Canvas& canvas, float reach_px, std::vector<BoundarySample>& samples) {
   const float far_x = float(canvas.width_px) + reach_px;
   const float far_y = float(canvas.height_px) + reach_px;
@@ -57,16 +58,16 @@ std::vector<BoundarySample> sample_boundaries(const std::vector<JudgedPiece>& pi
   return samples;
 }
 
-/// As wide as the reach, or more where that would make too many of them.
+/// As wide as the reach, or wider if there would be too many buckets.
 float bucket_width_px(Vec2 extent_px, float reach_px) {
   return std::max(reach_px, std::sqrt(extent_px.x / kMostBuckets * extent_px.y));
 }
 
-/// Samples sorted into square buckets no narrower than the reach, so that a query looks at nine of them. In each they
-/// stand in the order of the pieces, so that a query passes over its own one, however much of it there is.
+/// Samples sorted into square buckets at least as wide as the reach, so that a query tests nine of them. In each bucket
+/// they are in the order of the pieces, so that a query skips its own piece at once.
 class SampleGrid {
  public:
-  /// Of one sample at least, in the order of the pieces.
+  /// `samples`: at least one, in the order of the pieces.
   SampleGrid(const std::vector<BoundarySample>& samples, float reach_px) : reach_px_(reach_px) {
     low_px_ = samples.front().position_px;
     Vec2 high_px = low_px_;
@@ -92,7 +93,7 @@ class SampleGrid {
   bool another_piece_near(const BoundarySample& s) const {
     const int cx = column_of(s.position_px);
     const int cy = row_of(s.position_px);
-    // Mostly its own bucket says so.
+    // Mostly the sample's own bucket gives the answer.
     if (bucket_has_another_near(std::size_t(cy) * first_.width() + cx, s)) return true;
     for (int y = std::max(0, cy - 1); y <= std::min(first_.height() - 1, cy + 1); ++y) {
       for (int x = std::max(0, cx - 1); x <= std::min(first_.width() - 1, cx + 1); ++x) {
@@ -121,7 +122,7 @@ class SampleGrid {
   float reach_px_;
   float bucket_px_ = 0;
   Vec2 low_px_;                // of the first bucket
-  Grid<std::uint32_t> first_;  // of a bucket's samples in sorted_
+  Grid<std::uint32_t> first_;  // first index of a bucket's samples in sorted_
   std::vector<BoundarySample> sorted_;
 };
 

@@ -1,4 +1,5 @@
-// How closely pieces fit: the share of their boundaries that runs along other pieces or along the canvas' edge.
+// Measures how closely pieces fit: the fraction of their boundaries that runs along other pieces or along the canvas'
+// edge.
 #pragma once
 
 #include <vector>
@@ -8,8 +9,8 @@
 
 namespace tessera {
 
-/// Share (0..1) of the pieces' boundary length, holes included, within `reach_px` of the boundary of another piece or
-/// of the canvas' edge. It is 0 without pieces.
+/// Fraction (0..1) of the pieces' boundary length, holes included, within `reach_px` of the boundary of another piece
+/// or of the canvas' edge. It is 0 without pieces.
 double shared_boundary_fraction(const Canvas& canvas, const std::vector<JudgedPiece>& pieces, float reach_px);
 
 }  // namespace tessera

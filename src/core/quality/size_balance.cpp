@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kSizeParts = 5;
 constexpr double kDwarfs = 1. / 6;        // of the range
-constexpr double kNarrowestRange = 1.01;  // largest by smallest
+constexpr double kNarrowestRange = 1.01;  // ratio of the largest to the smallest size
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// How far the pieces of a collage are in style from each other.
+// The differences in style between the pieces of a collage.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,9 @@
 
 namespace tessera {
 
-/// The mean style distance (core/style/style_features.h) of two pieces, each pair by the product of their areas; copies
-/// of a shape have none. Nothing where the style of a piece is not known, or there are no two.
+/// The mean style distance (core/style/style_features.h) of two pieces, each pair weighted by the product of their
+/// areas. Copies of a shape have distance 0. Empty if the style of a piece is unknown or if there are fewer than two
+/// pieces.
 std::optional<double> mean_style_distance(const std::vector<JudgedPiece>& pieces);
 
 }  // namespace tessera

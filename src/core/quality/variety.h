@@ -1,4 +1,4 @@
-// How rich in shapes a collage is to the eye, which goes by large copies.
+// The visible variety of shapes in a collage. The eye notices large copies most.
 #pragma once
 
 #include <optional>
@@ -8,9 +8,9 @@
 
 namespace tessera {
 
-/// So many shapes, each with an equal share of the area, repeat themselves as much as these do: e to the entropy of the
-/// shapes' shares of the area of all pieces that have a name. From 1 to the number of different shapes. Nothing where
-/// no piece has a name.
+/// The number of shapes with equal shares of the area that would repeat as much as these pieces do. It is e to the
+/// entropy of the shapes' shares of the area of all pieces with a name. From 1 to the number of different shapes. Empty
+/// if no piece has a name.
 std::optional<double> effective_shapes(const std::vector<JudgedPiece>& pieces);
 
 }  // namespace tessera

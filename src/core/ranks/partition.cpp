@@ -10,14 +10,14 @@
 namespace tessera {
 namespace {
 
-/// weight_before[i]: of items 0 .. i - 1.
+/// Running sums: weight_before[i] is the weight of items 0 .. i - 1.
 std::vector<std::uint64_t> running_sums(std::span<const std::uint64_t> weights) {
   std::vector<std::uint64_t> weight_before{0};
   for (const std::uint64_t weight : weights) weight_before.push_back(weight_before.back() + weight);
   return weight_before;
 }
 
-/// The item before which the weight comes nearest to `goal`.
+/// The index i for which weight_before[i] is nearest to `goal`.
 std::size_t nearest_border(const std::vector<std::uint64_t>& weight_before, std::uint64_t goal) {
   const auto above = std::lower_bound(weight_before.begin(), weight_before.end(), goal);
   if (above == weight_before.begin()) return 0;
@@ -25,8 +25,8 @@ std::size_t nearest_border(const std::vector<std::uint64_t>& weight_before, std:
   return std::size_t(above - weight_before.begin()) - (below_is_nearer ? 1 : 0);
 }
 
-/// The end of a part that begins at `begin`: as near to `goal` as leaves an item for this part and for each of the
-/// `parts_left` after it. The last part ends with the items.
+/// The end of a part that begins at `begin`: as near to `goal` as possible while this part and each of the `parts_left`
+/// after it get an item. The last part ends with the items.
 std::size_t end_near(std::size_t goal, std::size_t begin, std::size_t items, std::size_t parts_left) {
   if (parts_left == 0) return items;
   const std::size_t latest = items > parts_left ? items - parts_left : 0;
@@ -35,7 +35,7 @@ std::size_t end_near(std::size_t goal, std::size_t begin, std::size_t items, std
 
 constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
 
-/// By speed; whoever would get more than its limit gets that, and the others share the rest.
+/// Shares by speed. A part whose share would exceed its limit gets the limit, and the others share the rest.
 std::vector<double> limited_shares(std::size_t items, std::span<const double> speeds,
                                    const std::vector<std::size_t>& limits) {
   std::vector<double> shares(speeds.size(), 0);
@@ -56,7 +56,7 @@ std::vector<double> limited_shares(std::size_t items, std::span<const double> sp
   return shares;
 }
 
-/// Whole numbers whose sums are as near to those of the shares as leaves an item for each part.
+/// Whole numbers whose running sums are as near to those of the shares as possible while each part gets an item.
 std::vector<std::size_t> rounded_sizes(const std::vector<double>& shares, std::size_t items) {
   std::vector<std::size_t> sizes;
   double sum = 0;
@@ -70,7 +70,7 @@ std::vector<std::size_t> rounded_sizes(const std::vector<double>& shares, std::s
   return sizes;
 }
 
-/// What rounding, or an item for each, has put beyond a part's limit goes to the first that has room.
+/// Moves items beyond a part's limit, which rounding or the least of one item caused, to the first parts with room.
 void move_excess(const std::vector<std::size_t>& limits, std::vector<std::size_t>& sizes) {
   std::size_t excess = 0;
   for (std::size_t p = 0; p < sizes.size(); ++p) {

@@ -1,4 +1,4 @@
-// Where a rank of a job runs, for the records of a run. It never decides anything about the picture.
+// The machine on which a rank of a job runs, for the records of a run. It never affects the picture.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,14 @@ struct DeviceDescription {
   std::string name;
   std::string platform;
   std::string driver;        // its version
-  std::uint32_t shapes = 0;  // of the library, that it searches
+  std::uint32_t shapes = 0;  // number of shapes of the library that it searches
 
   friend bool operator==(const DeviceDescription&, const DeviceDescription&) = default;
 };
 
 struct RankSite {
   std::string host;
-  std::vector<DeviceDescription> devices;  // that it computes on; a master with workers has none
+  std::vector<DeviceDescription> devices;  // the devices that the rank computes on; a master with workers has none
 
   friend bool operator==(const RankSite&, const RankSite&) = default;
 };

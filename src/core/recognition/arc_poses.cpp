@@ -7,10 +7,10 @@
 namespace tessera {
 namespace {
 
-/// Distance of signatures, and how many of the nearest are tried for each arc of the query.
+/// Largest distance of signatures, and the number of nearest arcs that are tried for each arc of the query.
 constexpr float kArcReach = 0.04f;
 constexpr std::size_t kMostPairs = 100;
-/// Arcs of which the points are farther apart do not run alike.
+/// Arcs whose points are farther apart do not match.
 constexpr float kMostResidual = 0.15f;
 /// The number of arcs in one task of a thread.
 constexpr std::size_t kPortion = 8;

@@ -7,7 +7,7 @@ namespace tessera {
 namespace {
 
 static_assert(2 * (kArcPoints - 1) == kMaxPadElements);
-/// A shorter sum of directions, in parts of a straight line's, tells no direction.
+/// A sum of directions shorter than this fraction of a straight line's gives no direction.
 constexpr float kLeastDirection = 0.1f;
 constexpr std::uint8_t kAnySign = 3;
 
@@ -44,7 +44,7 @@ float arc_distance(const ArcSignature& a, const ArcSignature& b) {
 PadBytes arc_bytes(const std::optional<ArcSignature>& signature, float length) {
   PadBytes bytes;
   bytes.sign = kAnySign;
-  if (!signature) return bytes;  // all elements 0: far from every signature, whose points lie about 1/2
+  if (!signature) return bytes;  // all elements 0: far from every signature, whose elements are about 1/2
   for (std::size_t i = 0; i < signature->size(); ++i) {
     bytes.element[i] = std::uint8_t(std::clamp((*signature)[i] * 256, 0.f, 255.f));
   }

@@ -8,25 +8,25 @@
 namespace tessera {
 namespace {
 
-/// Cosine of the angle between tangents up to which points belong together: 60 degrees.
+/// Cosine of the largest angle between tangents of points that match: 60 degrees.
 constexpr float kLeastCosine = 0.5f;
-/// Points count in full up to the first distance, in widths of the narrowest smoothing, and nothing from the second one on,
-/// or from this part of the query's radius, where that is farther.
+/// Points have full weight up to the first distance, in widths of the narrowest smoothing. They have no weight from the
+/// second distance on, or from this fraction of the query's radius if that is farther.
 constexpr float kCloseWidths = 0.67f;
 constexpr float kFarWidths = 2;
 constexpr float kFarOfRadius = 0.05f;
-/// Limits of the quick measure: the distance up to which points count, in parts of the query's radius, and how many points of the
-/// shape are tried on the query's length.
+/// Limits of the fast estimate: the distance up to which points count, as a fraction of the query's radius, and the
+/// number of shape points that are tested on the query's length.
 constexpr float kRoughReach = 0.12f;
 constexpr float kRoughPoints = 24;
 constexpr int kMostStride = 6;
 constexpr float kSamePose = 0.1f;  // of the query's radius: poses that differ by less end up as one
-/// Added to the diagonal, in parts of its mean: one straight side leaves a direction open.
+/// Added to the diagonal, as a fraction of its mean: a single straight side leaves one direction undetermined.
 constexpr double kDamping = 1e-3;
 constexpr float kLargestTurn_rad = 0.2f;
 constexpr float kLargestGrowth = 0.2f;
 
-/// Turns and scales what `pose` does about the point that lies at `centre` after it, then shifts it.
+/// Turns and scales the result of `pose` about the point `centre`, then shifts it.
 Similarity changed(const Similarity& pose, Vec2 centre, Vec2 shift, float turn_rad, float factor) {
   const float c = std::cos(turn_rad) * factor;
   const float s = std::sin(turn_rad) * factor;
@@ -35,7 +35,7 @@ Similarity changed(const Similarity& pose, Vec2 centre, Vec2 shift, float turn_r
           s * t.x + c * t.y + centre.y + shift.y};
 }
 
-/// Sums over the points near the query; unknowns: shift x, shift y, turn, growth, the last two as movements at `arm`.
+/// Sums over the points near the query. Unknowns: shift x, shift y, turn, growth; the last two as movements at `arm`.
 struct NormalEquations {
   Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
   Eigen::Vector4d right = Eigen::Vector4d::Zero();
@@ -54,7 +54,8 @@ struct NormalEquations {
   }
 };
 
-/// 1 on the curve, 0 from `far` on: the mean of parabolas that end at `close`, twice, four times as far, and so on.
+/// 1 on the curve, 0 from `far` on: the mean of parabolas that end at `close`, twice as far, four times as far, and so
+/// on.
 float closeness_within(float distance, float close, float far) {
   float sum = 0;
   int parabolas = 0;
@@ -64,7 +65,7 @@ float closeness_within(float distance, float close, float far) {
   return sum / float(parabolas);
 }
 
-/// The distance from which on points count nothing.
+/// The distance from which on points have no weight.
 float farthest(const Query& query) { return std::max(kFarWidths * query.least_sigma(), kFarOfRadius * query.radius()); }
 
 NormalEquations equations_at(const Query& query, const BoundaryPoints& shape, const Similarity& pose, float reach) {

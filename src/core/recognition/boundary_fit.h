@@ -1,4 +1,4 @@
-// How closely a shape that is laid onto a query follows the query's curves, and the pose in which it follows them best.
+// Measures how closely a posed shape follows the curves of a query, and finds the pose in which it follows them best.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace tessera {
 
-/// Boundary points of a shape with their unit tangents, shape frame; `spacing`: of neighbours.
+/// Boundary points of a shape with their unit tangents, shape frame; `spacing`: distance of neighbours.
 struct BoundaryPoints {
   std::span<const Vec2> position;
   std::span<const Vec2> tangent;
@@ -21,24 +21,23 @@ struct ScaleLimits {
   float most = 0;
 };
 
-/// Moves the pose so that those of the shape's points that lie near the query's curves lie on them: `steps` steps of
-/// Gauss and Newton, during which the distance up to which points count falls from `reach` to `least_reach` (query units).
-/// The scale stays within its limits.
+/// Moves the pose so that shape points near the query's curves lie on them, by `steps` Gauss-Newton steps. Points count
+/// up to a distance that falls from `reach` to `least_reach` (query units). The scale stays within its limits.
 Similarity refined_pose(const Query& query, const BoundaryPoints& shape, Similarity query_from_shape, int steps,
                         float reach, float least_reach, const ScaleLimits& scales);
 
-/// How much of the query's length the shape's boundary follows, 0 to about 1. A point of the boundary counts where the
-/// query's curve near it runs in the same direction, the more the closer it is (closeness()): the shape itself differs by
-/// what pixels cost, another one of its kind by a few times that.
+/// The fraction of the query's length that the shape's boundary follows, 0 to about 1. A boundary point counts if the
+/// query's curve near it has the same direction, and counts more the closer it is (closeness()). The errors of pixels
+/// cost the right shape little; another shape of its kind differs by a few times as much.
 float followed_part(const Query& query, const BoundaryPoints& shape, const Similarity& query_from_shape);
 
-/// A quick measure of the same kind, by some of the points, to sort poses before they are refined.
+/// A fast estimate of the same kind from some of the points, to sort poses before they are refined.
 float roughly_followed(const Query& query, const BoundaryPoints& shape, const Similarity& query_from_shape);
 
-/// How much a point counts that lies so far from the query's curves: 1 on them, falling to 0.
+/// The weight of a point at this distance from the query's curves: 1 on them, falling to 0.
 float closeness(const Query& query, float distance);
 
-/// Whether the pose lays a shape nearly where one of the others lays it: refinement makes one of both.
+/// Whether the pose is nearly equal to one of the others, so that refinement would make one of both.
 bool is_nearly_one_of(std::span<const Similarity> others, const Similarity& pose, const Query& query);
 
 }  // namespace tessera

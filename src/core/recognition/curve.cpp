@@ -8,7 +8,7 @@
 namespace tessera {
 namespace {
 
-/// A point of an open curve, or of its reflections at both ends.
+/// A point of an open curve, or of its point reflections at both ends.
 Vec2 reflected_point(const std::vector<Vec2>& points, int i) {
   const int last = int(points.size()) - 1;
   if (i < 0) return points[0] * 2 - points[std::size_t(-i)];

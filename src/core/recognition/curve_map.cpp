@@ -55,7 +55,7 @@ void CurveMap::add_cells(float cell, float reach) {
 CurveMap::Nearest CurveMap::nearest(Vec2 p) const {
   Rough best = rough(p);
   if (best.squared_distance == std::numeric_limits<float>::infinity()) return {};
-  // The cell's middle lies elsewhere: the nearest point of p is some steps along the curve.
+  // The cell's nearest point is not always that of p: the nearest point of p may be some steps along the curve.
   for (bool moved = true; moved;) {
     moved = false;
     for (const std::uint32_t next : {points_[best.point].before, points_[best.point].after}) {

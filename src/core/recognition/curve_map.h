@@ -1,4 +1,4 @@
-// A map of curves: tells the nearest point of the curves for any point near them.
+// A map of curves: gives the nearest point of the curves for any point near them.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@ namespace tessera {
 
 class CurveMap {
  public:
-  /// `curves`: one at least, each of evenly spaced points that lie closer together than `cell`. Points farther from all
-  /// curves than `reach` are far. Both in the curves' own units.
+  /// `curves`: at least one, each of evenly spaced points that lie closer together than `cell`. Points farther from all
+  /// curves than `reach` count as far. Both lengths are in the curves' own units.
   CurveMap(const std::vector<Curve>& curves, float cell, float reach);
 
   struct Nearest {
@@ -21,13 +21,13 @@ class CurveMap {
     float along = 0;      // arclength from the first curve's start
     Vec2 point;           // on the curve
     Vec2 tangent;         // unit
-    bool at_end = false;  // an open curve ends here: it may have gone on to somewhere nearer
+    bool at_end = false;  // an open curve ends here: it may have continued to a nearer place
   };
 
-  /// The nearest point of the curves; its distance is infinite where p is far. Between branches that are about as near
-  /// (within a cell) it may be the other one's.
+  /// The nearest point of the curves; its distance is infinite if p is far. Between branches that are about equally
+  /// near (within a cell) it may belong to the other branch.
   Nearest nearest(Vec2 p) const;
-  /// A quick estimate of nearest() by the points of the curves alone. It is too large by half their spacing at most.
+  /// A fast estimate of nearest() from the points of the curves alone. It is too large by at most half their spacing.
   struct Rough {
     float squared_distance = std::numeric_limits<float>::infinity();
     std::uint32_t point = 0;
@@ -56,7 +56,7 @@ class CurveMap {
     Vec2 position;
     Vec2 tangent;
     float along;
-    std::uint32_t before;  // itself where the curve begins
+    std::uint32_t before;  // itself at the beginning of an open curve
     std::uint32_t after;
   };
 
@@ -67,7 +67,7 @@ class CurveMap {
   float length_ = 0;
   Vec2 origin_;
   float cells_per_unit_ = 1;
-  Grid<std::uint32_t> place_;  // of each cell: the point nearest to its middle
+  Grid<std::uint32_t> place_;  // per cell: the point nearest to its middle
 };
 
 }  // namespace tessera

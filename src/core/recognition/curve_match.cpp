@@ -11,25 +11,26 @@
 namespace tessera {
 namespace {
 
-/// Poses that are sorted by the quick measure, and that are refined.
+/// Number of poses that are sorted by the fast estimate, and number that are refined.
 constexpr std::size_t kMostSorted = 4000;
 constexpr std::size_t kMostRefinedPoses = 300;
-/// Reach of the refinement, in parts of A's radius, then in widths of A's narrowest smoothing.
+/// Reach of the refinement: first in parts of A's radius, then in widths of A's narrowest smoothing.
 constexpr int kCoarseSteps = 6;
 constexpr float kCoarseReach = 0.15f;
 constexpr float kCoarseLeastReach = 0.03f;
 constexpr int kFineSteps = 6;
 constexpr float kFineReach = 1;
-constexpr float kPoseScaleSlack = 1.4f;  // what the scale may change by
-/// Spacing of points, and the largest distance of a run, in parts of the radius; widths of the narrowest smoothing.
+constexpr float kPoseScaleSlack = 1.4f;  // largest change of the scale, as a factor
+/// Spacing of points, as a fraction of the radius.
 constexpr float kPointSpacing = 1.f / 96;
-/// Points are farther apart on curves that would have more: scribbles and noise.
+/// Points are farther apart on curves that would have more than this: scribbles and noise.
 constexpr float kMostMatchPoints = 4000;
 constexpr float kRunReach = 0.03f;
 constexpr float kRunWidths = 2;
-constexpr float kLeastRun = 5;  // reaches
+constexpr float kLeastRun = 5;  // in reaches
 constexpr float kCurveSmoothing = 2.f / 3;
-/// Less than this is no match. It is no proof of kinship: unrelated silhouettes reach 0.2 to 0.4 by parts that are alike.
+/// A lower score is no match. A higher one does not prove kinship: unrelated silhouettes reach 0.2 to 0.4 by similar
+/// parts.
 constexpr float kLeastScore = 0.05f;
 
 struct PosedCurves {
@@ -86,7 +87,7 @@ class CurveMatcher {
   }
 
  private:
-  /// The part of A that is followed, in parts of the geometric mean of both lengths.
+  /// The fraction of A that is followed, converted to the geometric mean of both lengths.
   float score_of(float followed, const Similarity& a_from_b) const {
     return std::min(1.f, followed * std::sqrt(query_a_.length() / (query_b_.length() * a_from_b.scale())));
   }
@@ -119,7 +120,7 @@ class CurveMatcher {
     return posed;
   }
 
-  /// The poses that differ, refined on A's curves, the best first.
+  /// The different poses, refined on A's curves, the best first.
   std::vector<PosedCurves> refined(const std::vector<PosedCurves>& starts) const {
     std::vector<PosedCurves> result;
     std::vector<Similarity> tried;
@@ -165,7 +166,7 @@ class CurveMatcher {
     return match;
   }
 
-  /// The mean over the points of B in the runs.
+  /// The mean closeness over the points of B in the runs.
   float closeness_of(const CurveMatch& match) const {
     float sum = 0, points = 0;
     for (const MatchedRun& run : match.runs) {
@@ -181,7 +182,7 @@ class CurveMatcher {
     return points > 0 ? sum / points : 0;
   }
 
-  /// Turns arclengths of a smoothed curve into those of the given one, which is a little longer.
+  /// Converts arclengths of a smoothed curve to those of the given one, which is a little longer.
   static void stretch(CurvePart& part, const std::vector<Curve>& given, const std::vector<Curve>& even) {
     const float factor = length_of(given[part.curve]) / length_of(even[part.curve]);
     part.from *= factor;

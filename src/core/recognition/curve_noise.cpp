@@ -5,7 +5,8 @@
 namespace tessera {
 namespace {
 
-/// A curve that loses more of its length has noise: the stairs of pixels are at most 8 % of it, corners some percent.
+/// A curve that loses a larger fraction of its length has noise: the stairs of pixels are at most 8 % of it, corners a
+/// few percent.
 constexpr float kNoiseLoss = 0.12f;
 constexpr int kMostRounds = 10;
 /// A curve of fewer widths would lose its shape, too.

@@ -5,9 +5,10 @@
 
 namespace tessera {
 
-/// The curve without noise of up to some times `sigma`; itself where it has none. Noise makes a curve longer, and a width
-/// along it is then less of the shape than it seems; so the curve is smoothed by `sigma` along its length, which is
-/// measured anew, until that makes it hardly shorter. The stairs of pixels are no noise at a `sigma` of 1.5 px.
+/// Removes noise up to some times `sigma` from the curve; a curve without noise is unchanged. Noise makes a curve
+/// longer, so that a width along it corresponds to less of the shape. Therefore the curve is smoothed by `sigma` along
+/// its length, which is then measured again, until smoothing hardly shortens it. At a `sigma` of 1.5 px the stairs of
+/// pixels do not count as noise.
 Curve without_noise(Curve curve, float sigma);
 
 }  // namespace tessera

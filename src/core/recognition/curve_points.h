@@ -1,4 +1,4 @@
-// The points of some curves in one list, as they are laid onto a query.
+// The points of several curves in one list, for poses on a query.
 #pragma once
 
 #include <span>
@@ -11,11 +11,11 @@ namespace tessera {
 
 class CurvePoints {
  public:
-  /// `curves`: of evenly spaced points, as far apart in all of them.
+  /// `curves`: evenly spaced points with the same spacing in all curves.
   explicit CurvePoints(std::span<const Curve> curves);
 
-  /// Adds each point once more with the opposite direction: of two lines without an interior, neither says in which
-  /// direction it was drawn. One of both follows a query's curve at most.
+  /// Adds each point a second time with the opposite direction, as a line without an interior does not tell in which
+  /// direction it was drawn. At most one of the two follows a query's curve.
   void add_opposite();
 
   BoundaryPoints boundary() const { return {position_, tangent_, spacing_}; }

@@ -13,27 +13,28 @@
 namespace tessera {
 namespace {
 
-/// For each PAD of A so many of the nearest PADs of B are tried, at each pair of widths. The distance is the root mean square of
-/// the differences of the lengths' logarithms.
+/// Number of nearest PADs of B that are tried for each PAD of A, at each pair of widths. The distance is the root mean
+/// square of the differences of the lengths' logarithms.
 constexpr std::size_t kMostPairsOfPad = 6;
 constexpr float kLogReach = 0.5f;
-/// Sizes that are tried: B's extent in parts of A's.
+/// Range of sizes that are tried: B's extent in parts of A's, and its inverse.
 constexpr float kLargestExtent = 6;
-/// The scale by lengths or key points, against the one that the widths of the smoothing stand for.
+/// Largest ratio of the scale by lengths or key points to the scale that the widths of the smoothing imply.
 constexpr float kPairScaleSlack = 1.2f;
-/// Residuals of key points: above the first one, inner key points give a pose, too; above the second, no pose is taken
-/// from all of them.
+/// Residuals of key points. Above the first, inner key points give a second pose; above the second, the fit gives no
+/// pose.
 constexpr float kSameResidual = 0.05f;
 constexpr float kLargestResidual = 0.3f;
 constexpr int kInnermostLevels = 2;
-/// How much two arcs may differ, and how many of B are tried for each of A.
+/// Largest distance of two arcs, and number of arcs of B that are tried for each arc of A.
 constexpr float kArcPairReach = 0.04f;
 constexpr std::size_t kMostPairsOfArc = 8;
-/// Open curves are straight where the line from end to end has this part of their length. They turn by 0.9 rad at most.
+/// Open curves are straight if the distance of their ends is at least this fraction of their length. They turn by 0.9
+/// rad at most.
 constexpr float kStraight = 0.96f;
 constexpr std::size_t kMostStraight = 64;
 
-/// A pyramid with the logarithms of its lengths: left 0, 1, ... then right.
+/// A pyramid with the logarithms of its lengths.
 struct LogPyramid {
   explicit LogPyramid(const PartialPyramid& partial) : partial(&partial) {
     for (int i = 0; i < partial.left_levels; ++i) left[std::size_t(i)] = std::log(partial.pyramid.left[std::size_t(i)]);
@@ -50,7 +51,7 @@ std::vector<LogPyramid> log_pyramids(const QueryWidth& width) {
   return std::vector<LogPyramid>(width.pyramids.begin(), width.pyramids.end());
 }
 
-/// The distance of two pyramids by the levels that both have, and the logarithm of the scale, A's over B's.
+/// The distance of two pyramids by their common levels, and the logarithm of the scale, A's over B's.
 struct Comparison {
   float distance = std::numeric_limits<float>::infinity();
   float log_scale = 0;
@@ -116,7 +117,7 @@ class PoseList {
     add_pose(a, b, std::min(left, kInnermostLevels), std::min(right, kInnermostLevels), scale);
   }
 
-  /// Fits the pose to the key points of these levels, and returns the residual.
+  /// Fits a pose to the key points of these levels, adds it if it is good, and returns the residual.
   float add_pose(const PartialPyramid& a, const PartialPyramid& b, int left, int right, float scale) {
     const auto first = std::size_t(pad_levels_ - left);
     const auto count = std::size_t(left + right + 1);
@@ -140,7 +141,7 @@ struct StraightLine {
   float length;
 };
 
-/// The longest ones.
+/// The straight open curves, the longest first, at most kMostStraight.
 std::vector<StraightLine> straight_lines(const std::vector<Curve>& curves) {
   std::vector<StraightLine> lines;
   for (const Curve& curve : curves) {

@@ -7,7 +7,7 @@
 namespace tessera {
 namespace {
 
-/// The outer boundary at even arclength: where the samples of the finest level lie.
+/// The outer boundary at even arclength: the places of the finest level's samples.
 class Boundary {
  public:
   Boundary(const ShapeModel& model, int pad_levels)
@@ -25,7 +25,7 @@ class Boundary {
     for (std::size_t i = 0; i < size(); ++i) length += norm(point(i + 1) - point(i));
     return length;
   }
-  /// The arc that begins at a sample and is this part of the boundary.
+  /// The arc that begins at sample `start` and is the fraction `share` of the boundary.
   ArcPoints arc(std::uint32_t start, float share) const {
     ArcPoints points;
     for (int i = 0; i < kArcPoints; ++i) {
@@ -40,10 +40,10 @@ class Boundary {
  private:
   const std::vector<ModelSample>& samples_;
   float step_;
-  std::size_t own_;  // the key point that is the sample's own place
+  std::size_t own_;  // index of the key point that is the sample's own place
 };
 
-/// The shortest arc of a boundary: a power of kArcStep in px of the drawing.
+/// The length of a boundary's shortest arc: a power of kArcStep in px of the drawing.
 float shortest_arc(float around, float drawn_scale_px) {
   const float scale = drawn_scale_px > 0 ? drawn_scale_px : 1;
   return std::pow(kArcStep, std::ceil(std::log(kShortestArc * around * scale) / std::log(kArcStep))) / scale;

@@ -1,5 +1,5 @@
-// Shapes of a library that follow one another, made ready for searches: an index of their PADs at each smoothing level, and one of
-// the arcs of their boundaries.
+// A range of library shapes prepared for searches: an index of their PADs for each smoothing level, and one of the arcs
+// of their boundaries.
 #pragma once
 
 #include <cstdint>
@@ -15,14 +15,14 @@ namespace tessera {
 
 class KnownShapes {
  public:
-  /// `models`: of shapes first, first + 1, ... with all their parts, and all with the same levels. `drawn_scales_px`: of
-  /// each (Shape::drawn_scale_px).
+  /// `models`: of the shapes first, first + 1, ... with all their parts, and all with the same levels.
+  /// `drawn_scales_px`: Shape::drawn_scale_px of each.
   KnownShapes(ShapeId first, std::vector<ShapeModel> models, std::vector<float> drawn_scales_px, int pad_levels);
 
-  /// The index of one smoothing level. Its places count the shapes' samples, shape by shape.
+  /// The index of one smoothing level. Its places count the samples of all shapes, shape by shape.
   struct Level {
     int level = 0;              // index into kSmoothingLevels
-    std::uint32_t samples = 0;  // of a shape
+    std::uint32_t samples = 0;  // samples of a shape
     PadSearch search;
 
     std::uint32_t shape_of(std::uint32_t place) const { return place / samples; }
@@ -34,10 +34,10 @@ class KnownShapes {
   const ShapeModel& model(std::uint32_t shape) const { return models_[shape]; }
   float drawn_scale_px(std::uint32_t shape) const { return drawn_scales_px_[shape]; }
   const std::vector<Level>& levels() const { return levels_; }
-  /// The shapes' arcs. There must be at least one shape.
+  /// The shapes' arcs. Needs at least one shape.
   const KnownArcs& arcs() const { return *arcs_; }
   int pad_levels() const { return pad_levels_; }
-  /// The key points of a sample of the level with this place in levels().
+  /// The key points of the sample at `place`; `level` is an index in levels().
   Keypoints keypoints_of(std::size_t level, std::uint32_t place) const;
 
  private:

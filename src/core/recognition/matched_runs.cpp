@@ -11,15 +11,16 @@ namespace tessera {
 namespace {
 
 constexpr float kLeastRunCosine = 0.8f;
-/// Cells of the map, in parts of the reach, and of the curves' box: a speck far away may not cost gigabytes.
+/// Size of the map's cells: a fraction of the reach, but at least a fraction of the curves' bounding box, so that a
+/// distant speck does not cost gigabytes.
 constexpr float kCellOfReach = 0.5f;
 constexpr float kCellOfBox = 1.f / 1024;
-/// The distance that two neighbours of B may be apart along A, in parts of the reach.
+/// Largest distance along A between two neighbours of B, in parts of the reach.
 constexpr float kLargestStep = 3;
-/// Beyond the end of an open curve nothing follows it; in parts of the reach.
+/// Reach beyond the end of an open curve, where the curve is not followed any more; in parts of the reach.
 constexpr float kEndReach = 0.25f;
 
-/// Where a point of B lies along a curve of A; `curve` is none where it follows none.
+/// The place of a point of B along a curve of A; `curve` is kNone if the point follows none.
 struct Followed {
   static constexpr std::size_t kNone = ~std::size_t(0);
   std::size_t curve = kNone;
@@ -56,7 +57,7 @@ class RunFinder {
     const std::size_t count = followed.size();
     const float length = length_of(curve);
     const float step = length / float(curve.closed ? count : count - 1);
-    // A closed curve is gone round from a point at which a run cannot go on, where there is one.
+    // A closed curve is walked from a point at which a run cannot continue, if there is one.
     std::size_t start = 0;
     if (curve.closed) {
       while (start < count && goes_on(followed[(start + count - 1) % count], followed[start])) ++start;
@@ -92,7 +93,7 @@ class RunFinder {
     return followed;
   }
 
-  /// From one place on a curve of A to the next one, the short way round.
+  /// The step from one place on a curve of A to the next one, the short way round.
   float step_along(const Followed& from, const Followed& to) const {
     const float step = to.along - from.along;
     if (!closed_[to.curve]) return step;
@@ -104,7 +105,7 @@ class RunFinder {
     return std::abs(step_along(before, here)) <= kLargestStep * settings_.reach;
   }
 
-  /// A's side of the run.
+  /// Makes A's side of the run.
   MatchedRun run_of(const std::vector<Followed>& followed, std::size_t begin, std::size_t end) const {
     const Followed& first = followed[begin % followed.size()];
     float along = first.along, least = along, most = along;
@@ -124,7 +125,7 @@ class RunFinder {
   Similarity a_from_b_;
   RunSettings settings_;
   CurveMap map_;
-  std::vector<float> starts_;  // of A's curves in the map's arclength
+  std::vector<float> starts_;  // starts of A's curves in the map's arclength
   std::vector<float> lengths_;
   std::vector<bool> closed_;
 };

@@ -1,4 +1,4 @@
-// The parts of two sets of curves that follow one another, where the one set is laid onto the other.
+// The parts of two sets of curves that follow one another, when one set is laid onto the other.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,10 @@
 
 namespace tessera {
 
-/// A part of a curve, as arclengths from its first point, from < to. `to` is larger than the curve's length where the part
-/// goes on beyond the first point of a closed curve.
+/// A part of a curve, as arclengths from its first point, from < to. `to` exceeds the curve's length if the part
+/// continues beyond the first point of a closed curve.
 struct CurvePart {
-  std::size_t curve = 0;  // of the set
+  std::size_t curve = 0;  // index in the set
   float from = 0;
   float to = 0;
 
@@ -24,24 +24,24 @@ struct CurvePart {
 struct MatchedRun {
   CurvePart of_a;
   CurvePart of_b;
-  bool reversed = false;  // B runs against A's direction
+  bool reversed = false;  // B has the opposite direction of A
 };
 
 struct RunSettings {
   float reach = 0;             // largest distance, in units of A
   float least_length = 0;      // of a run, in units of A
-  bool any_direction = false;  // curves without an interior may follow one another against their direction
+  bool any_direction = false;  // curves without an interior may follow one another in opposite directions
 };
 
-/// The runs in order of B's curves. `a`, `b`: of evenly spaced points (even_curves()). A run ends where the distance or the
-/// angle (more than 37 degrees) is too large.
+/// The runs in order of B's curves. `a`, `b`: evenly spaced points (even_curves()). A run ends where the distance or
+/// the angle (more than 37 degrees) is too large.
 std::vector<MatchedRun> matched_runs(const std::vector<Curve>& a, const std::vector<Curve>& b,
                                      const Similarity& a_from_b, const RunSettings& settings);
 
-/// The points of a curve from one arclength to the other, both of these among them.
+/// The points of a curve from one arclength to the other, including both ends.
 std::vector<Vec2> points_of(const Curve& curve, const CurvePart& part);
 
-/// The length that the runs cover of A; what several of them cover counts once. Of B none overlap.
+/// The length of A that the runs cover; parts in several runs count once. Runs do not overlap on B.
 float covered_length_of_a(const std::vector<Curve>& a, const std::vector<MatchedRun>& runs);
 
 }  // namespace tessera

@@ -10,14 +10,14 @@
 namespace tessera {
 namespace {
 
-/// Distance of PADs, and how many of the nearest are tried for each PAD of the query.
+/// Largest distance of PADs, and the number of nearest PADs that are tried for each PAD of the query.
 constexpr float kPadReach = 0.08f;
 constexpr std::size_t kMostPairs = 100;
-/// The step between widths, and what they overlap.
+/// Factor by which the scales of successive widths overlap.
 constexpr float kWidthSlack = 1.04f;
-/// Key points of one pair that are farther apart belong to different curves.
+/// If the key points of a pair are farther apart, the PADs belong to different curves.
 constexpr float kMostResidual = 0.3f;
-/// The scale by key points, against the one that the widths of the smoothing stand for.
+/// Largest ratio of the scale by key points to the scale that the widths of the smoothing imply.
 constexpr float kScaleSlack = 1.15f;
 
 class PadPoses {
@@ -27,7 +27,7 @@ class PadPoses {
         shapes_(shapes),
         possible_(possible) {}
 
-  /// Each width is looked up at each level on a thread of its own; the poses come in the order of both.
+  /// Looks up each pair of a width and a level in a task of its own. The poses come in the order of widths and levels.
   std::vector<PosedShape> poses() const {
     const std::size_t levels = shapes_.levels().size();
     std::vector<std::vector<PosedShape>> of_part(query_.widths().size() * levels);

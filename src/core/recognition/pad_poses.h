@@ -1,4 +1,4 @@
-// Poses in which shapes of a library may lie on a query, by the PADs of both (paper, section 3.3).
+// Poses in which shapes of a library may lie on a query, found by the PADs of both (paper, section 3.3).
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace tessera {
 
-/// One pose for each pair of a PAD of the query and one of its nearest in the library whose key points agree. Smoothing by
-/// one width on the query's side and one of kSmoothingLevels on the shape's belong to scales of half an octave, as curves
-/// agree only where they are smoothed alike.
+/// One pose for each pair of a PAD of the query and one of its nearest PADs in the library whose key points agree. A
+/// pair of widths (the query's and a level's of kSmoothingLevels) belongs to scales within half an octave, as curves
+/// agree only if they are smoothed alike.
 std::vector<PosedShape> pad_poses(const Query& query, const KnownShapes& shapes, const PossibleScales& scales);
 
 }  // namespace tessera

@@ -8,8 +8,8 @@
 namespace tessera {
 namespace {
 
-/// Arclength and turning along a curve. A closed one is gone round three times, so that both sides of every point of the
-/// second round lie within. The turning at a vertex is spread over the halves of its two edges, as make_pyramid() does.
+/// Arclength and turning along a curve. A closed curve is walked three times, so that both sides of every point of the
+/// second round lie within. The turning at a vertex is spread over the halves of its two edges, as in make_pyramid().
 class TurningProfile {
  public:
   TurningProfile(const Curve& curve, float sigma)
@@ -41,7 +41,7 @@ class TurningProfile {
 
  private:
   Vec2 point(int i) const { return points_[std::size_t((i % count_ + count_) % count_)]; }
-  /// Index of the first middle of an edge of a larger arclength or turning.
+  /// Index of the first entry that is larger than `value`.
   static std::size_t place_after(const std::vector<double>& ascending, double value) {
     return std::size_t(std::upper_bound(ascending.begin(), ascending.end(), value) - ascending.begin());
   }
@@ -97,7 +97,7 @@ PartialPyramid TurningProfile::pyramid(int vertex, const PadParameters& pad) con
       double along = on_curve ? along_at(goal) : direction * std::numeric_limits<double>::infinity();
       if (along < first || along > last) {
         if (!closed_) break;
-        along = std::clamp(along, first, last);  // a closed curve that turns less than this: once round
+        along = std::clamp(along, first, last);  // a closed curve that turns less than this: the whole curve
       }
       lengths[std::size_t(levels)] = float(std::max(std::abs(along - centre), 1e-6));
       pyramid.keypoint[std::size_t(pad.levels + direction * (levels + 1))] = point_at(along);

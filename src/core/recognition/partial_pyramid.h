@@ -1,5 +1,5 @@
-// Arclength pyramids (paper, section 3.2) along open curves, too: a level that would run off an end of the curve is
-// missing there.
+// Arclength pyramids (paper, section 3.2) of closed and open curves. On an open curve, a level that would leave the
+// curve at an end is missing.
 #pragma once
 
 #include <vector>
@@ -9,23 +9,23 @@
 
 namespace tessera {
 
-/// A pyramid of which each side has its first levels only: left[0 .. left_levels), right[0 .. right_levels), and the key
-/// points of these.
+/// A pyramid with only the first levels on each side: left[0 .. left_levels), right[0 .. right_levels), and their key
+/// points.
 struct PartialPyramid {
   ArclengthPyramid pyramid;
   int left_levels = 0;
   int right_levels = 0;
 };
 
-/// Fewer levels than this say too little: of five on each side, six.
+/// The least number of levels of both sides together, and of each side. With fewer a pyramid says too little.
 inline constexpr int kLeastLevels = 4;
 inline constexpr int kLeastLevelsOfASide = 2;
 
-/// Whether both sides have levels enough to be compared.
+/// Whether both sides have enough levels for a comparison.
 bool tells_enough(const PartialPyramid& pyramid);
 
-/// Pyramids at every `stride`-th point of a curve that was smoothed by `sigma`. Of an open curve the last `sigma` before
-/// its ends counts as missing: smoothing has changed it.
+/// The pyramids at every `stride`-th point of a curve that was smoothed by `sigma`. On an open curve the last `sigma`
+/// before each end counts as missing, because smoothing has changed it.
 std::vector<PartialPyramid> partial_pyramids(const Curve& smooth_curve, float sigma, int stride,
                                              const PadParameters& pad);
 

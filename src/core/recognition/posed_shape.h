@@ -8,9 +8,9 @@
 namespace tessera {
 
 struct PosedShape {
-  std::uint32_t shape = 0;  // of KnownShapes
+  std::uint32_t shape = 0;  // index in KnownShapes
   Similarity query_from_shape;
-  float followed = 0;  // how good the pose is, by whatever measure was last taken
+  float followed = 0;  // quality of the pose, by the measure that was taken last
 };
 
 }  // namespace tessera

@@ -5,12 +5,13 @@
 namespace tessera {
 namespace {
 
-/// Sizes of shapes that are looked for: at least this part of the query's extent, at most so many lengths of its curves.
+/// Sizes of shapes that are searched: at least this fraction of the query's extent, at most this multiple of the length
+/// of its curves.
 constexpr float kLeastSize = 0.22f;
 constexpr float kLargestSize = 1.2f;
-/// The scale by key points, against the known one.
+/// Largest ratio of the scale by key points to the known one.
 constexpr float kKnownSlack = 1.1f;
-/// The factor by which the scale may change while a pose is refined.
+/// Largest factor by which the scale may change while a pose is refined.
 constexpr float kRefinedSlack = 1.4f;
 constexpr float kRefinedKnownSlack = 1.02f;
 

@@ -11,14 +11,15 @@ namespace tessera {
 
 class PossibleScales {
  public:
-  /// `shapes`: one at least. `query_per_drawn_px`: query units for one px of the library's drawings, where it is known: each shape has its drawn
-  /// scale then. Else shapes are from a part of the query to somewhat larger than it.
+  /// `shapes`: at least one. `query_per_drawn_px`: query units for one px of the library's drawings, if known; then
+  /// each shape has its drawn scale. Otherwise shapes may be from a fraction of the query's size to somewhat larger
+  /// than it.
   PossibleScales(const Query& query, const KnownShapes& shapes, std::optional<float> query_per_drawn_px);
 
   std::optional<float> query_per_drawn_px() const { return query_per_drawn_px_; }
-  /// The least and the largest scale that any of the shapes may have.
+  /// The least and the largest scale of any of the shapes.
   const ScaleLimits& limits() const { return limits_; }
-  /// Whether this shape may have one of these scales, `scales` being an estimate by key points.
+  /// Whether this shape may have one of these scales, which are an estimate from key points.
   bool may_have(std::uint32_t shape, const ScaleLimits& scales) const;
   /// The scales that a pose near this one may have.
   ScaleLimits near(std::uint32_t shape, const Similarity& query_from_shape) const;

@@ -8,33 +8,33 @@
 namespace tessera {
 namespace {
 
-/// Sizes of the map, in parts of the query's radius; kLeastMapCell in parts of its extent.
+/// Sizes of the map, as fractions of the query's radius; kLeastMapCell is a fraction of its extent.
 constexpr float kMapCell = 1.f / 48;
 constexpr float kLeastMapCell = 1.f / 512;
 constexpr float kMapReach = 0.16f;
 constexpr float kMapPoints = 1.f / 96;
-/// The map's curves are smoothed by this part of the narrowest width: as much as takes the stairs of pixels out.
+/// The map's curves are smoothed by this fraction of the narrowest width: enough to remove the stairs of pixels.
 constexpr float kMapSmoothing = 2.f / 3;
 
-/// The widest smoothing: a part of the curves' length.
+/// The widest smoothing, as a fraction of the curves' length.
 constexpr float kWidest = 1.f / 12;
-/// A curve is smoothed with so many points a width.
+/// Number of points per width with which a curve is smoothed.
 constexpr float kPointsOfWidth = 4;
 constexpr int kLeastPoints = 48;
 constexpr int kMostPoints = 2000;
 constexpr int kMostMapPoints = 20000;
-/// PADs are not taken of curves shorter than so many widths, which have lost their shape.
+/// Curves shorter than this many widths have lost their shape and give no PADs.
 constexpr float kShortestCurve = 6;
-/// PADs are so many widths apart, or farther, where more than so many would be looked up.
+/// Distance of PADs in widths. It is larger if more than kMostPads would be looked up along the length.
 constexpr float kPadSpacing = 1.5f;
 constexpr float kMostPads = 10;
-/// Each curve has this many PADs at least, however short it is: what is seen between bars is many short curves.
+/// Each curve has at least this number of PADs, however short it is: a shape seen between bars is many short curves.
 constexpr float kLeastPadsOfCurve = 8;
-/// Levels of inner_levels().
+/// Number of levels that inner_levels() keeps.
 constexpr int kInnerLevels = 3;
 
-/// The first levels alone. Something else than the shape may go on beyond them: the edge at which a shape was clipped, or
-/// what hides the rest of it.
+/// Only the first levels of each side. Beyond them something other than the shape may follow: the edge at which a shape
+/// was clipped, or an object that hides the rest.
 PartialPyramid inner_levels(PartialPyramid pyramid) {
   pyramid.left_levels = std::min(pyramid.left_levels, kInnerLevels);
   pyramid.right_levels = std::min(pyramid.right_levels, kInnerLevels);

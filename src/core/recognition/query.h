@@ -1,5 +1,5 @@
-// A query: the curves of a drawing, or of what is seen of it, prepared once for all comparisons. Units are the
-// query's own (px of an image, or a drawing's units).
+// A query: the curves of a drawing, or of its visible parts, prepared once for all comparisons. Units are the query's
+// own (px of an image, or a drawing's units).
 #pragma once
 
 #include <memory>
@@ -13,14 +13,14 @@ namespace tessera {
 /// The query's pyramids after smoothing by one width.
 struct QueryWidth {
   float sigma = 0;
-  std::vector<PartialPyramid> pyramids;  // tells_enough() of each
+  std::vector<PartialPyramid> pyramids;  // each with tells_enough()
 };
 
 struct QuerySettings {
   PadParameters pad;
-  /// The narrowest smoothing, query units: what the curves' own noise needs. 1.5 pixels of a clean silhouette.
+  /// The narrowest smoothing, query units, as the curves' own noise requires. 1.5 pixels for a clean silhouette.
   float least_sigma = 1.5f;
-  /// Asks for Query::without_noise().
+  /// Makes Query::without_noise().
   bool without_noise = false;
 };
 
@@ -29,11 +29,12 @@ class Query {
   /// `curves`: at least one, each without a curve_fault().
   Query(const std::vector<Curve>& curves, const QuerySettings& settings);
 
-  /// The query of the curves without their noise (curve_noise.h); null where they have none, or where it was not asked for. What seems noise may belong to
-  /// the shape: a hedgehog's spines.
+  /// The query of the curves without their noise (curve_noise.h); null if they have none, or if it was not requested.
+  /// Apparent noise may belong to the shape: a hedgehog's spines.
   const Query* without_noise() const { return without_noise_.get(); }
   const CurveMap& map() const { return map_; }
-  /// The curves that are kShortestShare of all at least, smoothed by the narrowest width, as evenly spaced points.
+  /// The curves with at least kShortestShare of the total length, smoothed by the narrowest width, as evenly spaced
+  /// points.
   const std::vector<Curve>& narrow_curves() const { return narrow_curves_; }
   const std::vector<QueryWidth>& widths() const { return widths_; }
   float least_sigma() const { return least_sigma_; }
@@ -42,7 +43,7 @@ class Query {
   /// Root mean square distance of the curves' points from their mean, `centre`.
   float radius() const { return measures_.radius; }
   Vec2 centre() const { return measures_.centre; }
-  /// Longer side of the box round all curves.
+  /// Longer side of the bounding box of all curves.
   float extent() const { return measures_.extent; }
 
  private:
@@ -64,13 +65,14 @@ class Query {
   std::vector<QueryWidth> widths_;
 };
 
-/// The curves, smoothed by `sigma`, as evenly spaced points: about `spacing` apart, at least 48 and at most 20,000 a curve.
+/// The curves, smoothed by `sigma`, as evenly spaced points: about `spacing` apart, at least 48 and at most 20,000 per
+/// curve.
 std::vector<Curve> even_curves(const std::vector<Curve>& curves, float sigma, float spacing);
 
-/// Nothing is looked up of a curve that is less than this part of all curves: there may be thousands.
+/// Curves below this fraction of the total length are not looked up: there may be thousands.
 inline constexpr float kShortestShare = 1.f / 64;
 
-/// Widths of the smoothing are so far apart: half an octave.
+/// Ratio of successive widths of the smoothing: half an octave.
 inline constexpr float kWidthStep = 1.41421356f;
 
 }  // namespace tessera

@@ -6,15 +6,16 @@
 namespace tessera {
 namespace {
 
-/// The shortest arc, in widths of the query's narrowest smoothing: a shorter one has lost its shape.
+/// The shortest arc, in widths of the query's narrowest smoothing: shorter ones have lost their shape.
 constexpr float kShortestWidths = 6;
-/// Arcs begin this part of their length apart, or farther, where more than so many would be looked up of a length.
+/// Distance of arcs' starts, as a fraction of their length. It is larger if more than kMostOfLength arcs of a length
+/// would be looked up.
 constexpr float kStartSpacing = 1.f / 8;
 constexpr float kMostOfLength = 10;
-/// Starts are no farther apart than this part of their curve: what is seen between bars is many short curves.
+/// Each curve has at least this number of starts: a shape seen between bars is many short curves.
 constexpr float kLeastArcsOfCurve = 8;
 
-/// An arc whose points lie within this part of its length beside a line tells nothing: many shapes have a straight side.
+/// An arc whose points lie within this fraction of its length from a line is useless: many shapes have a straight side.
 constexpr float kStraight = 0.015f;
 
 bool is_straight(const ArcSignature& signature) {
@@ -52,7 +53,8 @@ class EvenCurve {
 };
 
 void add_arcs(const EvenCurve& curve, bool closed, float length, float spacing, std::vector<QueryArc>& arcs) {
-  // A closed curve has an arc at every start; of an open one the first arc begins and the last one ends with the curve.
+  // A closed curve has an arc at every start. On an open curve the first arc begins and the last one ends with the
+  // curve.
   const float room = closed ? curve.length() : curve.length() - length;
   const int gaps = std::max(1, int(room / spacing));
   for (int k = 0; k < (closed ? gaps : gaps + 1); ++k) {

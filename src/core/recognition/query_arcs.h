@@ -1,4 +1,4 @@
-// Arcs of a query's curves, to be looked up among those of a library (known_arcs.h).
+// Arcs of a query's curves, which are looked up among those of a library (known_arcs.h).
 #pragma once
 
 #include <vector>
@@ -14,8 +14,8 @@ struct QueryArc {
   ArcSignature signature;
 };
 
-/// Arcs of the lengths `unit` times powers of `step`, of all of the query's curves that are long enough for them, but for
-/// straight ones. Their starts are a part of their length apart.
+/// Arcs with the lengths `unit` times powers of `step`, of all of the query's curves that are long enough, without
+/// straight arcs. The distance of their starts is a fraction of their length.
 std::vector<QueryArc> query_arcs(const Query& query, float unit, float step);
 
 }  // namespace tessera

@@ -12,19 +12,19 @@
 namespace tessera {
 namespace {
 
-/// Poses that are made better with the model's boundary: so many in all, and of a shape.
+/// Number of poses that are refined with the model's boundary: in all, and for each shape.
 constexpr std::size_t kMostRefined = 300;
 constexpr std::size_t kMostOfShape = 3;
 constexpr int kRefineSteps = 6;
 constexpr float kRefineReach = 0.15f;  // of the query's radius, falling to
 constexpr float kRefinedReach = 0.03f;
-/// Shapes that are compared with their whole outlines. Reach: widths of the query's narrowest smoothing.
+/// Number of shapes that are compared with their whole outlines. Reach in widths of the query's narrowest smoothing.
 constexpr std::size_t kMostCompared = 40;
 constexpr int kCompareSteps = 4;
 constexpr float kCompareReach = 2;
 constexpr float kComparedReach = 1;
 
-/// The number of poses in one task of a thread: for the quick measure, and for refinement.
+/// The number of poses in one task: for the fast estimate, and for refinement.
 constexpr std::size_t kPortion = 1024;
 constexpr std::size_t kRefinedPortion = 16;
 
@@ -37,7 +37,7 @@ void sort_by_followed(std::vector<PosedShape>& posed) {
                    [](const PosedShape& a, const PosedShape& b) { return a.followed > b.followed; });
 }
 
-/// The first poses of each shape that differ, so many of each and in all.
+/// The first different poses of each shape, at most kMostOfShape for each and kMostRefined in all.
 std::vector<PosedShape> first_of_each(const Query& query, const std::vector<PosedShape>& posed) {
   std::vector<PosedShape> chosen;
   std::unordered_map<std::uint32_t, std::vector<Similarity>> of_shape;
@@ -61,7 +61,7 @@ PosedShape refined(const Query& query, const KnownShapes& shapes, const PosedSha
   return {start.shape, pose, followed_part(query, points, pose)};
 }
 
-/// Removes all poses of a shape but its first one.
+/// Keeps only the first pose of each shape.
 void keep_first_of_each(std::vector<PosedShape>& posed) {
   std::unordered_set<std::uint32_t> seen;
   std::erase_if(posed, [&](const PosedShape& p) { return !seen.insert(p.shape).second; });
@@ -73,7 +73,7 @@ CurvePoints outline_points(const Outline& outline) {
   return CurvePoints(curves);
 }
 
-/// Fits the whole outline of a shape to the query, and measures how much of the query it follows.
+/// Fits the whole outline of a shape to the query, and measures the fraction of the query that it follows.
 Recognition compared(const Query& query, const KnownShapes& shapes, const PosedShape& posed,
                      const PossibleScales& scales, const OutlineOf& outline_of) {
   const ShapeId id = shapes.id(posed.shape);
@@ -84,7 +84,7 @@ Recognition compared(const Query& query, const KnownShapes& shapes, const PosedS
   return {id, pose, followed_part(query, points.boundary(), pose), query.length()};
 }
 
-/// The answers for the query's curves as they are: each compared shape once.
+/// The answers for the query's curves without removing noise; each compared shape once.
 std::vector<Recognition> recognised_as_it_is(const Query& query, const KnownShapes& shapes,
                                              const RecognitionSettings& settings, const OutlineOf& outline_of) {
   const PossibleScales scales(query, shapes, settings.query_per_drawn_px);

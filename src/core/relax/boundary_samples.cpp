@@ -23,7 +23,7 @@ std::size_t farthest_from_first(const Curve& curve) {
   return farthest;
 }
 
-/// Indices of the vertices that Douglas and Peucker keep, ascending.
+/// Indices of the vertices that the Douglas-Peucker algorithm keeps, ascending.
 std::vector<std::size_t> corners_of(const Curve& curve, float tolerance) {
   const std::size_t middle = farthest_from_first(curve);
   std::vector<std::size_t> corners{0};
@@ -74,7 +74,7 @@ void add_steps(const Curve& curve, std::size_t from, std::size_t to, float spaci
 BoundarySamples sample_boundary(const Outline& outline, float spacing, float tolerance) {
   BoundarySamples all;
   for (const Curve& curve : outline.curves) {
-    std::vector<BoundarySample> samples;  // with the step after each as its length
+    std::vector<BoundarySample> samples;  // here `length` is the step after the sample
     const std::vector<std::size_t> corners = corners_of(curve, tolerance);
     for (std::size_t c = 0; c < corners.size(); ++c) {
       const std::size_t next = c + 1 < corners.size() ? corners[c + 1] : curve.size();

@@ -3,7 +3,7 @@
 namespace tessera {
 namespace {
 
-/// How the boundary is sampled for pieces above a scale. Lengths in shape units.
+/// The sampling of the boundary for pieces larger than a scale. Lengths in shape units.
 struct Density {
   float above_px;
   float spacing;

@@ -1,4 +1,4 @@
-// What contacts between pieces need of a library shape. Shape frame.
+// The data of a library shape that contacts between pieces need. Shape frame.
 #pragma once
 
 #include <array>
@@ -12,21 +12,22 @@ namespace tessera {
 inline constexpr int kContactDensities = 3;
 
 struct ContactShape {
-  std::array<BoundarySamples, kContactDensities> samples;  // dense to sparse
+  std::array<BoundarySamples, kContactDensities> samples;  // from dense to sparse
   Outline outline;
   ShapeField field;
   float nodes_per_unit = 0;  // of the field
   float perimeter = 0;
   float radius = 0;
 
-  /// Steps of about 1.5 to 3 px: nearer than the field's nodes they would tell nothing new.
+  /// The samples whose steps are about 1.5 to 3 px at this scale: denser ones than the field's nodes give no new
+  /// information.
   const BoundarySamples& samples_at(float scale_px) const;
 
   /// ShapeField::at() with its gradient.
   FieldSample distance(Vec2 p) const;
 };
 
-/// Of `shape` it needs outline, field, perimeter and radius. Its samples lie `sparser` times as far apart as usual.
+/// Uses outline, field, perimeter and radius of `shape`. The distances of samples are `sparser` times the usual ones.
 ContactShape make_contact_shape(const Shape& shape, float sparser = 1);
 
 inline FieldSample ContactShape::distance(Vec2 p) const {

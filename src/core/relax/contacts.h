@@ -1,4 +1,4 @@
-// Where pieces touch: boundary samples of one in the distance field of another, and beside the canvas' edge.
+// Contacts: boundary samples of a piece in the distance field of another, and near the canvas' edge.
 #pragma once
 
 #include <algorithm>
@@ -10,14 +10,14 @@
 
 namespace tessera {
 
-/// A shape as it lies on the canvas. Canvas px.
+/// A shape at its pose on the canvas. Canvas px.
 struct LaidPiece {
   const ContactShape* shape = nullptr;  // outlives the piece
   Similarity canvas_from_shape;
   float scale_px = 0;
-  const BoundarySamples* samples = nullptr;  // of the shape, as dense as the scale needs
+  const BoundarySamples* samples = nullptr;  // of the shape, with the density for this scale
   std::vector<Vec2> points;                  // the samples' positions
-  Box box;                                   // of the points
+  Box box;                                   // bounding box of the points
 
   void lay(const ContactShape& of_shape, const Similarity& where);
 
@@ -33,14 +33,14 @@ struct LaidPiece {
 
 struct Contact {
   Vec2 at;            // a sample, canvas px
-  float distance_px;  // to the other's boundary; negative: so deep in it
+  float distance_px;  // to the other's boundary; negative: depth in it
   Vec2 gradient;      // of the distance
-  float length_px;    // of the boundary that the sample stands for
+  float length_px;    // length of the boundary that the sample stands for
 };
 
-/// Walks along the samples, `distance(p)` giving what is to be met there, and calls f(contact) for those that are
-/// nearer than `reach_px`. Elsewhere it skips as many as a distance that changes by no more than the way allows;
-/// `slack_px` is by how much look-up between nodes may be wrong.
+/// Walks along the samples and calls f(contact) for those with `distance(p)` below `reach_px`. Elsewhere it skips
+/// samples: the distance changes by no more than the way along the boundary. `slack_px` is the error of look-up between
+/// nodes.
 template <class Distance, class F>
 void walk_contacts(const LaidPiece& piece, float reach_px, float slack_px, Distance distance, F f) {
   const float per_step = 1 / (piece.samples->longest_step * piece.scale_px);
@@ -67,7 +67,7 @@ void each_contact(const LaidPiece& piece, const LaidPiece& other, Vec2 offset, f
   if (!within_reach(piece.box, box, std::max(reach_px, 0.f))) return;
   const float node_px = other.scale_px / other.shape->nodes_per_unit;
   const auto distance = [&](Vec2 p) {
-    // Far from the box there is no need to look.
+    // Far from the box the distance to the box is enough.
     const float to_box =
         std::max(std::max(box.low.x - p.x, p.x - box.high.x), std::max(box.low.y - p.y, p.y - box.high.y));
     if (to_box > std::max(reach_px, 0.f) + node_px) return FieldSample{to_box, {}};
@@ -76,10 +76,10 @@ void each_contact(const LaidPiece& piece, const LaidPiece& other, Vec2 offset, f
   walk_contacts(piece, reach_px, node_px, distance, f);
 }
 
-/// The same with the canvas' edge, whose distance is negative outside the canvas.
+/// Calls f(contact) for the samples nearer than `reach_px` to the canvas' edge, whose distance is negative outside.
 template <class F>
 void each_contact(const LaidPiece& piece, const EdgeDistance& edge, float reach_px, F f) {
-  // The farthest sample is no farther from the centre than the radius.
+  // No sample is farther from the centre than the radius.
   const FieldSample centre = edge.at(piece.canvas_from_shape.translation());
   if (centre.value > piece.shape->radius * piece.scale_px + reach_px + edge.node_px()) return;
   walk_contacts(

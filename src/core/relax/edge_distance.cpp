@@ -5,7 +5,8 @@
 namespace tessera {
 namespace {
 
-/// So much before the last node look-ups are on the grid, however rounding takes them: to 100,000 nodes.
+/// Look-ups are clamped this far before the last node, so that rounding cannot take them off the grid: enough for
+/// 100,000 nodes.
 constexpr float kBeforeTheLastNode = 0.01f;
 
 }  // namespace

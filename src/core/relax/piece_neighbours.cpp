@@ -14,7 +14,7 @@ Box box_of_all(const std::vector<Box>& boxes) {
   return all;
 }
 
-/// As wide as a piece on the average, and no more of them than a few for each piece.
+/// The size of a cell: the mean width of a piece, but at most a few cells for each piece.
 float cell_size(const std::vector<Box>& boxes, const Box& all) {
   double sides_px = 0;
   for (const Box& box : boxes) sides_px += std::max(box.width(), box.height());
@@ -59,7 +59,7 @@ std::vector<Neighbour> PieceNeighbours::of(std::uint32_t piece, float reach_px) 
   std::vector<Neighbour> found;
   std::vector<std::uint32_t> near;
   for (const Vec2 offset : offsets_) {
-    // The piece beside the others' own places, instead of their images beside the piece.
+    // Compares the moved piece with the others' own places, instead of comparing their images with the piece.
     const Vec2 reach{reach_px, reach_px};
     const Box box{boxes_[piece].low - offset - reach, boxes_[piece].high - offset + reach};
     if (!within_reach(box, all_, 0)) continue;

@@ -1,4 +1,4 @@
-// Which pieces may touch: by their boxes, on a plane that may repeat itself.
+// Finds the pieces that may touch, by their boxes, on a plane that may repeat.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace tessera {
 
-/// Another piece, or the same, at one of its images.
+/// Another piece, or the same piece, at one of its images.
 struct Neighbour {
   std::uint32_t piece = 0;
   Vec2 offset;  // from the piece to the image
@@ -17,10 +17,10 @@ struct Neighbour {
 
 class PieceNeighbours {
  public:
-  /// Of pieces with these boxes, canvas px.
+  /// `boxes`: the bounding boxes of all pieces, canvas px.
   PieceNeighbours(const std::vector<Box>& boxes, const Period& period);
 
-  /// Those whose boxes are within `reach_px` of that of `piece`, without itself; in a fixed order.
+  /// The neighbours whose boxes are within `reach_px` of that of `piece`, without the piece itself; in a fixed order.
   std::vector<Neighbour> of(std::uint32_t piece, float reach_px) const;
 
  private:
@@ -35,8 +35,8 @@ class PieceNeighbours {
   float cell_px_ = 1;
   int columns_ = 1;
   int rows_ = 1;
-  std::vector<std::uint32_t> first_;   // of each cell in pieces_, and the end
-  std::vector<std::uint32_t> pieces_;  // by cell; those that lie in several stand in each of them
+  std::vector<std::uint32_t> first_;   // the first index of each cell in pieces_, and the end
+  std::vector<std::uint32_t> pieces_;  // by cell; a piece in several cells is listed in each of them
 };
 
 }  // namespace tessera

@@ -16,17 +16,17 @@ namespace {
 
 /// The canvas' edge is stiffer than a neighbour: it does not give way, and what lies outside is lost.
 constexpr float kEdgeStiffness = 2;
-/// Of the energy of a neighbour's contact, which is felt both ways, each way has so much.
+/// The energy of a contact between pieces is counted in both directions; each direction has this part.
 constexpr float kOneWay = 0.5f;
-/// Of the stiffness of a whole boundary in contact: keeps pieces that nothing holds from leaping.
+/// Damping, as part of the stiffness of a whole boundary in contact. It keeps pieces without contacts from leaping.
 constexpr float kStepDamping = 0.01f;
-/// A sweep in which no piece moves farther ends the relaxation.
+/// The relaxation ends with a sweep in which no piece moves farther than this.
 constexpr float kAtRest_px = 0.01f;
-/// Neighbours are looked for so much farther away than contact reaches, and again when two pieces may have come nearer
-/// by as much. Longer: more boxes to look at; shorter: more often.
+/// Neighbours are searched this much farther away than contact reaches, and again when two pieces may have come nearer
+/// by as much. A larger slack means more boxes to test, a smaller one more searches.
 constexpr float kNeighbourSlack_px = 16;
 
-/// A step of 1 px moves the points of a piece by no more: its shift, and turn and growth at its farthest point.
+/// The largest movement of a piece's points in a step of 1 px: its shift, and turn and growth at its farthest point.
 float most_movement(const std::vector<RelaxedPiece>& pieces, const std::vector<std::size_t>& active) {
   float radius = 0;
   for (const std::size_t i : active) radius = std::max(radius, pieces[i].shape->radius);
@@ -45,20 +45,20 @@ PieceNeighbours neighbours_among(const std::vector<LaidPiece>& pieces, const Per
   return {boxes, period};
 }
 
-/// How stiff contacts are at the moment.
+/// The present stiffness of contacts.
 struct Stiffness {
   float soft;
   float hard;
 };
 
-/// Calls add(depth, stiffness) for a contact at this distance, once for each stiffness that it feels.
+/// Calls add(depth, stiffness) for a contact at this distance, once for each stiffness that acts there.
 template <class Add>
 void each_depth(float distance_px, const ContactDistances& distances, const Stiffness& stiffness, Add add) {
   add(distances.soft_px - distance_px, stiffness.soft);
   if (stiffness.hard > 0 && distance_px < distances.hard_px) add(distances.hard_px - distance_px, stiffness.hard);
 }
 
-/// The piece's energy as far as it depends on its pose, to second order, without its area.
+/// The part of the piece's energy that depends on its pose, to second order, without its area.
 RelaxationStep step_of(const LaidPiece& piece, const std::vector<LaidPiece>& pieces,
                        const std::vector<Neighbour>& neighbours, const EdgeDistance& edge,
                        const ContactDistances& distances, const Stiffness& stiffness) {
@@ -83,7 +83,7 @@ RelaxationStep step_of(const LaidPiece& piece, const std::vector<LaidPiece>& pie
   return step;
 }
 
-/// Moves the piece, by no more than `most_px`; returns by how much.
+/// Moves the piece, by at most `most_px`; returns the length of the movement.
 float take(const RelaxationStep& step, const PoseRange& poses, float most_px, LaidPiece& piece) {
   const PieceMovement movement = step.solved(piece.canvas_from_shape, poses);
   const float wanted_px = movement.largest();
@@ -92,7 +92,7 @@ float take(const RelaxationStep& step, const PoseRange& poses, float most_px, La
   return part * wanted_px;
 }
 
-/// So far through the schedule, 0..1. Softness, the depth at rest, falls evenly.
+/// The stiffness at `progress` (0..1) of the schedule. Its inverse, the depth in equilibrium, falls evenly.
 float stiffness_at(const RelaxationSchedule& s, float progress) {
   return 1 / ((1 - progress) / s.first_stiffness + progress / s.last_stiffness);
 }
@@ -100,7 +100,7 @@ float step_at(const RelaxationSchedule& s, float progress) {
   return s.first_step_px + (s.last_step_px - s.first_step_px) * progress;
 }
 
-/// In another order each sweep, so that none is always the first to grow.
+/// Another order in each sweep, so that no piece is always the first to grow.
 void shuffle(std::vector<std::size_t>& pieces, int sweep) {
   const auto key = [sweep](std::size_t piece) {
     return std::pair(mix_bits(std::uint64_t(sweep) << 32 ^ std::uint64_t(piece)), piece);
@@ -122,7 +122,7 @@ void Relaxation::relax(std::vector<RelaxedPiece>& pieces, std::vector<std::size_
     const float progress = schedule.sweeps > 1 ? float(sweep) / float(schedule.sweeps - 1) : 1.f;
     const float stiffness = stiffness_at(schedule, progress);
     const float most_step_px = step_at(schedule, progress);
-    // Two pieces come nearer to each other by twice that.
+    // Two pieces may approach each other by twice that.
     if (2 * (may_have_moved_px + movement * most_step_px) > kNeighbourSlack_px) {
       const PieceNeighbours near = neighbours_among(all, edge_.period());
       for (const std::size_t i : active) {
@@ -172,7 +172,7 @@ double Relaxation::energy_px2(const std::vector<RelaxedPiece>& pieces, const std
     area_px2 += double(all[i].scale_px) * double(all[i].scale_px);
     for (const Neighbour& n : near.of(std::uint32_t(i), distances_.reach_px())) {
       each_contact(all[i], all[n.piece], n.offset, distances_.soft_px, add_to(between));
-      if (is_active[n.piece]) continue;  // its contacts with this one are its own
+      if (is_active[n.piece]) continue;  // the other piece's turn counts these contacts
       each_contact(all[n.piece], all[i], n.offset * -1.f, distances_.soft_px, add_to(between));
     }
     each_contact(all[i], edge_, distances_.soft_px, add_to(outside));

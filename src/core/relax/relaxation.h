@@ -1,11 +1,11 @@
-// Joint relaxation: the pieces of a collage move, turn and scale together until they grew into the gaps between them.
+// Joint relaxation: the pieces of a collage move, turn and scale together and grow into the gaps between them.
 //
-// What becomes less is the energy, px²: -(sum of scale²), which is the pieces' area; for each two pieces, both ways,
-// + stiffness / 4 · sum of length · depth² over the boundary samples of the one, by the distance field of the other;
-// for the canvas' edge + stiffness · the same sum. At rest a piece with neighbours all round lies 1 / stiffness px deep
-// in them. Gauss-Seidel over the pieces, one Gauss-Newton step each a sweep.
+// It minimises an energy, px², with three terms: -(sum of scale²), which is the pieces' area; for each two pieces, in
+// both directions, stiffness / 4 · sum of length · depth² over the boundary samples of one, by the distance field of
+// the other; for the canvas' edge, stiffness · the same sum. In equilibrium a piece with neighbours all round lies 1 /
+// stiffness px deep in them. Gauss-Seidel over the pieces, with one Gauss-Newton step for each piece in a sweep.
 //
-// The same pieces give the same bits on every machine: + - * / and square roots in a fixed order.
+// The same pieces give the same bits on every machine: only + - * / and square roots, in a fixed order.
 #pragma once
 
 #include <algorithm>
@@ -25,51 +25,51 @@ namespace tessera {
 struct RelaxedPiece {
   const ContactShape* shape = nullptr;  // outlives the piece
   Similarity canvas_from_shape;
-  PoseRange poses;     // what the pose may be
-  bool fixed = false;  // it never moves, but others feel it
+  PoseRange poses;     // the allowed poses
+  bool fixed = false;  // the piece never moves, but others are in contact with it
 };
 
-/// From which distance on pieces feel each other and the edge, px; negative: so deep.
+/// Distances, px, below which pieces repel each other and the edge; negative: a depth.
 struct ContactDistances {
   float soft_px = 0;
-  float hard_px = 0;  // what is nearer than this is pushed away with the hard stiffness, too
+  float hard_px = 0;  // below this the hard stiffness acts, too
 
-  /// Pieces whose boxes are no nearer than this do not feel each other.
+  /// Pieces whose boxes are farther apart than this do not affect each other.
   float reach_px() const { return std::max(soft_px, 0.f); }
 };
 
-/// From the first sweep to the last: contacts become stiffer and steps shorter, so that pieces pass each other's tips
-/// first and come to rest in the end.
+/// Parameters from the first sweep to the last: contacts become stiffer and steps shorter. So pieces first pass each
+/// other's tips and find their final poses at the end.
 struct RelaxationSchedule {
   int sweeps = 0;
   float first_stiffness = 0;
   float last_stiffness = 0;
-  float first_step_px = 0;  // the farthest that a step leads, turn and growth measured as in PieceMovement
+  float first_step_px = 0;  // length limit of a step; turn and growth are measured as in PieceMovement
   float last_step_px = 0;
   float hard_stiffness = 0;
-  bool growing = true;  // false: the pieces' area is worth nothing, they only make way
+  bool growing = true;  // false: the pieces' area has no value, they only make way
 };
 
 class Relaxation {
  public:
-  /// On the canvas of this field, whatever lies in it. It outlives the relaxation.
+  /// Relaxes on the canvas of `free`, without regard to its pieces. `free` must outlive this object.
   Relaxation(const FreeField& free, const ContactDistances& distances) : Relaxation(EdgeDistance(free), distances) {}
   Relaxation(const EdgeDistance& edge, const ContactDistances& distances) : edge_(edge), distances_(distances) {}
 
-  /// Moves those of `pieces` that `active` (indices, in any order) names and that are not fixed; afterwards their
-  /// centres lie in the one period of a seamless canvas. `check_stop` is called between sweeps; where it throws, the pieces
-  /// are left as they are.
+  /// Moves the pieces whose indices are in `active` (in any order) and that are not fixed. Afterwards their centres lie
+  /// in the one period of a seamless canvas. Calls `check_stop` between sweeps; if that throws, the pieces are
+  /// unchanged.
   void relax(std::vector<RelaxedPiece>& pieces, std::vector<std::size_t> active, const RelaxationSchedule& schedule,
              const StopCheck& check_stop) const;
 
-  /// Of all pieces, depths counted from soft_px on, without what is hard.
+  /// The energy of all pieces; depths count from soft_px on, without the hard stiffness.
   double energy_px2(const std::vector<RelaxedPiece>& pieces, float stiffness) const;
 
-  /// As far as it depends on the poses of `active` (indices).
+  /// The part of the energy that depends on the poses of `active` (indices).
   double energy_px2(const std::vector<RelaxedPiece>& pieces, const std::vector<std::size_t>& active, float stiffness,
                     float hard_stiffness = 0) const;
 
-  /// By how much the energy changes with each of the piece's movements (order of PieceMovement), px² a px.
+  /// The derivative of the energy by each of the piece's movements (order of PieceMovement), px² per px.
   std::array<double, 4> energy_gradient(const std::vector<RelaxedPiece>& pieces, std::size_t piece,
                                         float stiffness) const;
 

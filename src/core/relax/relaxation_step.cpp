@@ -14,10 +14,10 @@ struct StepLimits {
   double high;
 };
 
-/// A step at most halves a piece, whatever its size: what is linear here is so for small movements alone.
+/// A step at most halves a piece: the linear model is valid for small movements only.
 constexpr float kMostShrinking = 0.5f;
 
-/// x of M x = -g, M given by its lower half, by L D L^T. Where `fixed`, x stays as it is.
+/// Solves M x = -g by L D L^T; M is given by its lower half. An unknown that is `fixed` keeps its x.
 void solve(const double (&matrix)[4][4], const double (&gradient)[4], const bool (&fixed)[4], double (&x)[4]) {
   double l[4][4] = {};
   double d[4];
@@ -42,7 +42,7 @@ void solve(const double (&matrix)[4][4], const double (&gradient)[4], const bool
   }
 }
 
-/// Fixes the unknown at the limit that it passed.
+/// Fixes the unknown at the limit that it exceeds; false if it exceeds none.
 bool fix_at_limit(const StepLimits& limits, bool& fixed, double& x) {
   const double within = std::clamp(x, limits.low, limits.high);
   if (fixed || within == x) return false;
@@ -90,7 +90,7 @@ void RelaxationStep::add_damping(float stiffness) {
 PieceMovement RelaxationStep::solved(const Similarity& canvas_from_shape, const PoseRange& poses) const {
   const TurnLimits turns = poses.turns(canvas_from_shape);
   const StepLimits turn{double(turns.low * scale_px_), double(turns.high * scale_px_)};
-  // A pose at a bound may lie beyond it by rounding.
+  // A pose at a bound may lie beyond it because of rounding.
   const StepLimits growth{
       double(std::min(0.f, std::max(poses.min_scale_px - scale_px_, (kMostShrinking - 1) * scale_px_))),
       double(std::max(0.f, poses.max_scale_px - scale_px_))};
@@ -105,7 +105,7 @@ PieceMovement RelaxationStep::solved(const Similarity& canvas_from_shape, const 
 
 Similarity moved(const Similarity& s, const PieceMovement& movement, float part, const PoseRange& poses) {
   const float scale = s.scale();
-  // The rotation is the Cayley form of the angle: no sine.
+  // The rotation is the Cayley form of the angle, which needs no sine.
   const float t = 0.5f * part * movement.turn / scale;
   const float k = (1 + part * movement.growth / scale) / (1 + t * t);
   const float c = k * (1 - t * t);

@@ -1,4 +1,4 @@
-// One Gauss-Newton step of one piece: how it moves, turns and grows to lessen the energy that its contacts make.
+// One Gauss-Newton step of one piece: the movement, turn and growth that reduce the energy of its contacts.
 #pragma once
 
 #include "core/geometry/similarity.h"
@@ -7,7 +7,7 @@
 
 namespace tessera {
 
-/// Everything in px: a turn and a growth as the movement that they make at the distance of the scale from the centre.
+/// A movement in px. Turn and growth are given as the movement of a point at the distance of the scale from the centre.
 struct PieceMovement {
   float shift_x = 0;
   float shift_y = 0;
@@ -17,25 +17,25 @@ struct PieceMovement {
   float largest() const;
 };
 
-/// A symmetric 4 x 4 system, in the order of PieceMovement.
+/// The quadratic energy of a piece as a symmetric 4 x 4 system, in the order of PieceMovement.
 class RelaxationStep {
  public:
   explicit RelaxationStep(const Similarity& canvas_from_shape)
       : centre_(canvas_from_shape.translation()),
         scale_px_(canvas_from_shape.scale()) {}
 
-  /// Adds stiffness / 2 · length · depth², the sample being the piece's own and so deep in what stands still.
+  /// Adds stiffness / 2 · length · depth² for a sample of this piece that lies in something that does not move.
   void add_own(const Contact& contact, float depth_px, float stiffness);
-  /// The same for a sample of another piece that lies so deep in this one.
+  /// Adds stiffness / 2 · length · depth² for a sample of another piece that lies in this one.
   void add_others(const Contact& contact, float depth_px, float stiffness);
-  /// Adds -scale².
+  /// Adds the energy -scale² of the area.
   void add_growth();
   /// Adds stiffness / 2 · |movement|².
   void add_damping(float stiffness);
 
   const double (&gradient() const)[4] { return gradient_; }
 
-  /// The movement that makes the sum least, as long as the pose stays within `poses`.
+  /// The movement that minimises the sum while the pose stays within `poses`.
   PieceMovement solved(const Similarity& canvas_from_shape, const PoseRange& poses) const;
 
  private:
@@ -43,7 +43,7 @@ class RelaxationStep {
 
   Vec2 centre_;
   float scale_px_;
-  double matrix_[4][4] = {};  // the lower half
+  double matrix_[4][4] = {};  // lower half
   double gradient_[4] = {};
 };
 

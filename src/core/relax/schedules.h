@@ -1,5 +1,5 @@
-// How a whole collage is relaxed before make_clear (clearing.h). The numbers are those that left
-// most coverage after make_clear on 1,000 x 1,000 px with 185 animals of 60 to 120 and of 20 to 160 px.
+// The relaxation of a whole collage before make_clear (clearing.h). These numbers left most coverage after make_clear
+// on 1,000 x 1,000 px with 185 animals of 60 to 120 and of 20 to 160 px.
 #pragma once
 
 #include <algorithm>
@@ -10,19 +10,21 @@
 
 namespace tessera {
 
-/// From soft to stiff: at 0.5 pieces lie 2 px deep in each other and still slip past tips; softer, dwarfs are swallowed
-/// by their neighbours. Steps longer than 4 px make pieces leap into others.
+/// Grows from soft to stiff contacts: at 0.5 pieces lie 2 px deep in each other and still slip past tips. If softer,
+/// neighbours would swallow dwarfs. Steps above 4 px would make pieces leap into others.
 inline constexpr RelaxationSchedule kGrowTogether{60, 0.5f, 5, 4, 0.3f};
-/// Less stiff, at 5, 0.3 % of the canvas more is covered by 20 to 160 px, and 0.12 % more of it twice.
+/// Ends at a stiffness of 12. At 5, pieces of 20 to 160 px would cover 0.3 % more of the canvas, but 0.12 % more of it
+/// twice.
 inline constexpr RelaxationSchedule kComeToRest{40, 5, 12, 1, 0.2f};
-/// Tips weigh little, so that they lie deep: only what is hard draws them out. Stiffer, pieces stop growing.
+/// Tips have little boundary, so they lie deep, and only the hard stiffness draws them out. If it were larger, pieces
+/// would stop growing.
 inline constexpr RelaxationSchedule kKeepTheRule{60, 12, 12, 1, 0.1f, 200};
 inline constexpr std::array kRelaxCollage = {kGrowTogether, kGrowTogether, kComeToRest, kKeepTheRule};
-/// For pieces that came to lie well already.
+/// The schedules for pieces whose poses are good already.
 inline constexpr std::array kSettleCollage = {kComeToRest, kKeepTheRule};
 
-/// Where contact begins, and from where on it is hard: a little before PlacedOutlines sees a conflict, as fields do not
-/// see all of an outline.
+/// The distances at which contact begins and becomes hard: slightly before PlacedOutlines finds a conflict, as fields
+/// do not show all of an outline.
 inline ContactDistances contact_distances(const PieceSettings& pieces) {
   constexpr float kSoftBefore_px = 0.3f;
   constexpr float kHardBefore_px = 0.1f;

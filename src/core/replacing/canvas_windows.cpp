@@ -11,9 +11,9 @@
 namespace tessera {
 namespace {
 
-constexpr float kWindowSizes = 6;    // a window is so many middle sizes wide, or
-constexpr float kWindowLargest = 3;  // so many of the largest size
-constexpr float kSeenBeside = 0.5f;  // of the middle size: a window sees pieces that are so near to it
+constexpr float kWindowSizes = 6;    // least width of a window in middle sizes,
+constexpr float kWindowLargest = 3;  // and in largest sizes; the larger one counts
+constexpr float kSeenBeside = 0.5f;  // of the middle size: a window includes pieces nearer than this
 constexpr float kBeyond_px = 64;     // nothing lies farther outside the canvas' nodes
 
 float middle_px(const PieceSettings& p) { return std::sqrt(p.min_scale_px * p.max_scale_px); }
@@ -62,7 +62,7 @@ std::vector<CutWindow> CanvasWindows::cut(const std::vector<PosedPiece>& all, st
   return cuts;
 }
 
-/// On a seamless canvas a window may hold or meet any image of a piece.
+/// Makes one window. On a seamless canvas it may contain or meet any image of a piece.
 CutWindow CanvasWindows::cut_one(const Box& box, const std::vector<PosedPiece>& all, std::size_t given) const {
   CutWindow made;
   made.window.box = box;
@@ -85,8 +85,8 @@ CutWindow CanvasWindows::cut_one(const Box& box, const std::vector<PosedPiece>& 
   return made;
 }
 
-/// The pieces, without those at the places `but`, that the window may feel as copies, and their images on a seamless
-/// canvas.
+/// The pieces, and their images on a seamless canvas, that may count as copies in the window, without those at the
+/// indices `but`.
 std::vector<PlacedDrawing> CanvasWindows::copies_around(const Box& box, const std::vector<PosedPiece>& all,
                                                         const std::vector<std::size_t>& but) const {
   const float reach_px = repetition_.reach_sizes * pieces_.max_scale_px;

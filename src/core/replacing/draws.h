@@ -1,4 +1,4 @@
-// Random numbers one after another, the same anywhere.
+// A sequence of random numbers, the same on every machine.
 #pragma once
 
 #include <cstddef>
@@ -16,9 +16,9 @@ class Draws {
     state_ += 0x9e3779b97f4a7c15ull;
     return std::uint32_t(mix_bits(state_) >> 32);
   }
-  /// In [0, 1).
+  /// A number in [0, 1).
   float unit() { return unit_float(bits()); }
-  /// In [0, count), count below 2^32.
+  /// A number in [0, count); count is below 2^32.
   std::size_t below(std::size_t count) { return std::size_t((std::uint64_t(bits()) * count) >> 32); }
 
  private:

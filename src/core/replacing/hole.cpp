@@ -68,7 +68,7 @@ std::vector<RimPoint> Hole::rim(float reach_px) const {
       if (!(distance > 0 && distance <= cell_px_) || norm(node(i, j) - centre_) >= reach_px) continue;
       const FieldSample here = at(node(i, j));
       const float slope = norm(here.gradient);
-      if (slope < 0.3f) continue;  // a ridge: both sides are the rim
+      if (slope < 0.3f) continue;  // a ridge: the rim lies on both sides
       RimPoint point{node(i, j), here.gradient * (1 / slope), 0};
       point.at = point.at - point.inward * distance;
       point.room_px = 2 * cell_px_;

@@ -1,4 +1,4 @@
-// A hole between pieces: what is free there, as a raster, and the rim that pieces dock to. Canvas px.
+// A hole between pieces: its free area as a raster, and the rim that pieces dock to. Canvas px.
 #pragma once
 
 #include <vector>
@@ -7,27 +7,27 @@
 
 namespace tessera {
 
-/// A point beside what surrounds the hole.
+/// A point of the hole's rim.
 struct RimPoint {
   Vec2 at;
   Vec2 inward;        // unit, into the hole
-  float room_px = 0;  // free way from here inward
+  float room_px = 0;  // length of the free way from here inward
 };
 
 class Hole {
  public:
-  /// A square round `centre_px`, free but for what lies outside the canvas.
+  /// A square around `centre_px`, free except where it lies outside the canvas.
   Hole(Vec2 centre_px, float half_px, float cell_px, const EdgeDistance& edge);
 
-  /// Takes the piece out of what is free.
+  /// Takes the piece out of the free area.
   void add(const LaidPiece& piece);
 
-  /// Distance to what is not free, positive in the hole, no more than kFar_px; less than that far from a piece, where
-  /// its shape's field ends. Beyond the raster that of its nearest point.
+  /// Distance to the boundary of the free area, positive in the hole, at most kFar_px. It is less than that beyond the
+  /// end of a piece's field. Beyond the raster: the value at the nearest point of the raster.
   FieldSample at(Vec2 p) const;
   float cell_px() const { return cell_px_; }
 
-  /// Of what is free within `reach_px` of the centre.
+  /// The free area within `reach_px` of the centre.
   float free_px2(float reach_px) const;
   std::vector<RimPoint> rim(float reach_px) const;
 

@@ -14,19 +14,19 @@ namespace {
 constexpr int kDockings = 1500;
 constexpr std::size_t kRefinedInHole = 20;
 constexpr std::size_t kTried = 4;
-constexpr std::size_t kDockingParts = 4;  // of the dockings, each for one that scores them
+constexpr std::size_t kDockingParts = 4;  // parts of the dockings that are scored in parallel
 constexpr int kRefineSteps = 14;
 constexpr float kMostStep_px = 4;
-constexpr float kRefineStiffness_px = 30;  // at a scale of so many px it is 1: larger pieces may lie deeper
+constexpr float kRefineStiffness_px = 30;  // stiffness is 1 at a scale of this many px: larger pieces may lie deeper
 constexpr float kHoleStepDamping = 0.02f;
-constexpr float kMostDepth = 0.3f;       // what a px of depth costs a px of boundary, in px², of the softness
-constexpr float kRoomSpread = 0.43f;     // octaves of scale round what has room
+constexpr float kMostDepth = 0.3f;       // cost of a px of depth per px of boundary, px², times the softness
+constexpr float kRoomSpread = 0.43f;     // octaves: range of drawn scales around the size that there is room for
 constexpr float kSameInHole = 0.15f;     // of the scale
-constexpr float kLargerThanFree = 1.1f;  // neighbours make room
+constexpr float kLargerThanFree = 1.1f;  // candidates may be larger than the free area, as neighbours make room
 
 const BoundarySamples& boundary_of(const HoleShape& shape) { return shape.contact.samples.back(); }
 
-/// Stops where it falls below `least`.
+/// The score of a pose; stops as soon as it falls below `least`.
 float score(const Hole& hole, const HoleGuest& guest, const Similarity& pose, float softness, float least) {
   const float scale = pose.scale();
   const float worth = guest.worth * scale * scale;
@@ -49,7 +49,7 @@ float score(const Hole& hole, const HoleGuest& guest, const Similarity& pose, fl
   return worth - cost;
 }
 
-/// Moves, turns and grows it in the hole.
+/// The pose after moving, turning and growing in the hole.
 Similarity refined(const Hole& hole, const HoleGuest& guest, Similarity pose) {
   const ContactShape& shape = guest.shape->contact;
   for (int k = 0; k < kRefineSteps; ++k) {
@@ -75,9 +75,9 @@ Similarity refined(const Hole& hole, const HoleGuest& guest, Similarity pose) {
 
 bool scores_better(const HoleCandidate& a, const HoleCandidate& b) { return a.score_px2 > b.score_px2; }
 
-/// So that its dock point lies at the rim and its inside in the hole.
+/// The pose that puts the dock point on the rim, with the shape's inside in the hole.
 Similarity docked(const DockPoint& dock, const RimPoint& rim, float scale_px, const PoseRange& poses) {
-  // The turn that takes `inward` to `inward`.
+  // The rotation from the dock's `inward` to the rim's `inward`.
   Similarity pose{scale_px * dot(dock.inward, rim.inward), scale_px * cross(dock.inward, rim.inward), 0, 0};
   poses.pull_in(pose);
   const Vec2 at = rim.at - pose.apply(dock.at);
@@ -91,7 +91,7 @@ float drawn_scale_px(const HoleGuest& guest, const DockPoint& dock, const RimPoi
                     std::max(guest.poses.min_scale_px, std::min(most_px, guest.poses.max_scale_px)));
 }
 
-/// A dock point whose docking stands in a rotation that is allowed, or nearly, where some draws find one.
+/// A dock point whose docking has an allowed rotation, or nearly, if some draws find one.
 const DockPoint& drawn_dock(const HoleGuest& guest, const RimPoint& rim, Draws& draws) {
   constexpr int kMostDraws = 16;
   constexpr float kNearly_rad = 0.3f;
@@ -106,7 +106,7 @@ const DockPoint& drawn_dock(const HoleGuest& guest, const RimPoint& rim, Draws& 
   return *dock;
 }
 
-/// Not scored as yet.
+/// Random dockings, not yet scored.
 std::vector<HoleCandidate> drawn(const Hole& hole, float reach_px, const std::vector<HoleGuest>& guests, Draws& draws) {
   std::vector<HoleCandidate> all;
   const std::vector<RimPoint> rim = hole.rim(reach_px);
@@ -128,7 +128,7 @@ void keep_best(const HoleCandidate& candidate, std::vector<HoleCandidate>& best)
   if (best.size() > kRefinedInHole) best.pop_back();
 }
 
-/// Those worth most; of equal ones the first.
+/// The candidates with the best scores; among equal ones the first.
 std::vector<HoleCandidate> best_of(std::span<const HoleCandidate> drawn, const Hole& hole,
                                    const std::vector<HoleGuest>& guests, float softness) {
   std::vector<HoleCandidate> best;
@@ -140,7 +140,8 @@ std::vector<HoleCandidate> best_of(std::span<const HoleCandidate> drawn, const H
   return best;
 }
 
-/// The same, divided where a thread is idle: one thread that knows the best so far skips more of the others.
+/// best_of(), divided among threads if one is idle. Otherwise one thread is better: it knows the best scores up to now
+/// and skips more candidates.
 std::vector<HoleCandidate> shared_best_of(const std::vector<HoleCandidate>& drawn, const Hole& hole,
                                           const std::vector<HoleGuest>& guests, float softness, TaskPool& pool) {
   if (!pool.has_idle_thread()) return best_of(drawn, hole, guests, softness);

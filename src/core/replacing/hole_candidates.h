@@ -1,4 +1,4 @@
-// Candidates for a hole: shapes docked to its rim, as large as there is room, then moved and grown in it.
+// Candidates for a hole: shapes docked to its rim at the size that there is room for, then moved and grown in the hole.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,12 @@
 namespace tessera {
 
 struct HoleCandidate {
-  std::size_t incoming = 0;  // place among those given
+  std::size_t incoming = 0;  // index in the list of guests
   Similarity canvas_from_shape;
-  float score_px2 = 0;  // its worth, less what it costs that others are in its way
+  float score_px2 = 0;  // worth of its area, less the cost of its overlaps
 };
 
-/// A shape that may come in, and what an area of 1 is worth.
+/// A shape that may come in, and the worth of an area of 1.
 struct HoleGuest {
   const HoleShape* shape = nullptr;
   PoseRange poses;
@@ -27,8 +27,8 @@ struct HoleGuest {
   float worth = 1;
 };
 
-/// The best few, distinct, best first; those that are worth nothing are left out. `softness`: what a px² that others are
-/// in the way costs; neighbours will make some room.
+/// The best few distinct candidates with a positive score, best first. `softness`: cost of a px² of overlap with
+/// neighbours; it may be low as neighbours will make some room.
 std::vector<HoleCandidate> best_candidates(const Hole& hole, float reach_px, const std::vector<HoleGuest>& guests,
                                            float softness, Draws& draws, TaskPool& pool);
 

@@ -8,14 +8,14 @@
 namespace tessera {
 namespace {
 
-/// In windows contacts are felt at half as many samples as where a whole collage is relaxed: it covers as much, and
-/// takes half the time (docs/measurements.md).
+/// Samples in windows lie this times as far apart as in the relaxation of a whole collage: coverage is the same, in
+/// half the time (docs/measurements.md).
 constexpr float kSpacing = 2;
 constexpr int kDockPoints = 64;
 constexpr int kInteriorSteps = 16;            // over the shape's field
-constexpr float kInteriorPointDepth = 0.04f;  // nearer to the boundary its samples tell
+constexpr float kInteriorPointDepth = 0.04f;  // depth of interior points; boundary samples cover nearer points
 
-/// By steps as long as the field says that the outline is away.
+/// The length of the way through the shape, in steps as long as the field's distance to the outline.
 float way_through(const ContactShape& shape, Vec2 from, Vec2 direction) {
   constexpr float kFirst = 0.05f;
   constexpr float kLeast = 0.01f;

@@ -1,4 +1,5 @@
-// What replacing needs of a library shape: contacts, and where it can dock to the rim of a hole. Shape frame.
+// The data of a library shape that replacement needs: its contacts, and the points where it can dock to the rim of a
+// hole. Shape frame.
 #pragma once
 
 #include <vector>
@@ -8,20 +9,20 @@
 
 namespace tessera {
 
-/// A point of the outer boundary.
+/// A point of the outer boundary at which the shape may dock.
 struct DockPoint {
   Vec2 at;
   Vec2 inward;          // unit
-  float thickness = 0;  // way through the shape from here inward
+  float thickness = 0;  // length of the way through the shape from here inward
 };
 
 struct HoleShape {
   ContactShape contact;
   std::vector<DockPoint> docks;
-  std::vector<Vec2> interior;  // an even grid
+  std::vector<Vec2> interior;  // points of an even grid
 };
 
-/// Of `shape` it needs outline, field, perimeter and radius.
+/// Uses outline, field, perimeter and radius of `shape`.
 HoleShape make_hole_shape(const Shape& shape);
 
 }  // namespace tessera

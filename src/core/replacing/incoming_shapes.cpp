@@ -9,7 +9,7 @@
 namespace tessera {
 namespace {
 
-constexpr std::size_t kMostIncoming = 400;  // shapes, of a larger library
+constexpr std::size_t kMostIncoming = 400;  // shapes, if the library is larger
 
 }  // namespace
 

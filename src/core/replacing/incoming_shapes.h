@@ -1,4 +1,4 @@
-// Which shapes may come into a replacement window.
+// Selects the shapes that may come into a replacement window.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,13 @@
 
 namespace tessera {
 
-/// The shapes that may stand, with all their stances: all of a small library, and as many of a large one as a rank can
-/// look at, drawn by `random`. Weights are relative to the largest weight.
+/// The shapes that may stand, with all their stances. Of a large library only as many as a rank can test, drawn by
+/// `random`. Weights are relative to the largest weight.
 std::vector<IncomingShape> incoming_shapes(const StanceTable& stances, const ShapeSource& shapes, std::uint64_t random);
 
-/// Those of `incoming` that may come into the window `box`. A shape stays out where a piece of its drawing was taken out
-/// there and is not to come back (`not_back`): where exactly a piece comes in is not known before. All may come in where
-/// fewer than half would be left.
+/// The shapes of `incoming` that may come into the window `box`. A shape stays out if a piece of its drawing was taken
+/// out in this window and must not come back (`not_back`). The whole window counts, as the place of a new piece is not
+/// known before. If fewer than half would remain, all may come in.
 std::vector<IncomingShape> let_into(const Box& box, const std::vector<IncomingShape>& incoming,
                                     const std::vector<FormerPiece>& not_back, const Period& period,
                                     const ShapeSource& shapes);

@@ -8,7 +8,7 @@
 namespace tessera {
 namespace {
 
-/// 0.1 MB each.
+/// Shapes that are kept, 0.1 MB each.
 constexpr std::size_t kMostKept = 2000;
 
 }  // namespace
@@ -44,7 +44,8 @@ HoleShapes OwnReplacer::shapes_of(const std::vector<ReplacementWindow>& windows)
   return shapes;
 }
 
-/// Those that were not needed for longest; the last question's stay, however many they are.
+/// Forgets the shapes that were not needed for the longest time. Those of the last question stay, whatever their
+/// number.
 void OwnReplacer::forget_some() {
   if (kept_.size() <= kMostKept) return;
   std::vector<std::uint64_t> used;

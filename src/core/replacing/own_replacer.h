@@ -1,4 +1,4 @@
-// Replacement trials on this rank's cores.
+// Runs replacement trials on this rank's cores.
 #pragma once
 
 #include <cstdint>
@@ -17,10 +17,10 @@ namespace tessera {
 
 class OwnReplacer : public Replacer {
  public:
-  /// `shapes`, of the whole library, and `pool` outlive it. Only the thread that asks reads shapes. That thread calls
-  /// `check_stop` while it reads, and again and again while as many others work as the pool is broad; it may throw.
+  /// `shapes` (of the whole library) and `pool` must outlive this object. Only the calling thread reads shapes. It
+  /// calls `check_stop`, which may throw, while it reads and while the threads of the pool work.
   OwnReplacer(ShapeSource& shapes, TaskPool& pool, StopCheck check_stop);
-  /// With a pool of its own, of so many threads, instead of `pool`.
+  /// Uses a pool of its own with `threads` threads instead of `pool`.
   OwnReplacer(ShapeSource& shapes, int threads, StopCheck check_stop);
 
   int breadth() const override { return pool_.breadth(); }
@@ -30,7 +30,7 @@ class OwnReplacer : public Replacer {
  private:
   struct Kept {
     HoleShape shape;
-    std::uint64_t used = 0;  // the question that needed it last
+    std::uint64_t used = 0;  // number of the last question that needed the shape
   };
   const HoleShape& kept(ShapeId id);
   HoleShapes shapes_of(const std::vector<ReplacementWindow>& windows);

@@ -36,7 +36,7 @@ double area_px2(std::span<const PlacedDrawing> pieces) {
   return sum_px2;
 }
 
-/// Of all pairs of copies, which ascend from left to right.
+/// The cost of all pairs of copies; `copies` ascend by x.
 double near_px2(std::span<const PlacedDrawing> copies, float reach_sizes, const Period& period) {
   float largest_px = 0;
   for (const PlacedDrawing& piece : copies) largest_px = std::max(largest_px, piece.scale_px);

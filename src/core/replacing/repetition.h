@@ -1,7 +1,7 @@
-// What it costs that drawings repeat themselves, as the eye sees it, which goes by large copies. First by area: an area
-// costs a part of itself for each e-fold by which its drawing covers more than an even share; summed over all drawings
-// that is how far their shares' entropy is below that of even ones, on a canvas that is covered. Second by nearness: of
-// two copies the smaller one's area costs a part that falls to nothing a few of their sizes away.
+// The cost of repeated drawings. It follows the eye, which notices large copies. First, area: an area costs a fraction
+// of itself for each e-fold by which its drawing covers more than an even share. Summed over all drawings of a covered
+// canvas, this measures how far the entropy of their shares is below that of even shares. Second, nearness: of two
+// copies the smaller one's area costs a fraction, which falls to 0 a few of their sizes away.
 #pragma once
 
 #include <vector>
@@ -11,29 +11,29 @@
 
 namespace tessera {
 
-/// What the area that one drawing covers costs, if each e-fold costs all of it: the integral of ln x, x in even shares.
-/// At an even share more of it neither costs nor gains.
+/// The cost of the area that one drawing covers, if each e-fold costs all of it. It is the integral of ln x, where x is
+/// the area in even shares. At an even share a small change neither costs nor gains.
 double repeated_px2(double area_px2, double even_share_px2);
 
-/// What two pieces of one drawing cost, if those at one place cost all of the smaller one's area and those as far apart
-/// as they reach nothing.
+/// The cost of two pieces of one drawing. At one place they cost all of the smaller one's area; the cost falls to 0 at
+/// a distance of `reach_sizes` mean sizes.
 double near_px2(const PlacedDrawing& a, const PlacedDrawing& b, float reach_sizes);
 
-/// Of all pieces of a canvas, but for a constant. The same in any order of them.
+/// The cost of all pieces of a canvas, up to a constant. It does not depend on their order.
 double repetition_px2(std::vector<PlacedDrawing> pieces, const RepetitionCosts& costs, const Period& period);
 
-/// Of the pieces of a window, as they change.
+/// Running cost of repeated drawings inside one replacement window.
 class Repetition {
  public:
   explicit Repetition(const ReplacementWindow& window);
 
-  /// What one more piece costs.
+  /// The additional cost of one more piece.
   double cost_px2(const PlacedDrawing& piece) const;
-  /// Of all pieces, but for a constant.
+  /// The cost of all pieces, up to a constant.
   double energy_px2() const { return energy_px2_; }
 
   void add(const PlacedDrawing& piece);
-  /// One that is there, as it was added.
+  /// Removes a piece that was added with exactly these values.
   void remove(const PlacedDrawing& piece);
 
  private:

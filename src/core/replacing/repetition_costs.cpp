@@ -7,11 +7,13 @@
 namespace tessera {
 namespace {
 
-/// Of repetition_exponent: at its default, 0.3, there are more shapes by area than by ruin and recreate alone.
+/// RepetitionCosts::area per repetition_exponent. At the exponent's default, 0.3, more shapes share the area than by
+/// ruin and recreate alone.
 constexpr double kRepetition = 0.1;
-/// Of repetition_exponent: at its default hardly two large copies lie within three of their sizes.
+/// RepetitionCosts::nearness per repetition_exponent. At its default hardly any two large copies lie within three of
+/// their sizes.
 constexpr double kNearness = 1;
-/// In sizes of the copies: nobody sees copies together that are farther apart.
+/// Largest reach, in sizes of the copies: the eye does not connect copies that are farther apart.
 constexpr float kMostNearSizes = 5;
 
 }  // namespace

@@ -12,13 +12,13 @@
 namespace tessera {
 namespace {
 
-/// A check takes some microseconds, and messages that are under way wait for it.
+/// The time between two checks. A check takes some microseconds, and messages under way wait for it.
 constexpr std::chrono::milliseconds kBetweenChecks{1};
 
-/// Thrown through the trials of a window whose outcome nobody wants any more.
+/// Thrown through the trials of a window whose outcome is no longer needed.
 struct GivenUp {};
 
-/// The places of the windows, those with most trials first, so that no long one is left for the end.
+/// The indices of the windows, those with most trials first, so that no long one is left for the end.
 std::vector<std::size_t> longest_first(const std::vector<ReplacementWindow>& windows) {
   std::vector<std::size_t> order(windows.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
@@ -27,7 +27,7 @@ std::vector<std::size_t> longest_first(const std::vector<ReplacementWindow>& win
   return order;
 }
 
-/// A thread that is idle helps with the candidates of windows that are not done (window_trials.cpp).
+/// The shared work on all windows. An idle thread helps with the candidates of unfinished windows (window_trials.cpp).
 class WindowWork {
  public:
   WindowWork(const std::vector<ReplacementWindow>& windows, const HoleShapes& shapes, TaskPool& pool)
@@ -40,7 +40,7 @@ class WindowWork {
   void run() {
     pool_.run(order_.size(), [this](std::size_t k) { work_on(order_[k]); });
   }
-  /// run() ends after the trials that the threads are at.
+  /// Makes run() end after the trials that are under way.
   void give_up() { given_up_ = true; }
   std::vector<ReplacementOutcome> take_outcomes() { return std::move(outcomes_); }
 
@@ -73,7 +73,7 @@ std::vector<ReplacementOutcome> replaced_windows(const std::vector<ReplacementWi
                                                  const HoleShapes& shapes, TaskPool& pool,
                                                  const StopCheck& check_stop) {
   WindowWork work(windows, shapes, pool);
-  // One thread more than those of the pool: it computes in the place of this one. Deferred where there is none.
+  // One thread more than the pool has: it computes in the place of this one. Deferred if the system gives no thread.
   std::future<void> worked = std::async(std::launch::async | std::launch::deferred, [&] { work.run(); });
   try {
     while (worked.wait_for(kBetweenChecks) == std::future_status::timeout) check_stop();

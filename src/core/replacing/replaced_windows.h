@@ -1,4 +1,4 @@
-// The replacement trials of many windows on the threads of a pool.
+// Runs the replacement trials of many windows on the threads of a pool.
 #pragma once
 
 #include <vector>
@@ -10,9 +10,10 @@
 
 namespace tessera {
 
-/// The outcomes of the windows, in their order: the same on any number of threads. `shapes` has those of all windows. As
-/// many threads work as the pool is broad, while this one calls `check_stop` again and again; where the system gives no
-/// thread, this one works without calling it. Throws what `check_stop` or a window threw, once all threads have ended.
+/// The outcomes of the windows, in their order; the number of threads makes no difference. `shapes` holds the shapes of
+/// all windows. The threads of the pool work while the calling thread calls `check_stop` repeatedly. If the system
+/// gives no extra thread, the calling thread works and does not call it. Throws the exception of `check_stop` or of a
+/// window, after all threads have ended.
 std::vector<ReplacementOutcome> replaced_windows(const std::vector<ReplacementWindow>& windows,
                                                  const HoleShapes& shapes, TaskPool& pool, const StopCheck& check_stop);
 

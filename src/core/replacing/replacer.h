@@ -1,4 +1,4 @@
-// Who runs replacement trials: this rank's cores, or other ranks. A question is posted, then taken.
+// Runs replacement trials, on this rank's cores or on other ranks. A question is posted, then taken.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@ class Replacer {
  public:
   virtual ~Replacer() = default;
 
-  /// So many windows may be worked on at a time.
+  /// The number of windows that may be worked on at a time.
   virtual int breadth() const = 0;
   virtual void post_replace(std::vector<ReplacementWindow> windows) = 0;
   /// The outcomes stand in the order of the windows posted.

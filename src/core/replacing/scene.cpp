@@ -5,17 +5,18 @@
 namespace tessera {
 namespace {
 
-/// Of contacts in the end: so stiff, pieces lie as deep in each other as those of a relaxed collage do.
+/// Stiffness of contacts at the end: then pieces lie as deep in each other as in a relaxed collage.
 constexpr float kStiffness = 8;
 constexpr float kSoftest = 0.2f * kStiffness;
 constexpr float kSoft = 0.35f * kStiffness;
-/// Of what is deeper than the job allows: else depths win here that are lost again where the collage is cleared.
+/// Additional stiffness beyond the depth that the job allows. Without it trials would win area here that is lost when
+/// the collage is cleared.
 constexpr float kHardStiffness = 20;
 constexpr float kFirstStep = 0.035f;  // of the middle size
 constexpr float kSoftStep_px = 1.5f;
 constexpr float kLastStep_px = 0.3f;
 constexpr RelaxationSchedule kSettleScene{20, kSoft, kStiffness, kSoftStep_px, kLastStep_px, kHardStiffness};
-/// What is covered twice is not gained, and hidden.
+/// Cost of area covered twice: it is not gained, and it is hidden.
 constexpr double kCoveredTwice = 2;
 
 std::vector<LaidPiece> laid(const Scene& scene) {
@@ -24,7 +25,7 @@ std::vector<LaidPiece> laid(const Scene& scene) {
   return all;
 }
 
-/// How much of `piece` lies in `other`, by the points of its inside.
+/// The area of `piece` inside `other`, by the points of its interior.
 double within_px2(const LaidPiece& piece, const HoleShape& shape, const LaidPiece& other) {
   std::size_t points = 0;
   for (const Vec2 p : shape.interior) {
@@ -35,8 +36,8 @@ double within_px2(const LaidPiece& piece, const HoleShape& shape, const LaidPiec
   return points > 0 ? area_px2 * double(points) / double(shape.interior.size()) : 0;
 }
 
-/// Boundaries alone do not see a piece that lies wholly within another, or just on one of its own shape. Of each pair
-/// that a trial may change: what of the one lies in the other, and of the other in the one.
+/// Boundary samples do not see a piece that lies wholly within another, or exactly on a copy of its shape. So this
+/// adds, for each pair that a trial may change, the area of one in the other, both ways.
 double covered_twice_px2(const Scene& scene) {
   const std::vector<LaidPiece> all = laid(scene);
   std::vector<bool> active(all.size(), false);
@@ -46,7 +47,8 @@ double covered_twice_px2(const Scene& scene) {
     for (std::size_t j = 0; j < all.size(); ++j) {
       if (j == i || !within_reach(all[i].box, all[j].box, 0)) continue;
       covered_px2 += within_px2(all[i], *scene.shapes[i], all[j]);
-      if (!active[j]) covered_px2 += within_px2(all[j], *scene.shapes[j], all[i]);  // else it does so itself
+      // otherwise j's own turn does this
+      if (!active[j]) covered_px2 += within_px2(all[j], *scene.shapes[j], all[i]);
     }
   }
   return covered_px2;

@@ -1,5 +1,4 @@
-// A hole and who makes room for what comes into it: the part of a window's pieces that a trial changes, and those
-// beside it.
+// The pieces of a trial: those that make room for a hole's new pieces, and those beside them.
 #pragma once
 
 #include <cstddef>
@@ -12,24 +11,24 @@
 namespace tessera {
 
 struct Scene {
-  std::vector<RelaxedPiece> pieces;      // that make room, then those beside them, which stand still, then new ones
+  std::vector<RelaxedPiece> pieces;      // pieces that make room, then still ones beside them, then new ones
   std::vector<const HoleShape*> shapes;  // of the pieces
-  std::vector<std::size_t> active;       // places of those that move
+  std::vector<std::size_t> active;       // indices of the pieces that move
 
   void add(const HoleShape& shape, const Similarity& canvas_from_shape, const PoseRange& poses, bool moves);
 };
 
 class SceneRelaxation {
  public:
-  /// The window outlives it.
+  /// The window must outlive this object.
   explicit SceneRelaxation(const ReplacementWindow& window);
 
   const EdgeDistance& edge() const { return edge_; }
 
-  /// A few sweeps that tell nearly as well as all of them how it will end.
+  /// A few soft sweeps, whose energy predicts that of the full relaxation well.
   void soften(Scene& scene) const;
   void come_to_rest(Scene& scene) const;
-  /// What its moving pieces cost: depth in each other and beyond the edge, and what is covered twice; less their area.
+  /// The cost of the moving pieces: depth in each other and beyond the edge, and area covered twice; less their area.
   double energy_px2(const Scene& scene) const;
 
  private:

@@ -5,7 +5,7 @@
 namespace tessera {
 namespace {
 
-/// The edges of the windows along one axis, the first to the last.
+/// The edges of the windows along one axis, in ascending order.
 std::vector<float> cuts_along(float low, float high, bool repeats, float least_px, float part) {
   const int windows = std::max(1, int((high - low) / least_px));
   const float step = (high - low) / float(windows);

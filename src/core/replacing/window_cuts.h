@@ -1,5 +1,5 @@
-// How a canvas is divided into windows: side by side, and elsewhere in each batch, so that no piece always lies on a
-// cut.
+// Divides a canvas into windows side by side. The cuts lie elsewhere in each batch, so that no piece always lies on
+// one.
 #pragma once
 
 #include <vector>
@@ -9,10 +9,10 @@
 
 namespace tessera {
 
-/// Cuts `canvas` into boxes at least half as wide and high as `least_px`, or as the canvas itself where that is less,
-/// mostly one to two times as much, row by row.
-/// `part_x`, `part_y`, in [0, 1): where the cuts lie. Where the canvas repeats itself its box is one period, and windows
-/// go on beyond its far edges; elsewhere its own edges are no cuts.
+/// Cuts `canvas` into boxes, row by row. A box is mostly one to two times as wide and high as `least_px`, or as the
+/// canvas if that is smaller. It is never less than half of that. `part_x`, `part_y` in [0, 1) shift the cuts. On a
+/// canvas that repeats, `canvas` is one period and windows continue beyond its far edges; otherwise its own edges bound
+/// the windows.
 std::vector<Box> cut_into_windows(const Box& canvas, const Period& period, float least_px, float part_x, float part_y);
 
 }  // namespace tessera

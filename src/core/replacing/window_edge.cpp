@@ -10,11 +10,12 @@ namespace tessera {
 namespace {
 
 constexpr float kLeastEdgeNode_px = 2;
-constexpr float kEdgeNodesPerScale = 32;  // of the least scale: the edge of large pieces needs no more
-constexpr float kFarFromEdge_px = 64;     // holes look no farther; contacts do where pieces keep away from the edge
+constexpr float kEdgeNodesPerScale = 32;  // of the least scale: large pieces need no finer edge
+// holes look no farther; contacts do if pieces keep a larger distance from the edge
+constexpr float kFarFromEdge_px = 64;
 
-/// Fills in those of these nodes that are nearer to the edge than `far_px`, and says whether there are any. It halves
-/// the nodes where both may occur: a raster of all would be most of the master's work.
+/// Fills those of these nodes that are nearer to the edge than `far_px`, and returns whether there are any. Halves a
+/// block of nodes that may contain both kinds: a raster of all nodes would be most of the master's work.
 bool fill_near_edge(const EdgeDistance& canvas, const Window& nodes, float far_px, EdgeField& edge) {
   const auto at = [&](float x, float y) { return canvas.at((edge.distance.origin + Vec2{x, y}) * edge.node_px).value; };
   const Vec2 half{0.5f * float(nodes.x1 - nodes.x0 - 1), 0.5f * float(nodes.y1 - nodes.y0 - 1)};
@@ -53,7 +54,7 @@ EdgeField edge_around(const Box& box, const FreeField& free, const PieceSettings
   const float far_px = std::max(kFarFromEdge_px, contact_distances(pieces).reach_px() + 4 * node_px);
   EdgeField edge{{Grid<float>(x1 - x0, y1 - y0, far_px), {float(x0), float(y0)}}, node_px};
   if (fill_near_edge(canvas, {0, 0, x1 - x0, y1 - y0}, far_px, edge)) return edge;
-  // Most windows of a large canvas: nothing in them feels the edge.
+  // Most windows of a large canvas: nothing in them is affected by the edge.
   const float across_px = std::max(seen.width(), seen.height());
   return {{Grid<float>(3, 3, kNoEdge_px), seen.low * (1 / across_px)}, across_px};
 }

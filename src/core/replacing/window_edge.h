@@ -1,4 +1,4 @@
-// The canvas' edge as the pieces of one replacement window feel it.
+// The canvas' edge near one replacement window.
 #pragma once
 
 #include "core/field/free_field.h"
@@ -8,8 +8,8 @@
 
 namespace tessera {
 
-/// The distance to the edge of the canvas of `free`, as far round the window `box` as pieces of this job may reach.
-/// Where no point of the window is near the edge, the field has three nodes a side, all of them far from it.
+/// The distance to the edge of the canvas of `free`, as far around the window `box` as pieces of this job may reach. If
+/// no point of the window is near the edge, the field has three nodes a side, all with a large distance.
 EdgeField edge_around(const Box& box, const FreeField& free, const PieceSettings& pieces);
 
 }  // namespace tessera

@@ -5,8 +5,8 @@
 namespace tessera {
 namespace {
 
-constexpr float kBeside = 0.4f;          // of the middle size: who is so near to pieces that move is felt by them
-constexpr std::size_t kOutlineStep = 4;  // every so many points of an outline are looked at
+constexpr float kBeside = 0.4f;  // of the middle size: pieces nearer than this to moving ones are part of the scene
+constexpr std::size_t kOutlineStep = 4;  // every fourth point of an outline is tested
 constexpr float kLeastCell_px = 1.5f;
 constexpr float kCellsPerScale = 20;
 

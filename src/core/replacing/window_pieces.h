@@ -1,4 +1,4 @@
-// The pieces of a window while they are replaced: which lie where, and which of them may move.
+// The pieces of a window during replacement: their poses, and whether they may move.
 #pragma once
 
 #include <cstddef>
@@ -21,39 +21,40 @@ class WindowPieces {
     WindowPiece piece;
     const HoleShape* shape = nullptr;
     LaidPiece laid;
-    std::uint32_t from = ReplacedPiece::kNew;  // place in ReplacementWindow::moving
+    std::uint32_t from = ReplacedPiece::kNew;  // index in ReplacementWindow::moving
     bool still = false;
   };
 
-  /// All outlive the pieces.
+  /// All arguments must outlive this object.
   WindowPieces(const ReplacementWindow& window, const HoleShapes& shapes, const EdgeDistance& edge);
 
   const Standing& operator[](std::size_t i) const { return standing_[i]; }
-  /// Whether it may, and lies in the window as a whole.
+  /// Whether the piece may move: it does not stand still, and its box lies inside the window.
   bool may_move(std::size_t i) const;
   bool stays_inside(const Scene& scene) const;
 
-  /// Distance to the nearest piece or the edge, no more than `most_px`.
+  /// Distance to the nearest piece or the edge, at most `most_px`.
   float openness_px(Vec2 p, float most_px) const;
-  /// Pieces by their distance from the point, nearest first, without those that are farther away.
+  /// The pieces nearer than `most_px` to the point, with their distances, nearest first.
   std::vector<std::pair<float, std::size_t>> nearest(Vec2 p, float most_px) const;
-  /// Whether the outline of `i` comes so near to that of any of `others`.
+  /// Whether the outline of piece `i` is nearer than `reach_px` to that of any of `others`.
   bool any_near(std::size_t i, const std::vector<std::size_t>& others, float reach_px) const;
-  /// The farthest that a point of any of these is from `p`.
+  /// The largest distance from `p` to a boundary sample of these pieces.
   float farthest_px(Vec2 p, const std::vector<std::size_t>& pieces) const;
 
-  /// `moving`, then who stands beside them, beside `out` or where pieces come in, without `out`.
+  /// The scene with the pieces `moving`, then the pieces that stand still beside them, beside `out` or beside the boxes
+  /// `incoming`. It does not contain `out`.
   Scene scene_of(const std::vector<std::size_t>& moving, const std::vector<std::size_t>& out,
                  const std::vector<Box>& incoming) const;
-  /// What is free round the centre without `out`.
+  /// The free area around the centre once `out` is taken out.
   Hole hole_of(Vec2 centre_px, const std::vector<std::size_t>& out, float half_px) const;
 
   void move(std::size_t i, const Similarity& canvas_from_shape);
-  /// Indices of others change.
+  /// Removes these pieces; the indices of others change.
   void take_out(std::vector<std::size_t> pieces);
   void add(const IncomingShape& shape, const Similarity& canvas_from_shape);
 
-  /// All but those that stand still: those of old first, in their order.
+  /// All pieces except those that stand still: the old ones first, in their order.
   std::vector<ReplacedPiece> replaced() const;
 
  private:

@@ -13,36 +13,38 @@
 namespace tessera {
 namespace {
 
-constexpr std::size_t kMostPointsDrawn = 8;  // of which the most open one is the hole's centre
-constexpr float kLookedAt = 1.6f;            // of the most scale: pieces so near to the centre come into question
-constexpr float kRing = 0.4f;                // of the middle size: who is so near to what goes out makes room
-constexpr float kRoundCentre = 1;            // of the middle size: so is who is so near to the hole's centre
-constexpr float kGiveUp = 1.6f;    // of the product of least and most scale: too much energy after soft sweeps
-constexpr float kSoftness = 1.5f;  // px² that a px² in the way of others costs a candidate, times 0.6 to 1.4
-// How far from its centre a hole goes, px: what goes out and a little more; where nothing does, by the sizes.
+constexpr std::size_t kMostPointsDrawn = 8;  // the most open of the drawn points is the hole's centre
+constexpr float kLookedAt = 1.6f;  // of the most scale: distance from the centre up to which pieces are considered
+constexpr float kRing = 0.4f;      // of the middle size: pieces nearer than this to pieces that go out make room
+constexpr float kRoundCentre = 1;  // of the middle size: so do pieces nearer than this to the hole's centre
+// of the product of both scales: rise of the energy after soft sweeps that ends a trial
+constexpr float kGiveUp = 1.6f;
+constexpr float kSoftness = 1.5f;  // cost for a candidate, px² per px² of overlap with others, times 0.6 to 1.4
+// Distance from a hole's centre to its end, px: as far as the pieces that go out and a little more. If none goes out,
+// it follows from the sizes.
 constexpr float kBeyondOut_px = 10;
 constexpr float kLeastReach_px = 30;
 constexpr float kMostReach = 2.2f;  // of the most scale
 constexpr float kBeyondReach_px = 15;
 
-/// How many pieces go out: mostly one.
+/// The number of pieces that go out: mostly one.
 std::size_t drawn_count(Draws& draws) {
   const float u = draws.unit();
   return u < 0.05f ? 0 : u < 0.85f ? 1 : u < 0.96f ? 2 : 3;
 }
 
-/// Something in the hole, and room made for it.
+/// New pieces in the hole, and the room made for them.
 struct Attempt {
   Scene scene;
-  std::vector<HoleCandidate> incoming;  // the scene's last pieces, as they came in
+  std::vector<HoleCandidate> incoming;  // the scene's last pieces, at their first poses
   double energy_px2 = 0;
 };
 
 struct Trial {
   Vec2 centre_px;
   float reach_px = 0;
-  std::vector<std::size_t> out;   // pieces that go
-  std::vector<std::size_t> ring;  // those that make room
+  std::vector<std::size_t> out;   // pieces that go out
+  std::vector<std::size_t> ring;  // pieces that make room
 };
 
 class WindowTrials {
@@ -87,7 +89,7 @@ class WindowTrials {
     return centre;
   }
 
-  /// The hole goes as far as what goes out; where nothing does, as far as a small piece may need.
+  /// The hole's reach: as far as the pieces that go out; if there are none, as far as a small piece may need.
   float reach_px(Vec2 centre_px, const std::vector<std::size_t>& out) const {
     if (out.empty()) return std::max(2.5f * window_.least_scale_px, std::min(60.f, 0.6f * window_.most_scale_px));
     const float needed_px = std::max(pieces_.farthest_px(centre_px, out) + kBeyondOut_px, kLeastReach_px);
@@ -137,7 +139,7 @@ class WindowTrials {
     return left;
   }
 
-  /// Of all pieces, once those of the trial lie as in the scene.
+  /// The repetition of all pieces when the trial's pieces lie as in the scene.
   Repetition repetition_of(const Attempt& attempt, const Trial& trial) const {
     Repetition now = without(trial.out);
     for (std::size_t k = 0; k < trial.ring.size(); ++k) {
@@ -174,7 +176,7 @@ class WindowTrials {
     return std::move(best);
   }
 
-  /// The candidate in the hole, as many more as went out, and room made for them.
+  /// Puts the candidate into the hole, adds pieces until as many came in as went out, and makes room for them.
   Attempt attempt(const Trial& trial, Hole hole, float softness, const HoleCandidate& first, Draws draws) const {
     Attempt made;
     Repetition repetition = without(trial.out);
@@ -191,7 +193,8 @@ class WindowTrials {
     return made;
   }
 
-  /// In the order of the window's incoming shapes; as copies they cost what one about as large as the hole would.
+  /// The guests in the order of the window's incoming shapes. As copies they cost what one about as large as the hole
+  /// would.
   std::vector<HoleGuest> guests(const Repetition& repetition, const Trial& trial) const {
     const float scale_px = std::min(trial.reach_px, window_.most_scale_px);
     std::vector<HoleGuest> all;

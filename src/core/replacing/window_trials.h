@@ -1,5 +1,6 @@
-// The replacement trials of a window, one after another (replacement.h): single pieces go out, others come into the
-// hole, those round it make room, and it is kept where the energy becomes less, or by annealing little more.
+// The replacement trials of a window, one after another (replacement.h). A trial takes single pieces out, puts others
+// into the hole and lets those around it make room. It is kept if the energy falls, or, by annealing, if it rises
+// little.
 #pragma once
 
 #include "core/base/stop.h"
@@ -9,8 +10,9 @@
 
 namespace tessera {
 
-/// `shapes` has those of all pieces of the window and of all that may come in. `check_stop` is called between trials and may
-/// throw. The same bits on every machine, whoever helps with a trial's candidates.
+/// Runs all trials of the window. `shapes` holds the shapes of all its pieces and of all that may come in. Calls
+/// `check_stop` between trials, which may throw. The result has the same bits on every machine and with any number of
+/// threads.
 ReplacementOutcome replaced(const ReplacementWindow& window, const HoleShapes& shapes, const StopCheck& check_stop,
                             TaskPool& pool);
 

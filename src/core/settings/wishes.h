@@ -1,5 +1,5 @@
-// Wishes: which shape may stand where, how large and how turned, and how often. A job's tables and lists are resolved
-// to this once, by the names of the library's shapes and of the canvas' regions (job/pieces/wish_resolution.h).
+// Wishes: which shape may stand where, how large, how turned, and how often. A job's tables and lists are resolved to
+// these once, by the names of the library's shapes and of the canvas' regions (job/pieces/wish_resolution.h).
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace tessera {
 
-/// Both ends belong to it; one value is an interval.
+/// A closed interval; one value is an interval, too.
 struct Interval {
   float min = 0;
   float max = 0;
@@ -21,7 +21,7 @@ struct Interval {
   friend bool operator==(const Interval&, const Interval&) = default;
 };
 
-/// What a pose may be. An empty list: as the wish above it says.
+/// Allowed poses. An empty list means: as the more general wish says.
 struct PoseWish {
   std::vector<Interval> scale_px;
   std::vector<Interval> rotation_rad;  // clockwise
@@ -37,15 +37,15 @@ struct ApartWish {
   friend bool operator==(const ApartWish&, const ApartWish&) = default;
 };
 
-/// Of all shapes of a class.
+/// A wish for all shapes of a class.
 struct ShapeWish {
   PoseWish poses;
-  float weight = 1;                     // of the score; 0: never
-  std::optional<int> uses;              // at most so many of each shape; 0 = no limit; empty: as the job says
-  std::optional<int> least_uses;        // at least so many of each, while there is room; empty: as the job says
-  std::optional<ApartWish> apart;       // empty: those of one silhouette, as the job says
+  float weight = 1;                     // factor of the score; 0: these shapes are never placed
+  std::optional<int> uses;              // largest number of pieces of each shape; 0 = no limit; empty: the job's
+  std::optional<int> least_uses;        // least number of pieces of each, while there is room; empty: the job's
+  std::optional<ApartWish> apart;       // empty: pieces of one silhouette keep the job's distance
   bool deforms = true;                  // its pieces may be deformed (core/deform)
-  std::vector<std::uint8_t> in_region;  // per region: whether they may stand there; empty = everywhere
+  std::vector<std::uint8_t> in_region;  // per region: whether these shapes may stand there; empty = everywhere
 
   friend bool operator==(const ShapeWish&, const ShapeWish&) = default;
 };
@@ -56,19 +56,19 @@ struct RegionWish {
   friend bool operator==(const RegionWish&, const RegionWish&) = default;
 };
 
-/// Stands before the first round.
+/// A piece that stands before the first round.
 struct GivenPiece {
   ShapeId shape{};
   Similarity canvas_from_shape;
-  bool locked = true;    // stands to the end; else improving may take it out
-  bool for_good = true;  // what is locked is so in the result, too: later runs leave it where it is
-  float score = 0;       // of an earlier collage in which it was placed, as in Placement
+  bool locked = true;    // stands to the end; otherwise improving may take it out
+  bool for_good = true;  // a locked piece is locked in the result, too: later runs leave it where it is
+  float score = 0;       // from an earlier collage in which it was placed, as in Placement
   float matched_px = 0;
 
   friend bool operator==(const GivenPiece&, const GivenPiece&) = default;
 };
 
-/// Stood in the collage that this one begins from, and was taken out of it.
+/// A piece that stood in the collage from which this one begins, and was taken out of it.
 struct FormerPiece {
   ShapeId shape{};
   Similarity canvas_from_shape;
@@ -78,13 +78,13 @@ struct FormerPiece {
 
 struct Wishes {
   std::vector<ShapeWish> classes;             // empty: one class, without wishes
-  std::vector<std::uint32_t> class_of_shape;  // per shape of the library; empty: all of class 0
-  std::vector<RegionWish> regions;            // of the canvas, in the order in which they are filled; empty: one
+  std::vector<std::uint32_t> class_of_shape;  // per shape of the library; empty: all shapes are of class 0
+  std::vector<RegionWish> regions;            // of the canvas, in the order of filling; empty: one region
 
-  std::vector<GivenPiece> given;      // the locked ones first
-  std::vector<FormerPiece> not_back;  // nothing of such a piece's silhouette comes in where it lay (former_pieces.h)
+  std::vector<GivenPiece> given;      // the locked pieces first
+  std::vector<FormerPiece> not_back;  // no piece of such a piece's silhouette may lie where it lay (former_pieces.h)
 
-  /// So many of the given pieces stand to the end.
+  /// The number of given pieces that stand to the end.
   std::size_t locked() const {
     return std::size_t(std::count_if(given.begin(), given.end(), [](const GivenPiece& piece) { return piece.locked; }));
   }

@@ -1,4 +1,4 @@
-// A source of shapes that are costly to get: read from a file, or computed.
+// A cache in front of a source of shapes that are expensive to get: read from a file, or computed.
 #pragma once
 
 #include <list>
@@ -8,8 +8,8 @@
 
 namespace tessera {
 
-/// Keeps the models of shapes asked for (4 KB each) and the latest few whole shapes (80 KB each): a library
-/// of any size fits. What is kept never changes what is answered.
+/// Keeps the models of requested shapes (4 KB each) and the most recent whole shapes (80 KB each), so that a library of
+/// any size can be used. The cache never changes the answers.
 class CachedShapes : public ShapeSource {
  public:
   const Shape& shape(ShapeId id) override;
@@ -24,7 +24,7 @@ class CachedShapes : public ShapeSource {
     ShapeId id;
     Shape shape;
   };
-  std::list<Kept> recent_;  // latest first
+  std::list<Kept> recent_;  // most recent first
   std::unordered_map<ShapeId, std::list<Kept>::iterator> position_;
   std::unordered_map<ShapeId, ShapeModel> models_;
 };

@@ -9,14 +9,14 @@ namespace {
 
 Vec2 mirrored(Vec2 p) { return {-p.x, p.y}; }
 
-/// The first point stays the first.
+/// The mirrored curve, run backwards; the first point stays the first.
 std::vector<Vec2> mirrored_curve(std::vector<Vec2> curve) {
   for (Vec2& p : curve) p = mirrored(p);
   if (!curve.empty()) std::reverse(curve.begin() + 1, curve.end());
   return curve;
 }
 
-/// What lay to the left lies to the right. The convexity stays: side and direction change both.
+/// Left and right are exchanged. The convexity stays, as side and direction both change.
 ArclengthPyramid mirrored_pyramid(ArclengthPyramid pyramid, int pad_levels) {
   std::swap(pyramid.left, pyramid.right);
   const auto end = pyramid.keypoint.begin() + 2 * pad_levels + 1;
@@ -25,7 +25,7 @@ ArclengthPyramid mirrored_pyramid(ArclengthPyramid pyramid, int pad_levels) {
   return pyramid;
 }
 
-/// Samples lie at every so-many-th point, the first at the first.
+/// Samples lie at regular points, the first one at the first point.
 LevelCurve mirrored_level(LevelCurve level, int pad_levels) {
   level.points = mirrored_curve(std::move(level.points));
   for (ArclengthPyramid& pyramid : level.samples) pyramid = mirrored_pyramid(pyramid, pad_levels);

@@ -1,5 +1,5 @@
-// A PAD of a library shape with what docking needs of its pyramid, as compact as devices hold it: a large library is
-// bound by memory.
+// A PAD of a library shape with the part of its pyramid that docking needs. It is as compact as on devices, because
+// memory limits large libraries.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ struct ModelSample {
   friend bool operator==(const ModelSample&, const ModelSample&) = default;
 };
 
-/// Of it what an index is made of.
+/// The part of a ModelSample from which an index is made.
 struct LibraryPad {
   QuantisedPad pad;        // a library_pad()
   float scale_length = 0;  // a library_length()
@@ -37,21 +37,21 @@ struct LibraryPad {
   friend bool operator==(const LibraryPad&, const LibraryPad&) = default;
 };
 
-inline constexpr int kChordLevel = 2;  // whose chord tells scale and rotation before any alignment
+inline constexpr int kChordLevel = 2;  // the level whose chord estimates scale and rotation before any alignment
 
-/// Length of the interval that estimates the scale before any alignment.
+/// The length of the interval that estimates the scale before any alignment.
 float scale_length(const ArclengthPyramid& pyramid, int levels);
 
-/// The nearest length whose lower 16 bits are 0, all that is kept of a library's scale lengths: to 0.2 %, of which an
-/// octave's window knows nothing.
+/// The nearest length whose lower 16 bits are 0. A library keeps only these bits of its scale lengths: exact to 0.2 %,
+/// which does not matter in a window of an octave.
 float library_length(float length);
 
-/// From end to end of that interval: it tells the rotation before any alignment. Of a sample in steps of its shape's
-/// key points, in whole numbers.
+/// The vector from end to end of that interval, which estimates the rotation before any alignment. For a ModelSample in
+/// steps of its shape's key points, in whole numbers.
 Vec2 chord(const ArclengthPyramid& pyramid, int levels);
 Vec2 chord(const ModelSample& sample, int levels);
 
-/// Shape units for one step of a key point: so small that nothing is seen of it.
+/// Shape units for one step of a key point: too small to matter.
 inline float keypoint_step(float shape_radius) { return shape_radius * (1.f / 32000.f); }
 
 ModelSample make_model_sample(const ArclengthPyramid& pyramid, int levels, float keypoint_step);

@@ -15,17 +15,17 @@ namespace tessera {
 namespace {
 
 constexpr double kBarAspect = 4;
-constexpr float kOpeningCells = 4.2f;  // radius of the disc that seeks hairlines, in cells: round enough, and quick
+constexpr float kOpeningCells = 4.2f;  // radius in cells of the disc that finds hairlines: round enough, and fast
 
 struct Component {
   Outline outline;
   double outer_area = 0;
-  double covered_area = 0;  // the same without holes
+  double covered_area = 0;  // the enclosed area without holes
   int others = 0;
   double others_area = 0;
 };
 
-/// Index of the smallest outer curve around hole `hole`. Small islands cannot hold a hole that counts.
+/// Index of the smallest outer curve around hole `hole`. Only curves larger than the hole are considered.
 std::size_t owner_of(std::size_t hole, const std::vector<std::vector<Vec2>>& curves, const std::vector<double>& area,
                      std::size_t largest) {
   std::size_t owner = largest;
@@ -36,7 +36,7 @@ std::size_t owner_of(std::size_t hole, const std::vector<std::vector<Vec2>>& cur
   return owner;
 }
 
-/// The component whose outer curve encloses most, with the holes that count.
+/// The component whose outer curve encloses the largest area, with the holes that count.
 Component largest_component(const std::vector<std::vector<Vec2>>& curves, bool fill_holes) {
   std::vector<double> area(curves.size());
   std::transform(curves.begin(), curves.end(), area.begin(), signed_area);
@@ -63,7 +63,7 @@ double enclosed_area(const Outline& outline) {
                          [](double sum, const std::vector<Vec2>& curve) { return sum + signed_area(curve); });
 }
 
-/// A long bar may lack no more than one of aspect `kBarAspect`: its length must not outweigh what its ends lack.
+/// A long bar may lack no more area than one of aspect `kBarAspect`, so that its length does not hide missing ends.
 bool is_plain_rectangle(const Outline& outline) {
   const Box box = bounding_box(outline.curves.front());
   const double width = std::min(box.width(), box.height()), length = std::max(box.width(), box.height());
@@ -81,7 +81,7 @@ Grid<std::uint8_t> nodes_where(const Grid<float>& squared_distance, Keep keep) {
   return set;
 }
 
-/// Morphological opening: what a disc of this radius sweeps without leaving the set.
+/// Morphological opening: the area that a disc of this radius covers without leaving the set.
 Grid<std::uint8_t> opened(const Grid<std::uint8_t>& set, float radius) {
   Grid<std::uint8_t> outside = set;
   for (std::uint8_t& v : outside.data()) v ^= 1;
@@ -106,8 +106,8 @@ double length_of(const std::vector<Vec2>& closed) {
   return length;
 }
 
-/// Why a drawing of several parts is skipped. A line that is thinner than a pixel falls into fragments when it is drawn
-/// in pixels; they look like parts, but the line is too thin.
+/// The reason why a drawing with several parts is skipped. A line thinner than a pixel breaks into fragments when it is
+/// drawn in pixels. These look like parts, but the reason is the thin line.
 SkipReason reason_for_parts(const Outline& parts, float source_px) {
   double length = 0;
   for (const std::vector<Vec2>& curve : parts.curves) length += length_of(curve);
@@ -117,7 +117,7 @@ SkipReason reason_for_parts(const Outline& parts, float source_px) {
 
 std::optional<SkipReason> reason_to_skip(const Component& component, float source_px, const TracingRules& rules) {
   const double area = enclosed_area(component.outline);
-  // In this order: of a drawing in thin lines the pixels catch fragments, which are not too small for their own fault.
+  // Hairlines come first: pixels show only fragments of thin lines, which would seem too small.
   if (is_hairlines(component.outline, area)) return SkipReason::hairlines;
   if (std::sqrt(area) < kLeastSize_px * std::max(1.f, source_px)) return SkipReason::too_small;
   if (!rules.keep_rectangles && is_plain_rectangle(component.outline)) return SkipReason::plain_rectangle;

@@ -1,4 +1,4 @@
-// From a silhouette's coverage to smooth closed curves, or the reason why it is of no use.
+// Traces a silhouette's coverage into smooth closed curves, or tells the reason why it makes no shape.
 #pragma once
 
 #include <variant>
@@ -10,54 +10,58 @@
 
 namespace tessera {
 
-/// `hairlines`: thin lines make up much of the drawing. `hollow`: they do, or there are parts side by side, but what they
-/// enclose would make a shape (TracingRules::fill_holes). `faint`: what is seen is too faint or too thin to count, and
-/// the rest makes no shape.
+/// Reasons why a drawing makes no shape. `hairlines`: thin lines make up much of the drawing. `hollow`: thin lines or
+/// separate parts do, but the area they enclose would make a shape (TracingRules::fill_holes). `faint`: the visible
+/// parts are too faint or too thin to count, and the rest makes no shape.
 enum class SkipReason { empty, too_small, several_large_components, plain_rectangle, hairlines, hollow, faint };
 
-/// Artwork frame (px).
+/// The result of tracing. Artwork frame (px).
 struct TracedOutline {
-  std::vector<ClosedSpline> curves;  // the outer one, then the holes; interior on the left
-  int other_components = 0;          // left out: specks beside the largest component
-  float other_area_fraction = 0;     // what they enclose, in parts of what the largest one encloses
-  float hollowness = 1;              // what the outer curve encloses, in parts of what is covered of it
+  std::vector<ClosedSpline> curves;  // the outer curve, then the holes; interior on the left
+  int other_components = 0;          // number of components left out: specks beside the largest one
+  float other_area_fraction = 0;     // area that they enclose / area that the largest one encloses
+  float hollowness = 1;              // area that the outer curve encloses, as a multiple of its covered part
 };
 
-/// What a drawing covers by half is in; halos and shadows that fade out are not.
+/// A pixel counts as covered from this opacity on; halos and shadows that fade out do not count.
 inline constexpr float kEdgeOpacity = 0.5f;
-/// Width of the smoothing (see smoothing_spline) in pixels of alpha or, where these are larger, of the source: as
-/// much as takes the stairs out.
+/// Width of the smoothing (see smoothing_spline) in pixels of alpha or, if these are larger, of the source: enough to
+/// remove the stairs.
 inline constexpr float kSmoothing_px = 1;
 inline constexpr float kSmoothing_sourcepx = 1.5f;
-/// A silhouette must have this size (square root of its area), in the same pixels, to have a shape at all.
+/// The least size (square root of the area) of a silhouette, in the same pixels.
 inline constexpr float kLeastSize_px = 24;
-/// Holes smaller than this part of the area that the outer curve encloses are filled.
+/// Holes smaller than this fraction of the area that the outer curve encloses are filled.
 inline constexpr float kLeastHole = 0.003f;
-/// Above this part of the largest component's area the others belong to the picture.
+/// Other components above this fraction of the largest component's area belong to the picture.
 inline constexpr float kLargestSpecks = 0.02f;
-/// A silhouette that fills so much of its box is a plain rectangle, which says nothing. Of a long box, ends of twice its
-/// width count.
+/// A silhouette that fills this fraction of its bounding box is a plain rectangle, which says nothing. A long box
+/// counts as four times as long as wide, so that its length does not hide missing ends.
 inline constexpr float kPlainRectangle = 0.97f;
-/// Hairlines: an opening by a disc of this radius (in square roots of the area) leaves less than that part of the area.
+/// Hairlines: opening by a disc of this radius (in square roots of the area) leaves less than kHairlineRest of the
+/// area.
 inline constexpr float kHairlineRadius = 0.035f;
 inline constexpr float kHairlineRest = 0.7f;
-/// Or its box is longer than so many square roots of the area: too thin for the grid of its distance field.
+/// A silhouette also counts as hairlines if its box is longer than this many square roots of its area: too thin for the
+/// grid of its distance field.
 inline constexpr float kLongest = 8;
 
-/// Such an outline encloses much and covers little: others find no place beside it, and it leaves gaps.
+/// An outline of at least this hollowness encloses much and covers little: other pieces find no place beside it, and it
+/// leaves gaps.
 inline constexpr float kHollow = 2;
 
-/// Length of all curves.
+/// The length of all curves.
 float perimeter_of(const Outline& outline);
 
 struct TracingRules {
-  float edge_opacity = kEdgeOpacity;  // the outline runs where alpha is this
-  bool keep_rectangles = false;       // a plain rectangle is a drawing's background, as a rule, and skipped
-  bool fill_holes = false;            // what the outer curve encloses belongs to the shape, parts that lie in it too
+  float edge_opacity = kEdgeOpacity;  // the outline runs where alpha has this value
+  bool keep_rectangles = false;       // false: a plain rectangle is skipped, as it is mostly a drawing's background
+  bool fill_holes = false;  // the area that the outer curve encloses belongs to the shape, with all parts in it
 };
 
-/// `alpha`: coverage 0..1; node (i, j) is the pixel whose centre lies at origin_px + (i + 0.5, j + 0.5). `source_px`:
-/// size of a pixel of the source in pixels of alpha: 0 for vectors, above 1 for an enlarged image.
+/// Traces the outline of a drawing. `alpha`: coverage 0..1; node (i, j) is the pixel whose centre lies at origin_px +
+/// (i + 0.5, j + 0.5). `source_px`: size of a source pixel in pixels of alpha: 0 for vectors, above 1 for an enlarged
+/// image.
 std::variant<TracedOutline, SkipReason> trace_outline(const Grid<float>& alpha, Vec2 origin_px, float source_px,
                                                       const TracingRules& rules = {});
 

@@ -1,6 +1,6 @@
 // A library shape. Shape frame: origin at the centroid of the silhouette's area, unit of length = square root of that
-// area, y down as in the artwork. The scale of a canvas_from_shape is therefore the piece's size in canvas px
-// ("square root of the piece's area").
+// area, y down as in the artwork. So the scale of a canvas_from_shape is the piece's size in canvas px ("square root of
+// the piece's area").
 #pragma once
 
 #include <algorithm>
@@ -19,16 +19,16 @@
 
 namespace tessera {
 
-/// Signed distance to the outline in shape units, positive outside, on a square grid that spans [-extent, extent] both
-/// ways (node 0 at -extent, the last node at +extent). The grid covers the shape with a rim of at least 0.1 units.
+/// Signed distance to the outline in shape units, positive outside. The square grid spans [-extent, extent] in both
+/// directions: node 0 at -extent, the last node at +extent. It covers the shape with a rim of at least 0.1 units.
 struct ShapeField {
   Grid<float> distance;
   float extent = 0;
 
-  /// Bilinear within the grid, and a lower bound outside: the outline lies within the grid, which is convex, so from p
-  /// it is seen at an obtuse angle behind the grid's nearest point.
+  /// Bilinear within the grid, a lower bound outside. The bound holds because the grid is convex and contains the
+  /// outline: seen from p, the outline lies at an obtuse angle behind the grid's nearest point.
   float at(Vec2 p) const;
-  /// The value at the point of the grid that is nearest to p; `beyond` is how far p is from that.
+  /// The value at the point of the grid that is nearest to p; `beyond` is the distance of p to that point.
   float at_nearest(Vec2 p, float& beyond) const;
 };
 
@@ -53,15 +53,16 @@ inline float ShapeField::at_nearest(Vec2 p, float& beyond) const {
   return upper * (1 - t) + lower * t;
 }
 
-/// Matching needs both curves smoothed by the same fraction of size, hence a few fixed levels.
+/// A level of smoothing. Matching needs both curves smoothed by the same fraction of size, so there are a few fixed
+/// levels.
 struct SmoothingLevel {
   float sigma;       // width of the Gaussian along the curve, shape units
-  int curve_points;  // even arclength points kept of the smoothed outer curve
+  int curve_points;  // points of even arclength of the smoothed outer curve
   int samples;       // PADs, at every (curve_points / samples)-th point
 };
 
-/// An octave apart. A piece of scale s px agrees with a target smoothed by sigma_px where s · sigma is within half an
-/// octave of sigma_px. Together they serve a range of scales of 32 : 1.
+/// The levels, an octave apart. A piece of scale s px agrees with a target smoothed by sigma_px if s · sigma is within
+/// half an octave of sigma_px. Together the levels serve a range of scales of 32 : 1.
 inline constexpr std::array<SmoothingLevel, 5> kSmoothingLevels = {{
     {0.176777f, 256, 64},
     {0.088388f, 256, 64},
@@ -72,27 +73,30 @@ inline constexpr std::array<SmoothingLevel, 5> kSmoothingLevels = {{
 
 /// The outer curve at one smoothing level.
 struct LevelCurve {
-  std::vector<Vec2> points;               // SmoothingLevel::curve_points of them, even arclength, shape frame
-  float perimeter = 0;                    // of the smoothed curve, shape units
-  std::vector<ArclengthPyramid> samples;  // SmoothingLevel::samples of them; sample j at point j·curve_points/samples
+  std::vector<Vec2> points;  // SmoothingLevel::curve_points points of even arclength, shape frame
+  float perimeter = 0;       // of the smoothed curve, shape units
+  /// SmoothingLevel::samples pyramids; sample j lies at point j·curve_points/samples.
+  std::vector<ArclengthPyramid> samples;
 };
 
 using Sha256 = std::array<std::uint8_t, 32>;
 
-/// Counted up where drawings are read in another way than before, so that one made anew from its original would not
-/// fit its outline. 1: images lay as they are stored; 2: they are turned as their EXIF data say.
+/// Version of the reading of drawings. It is increased when drawings are read differently, as a drawing made again from
+/// its original would no longer fit its outline. Version 1: images as they are stored; version 2: turned as their EXIF
+/// data say.
 inline constexpr int kArtworkReader = 2;
 
-/// What the picture needs of the original drawing. Artwork frame: px of the raster the outline was traced from
-/// (`width_px` x `height_px`, y down, origin at the upper left corner of the upper left pixel).
+/// The data of the original drawing that pictures need. Artwork frame: px of the raster from which the outline was
+/// traced (`width_px` x `height_px`). Its y axis points down; the origin is the upper left corner of the upper left
+/// pixel.
 struct Artwork {
   std::string path;                 // absolute path at build time
-  std::string path_beside_library;  // where it lies if it was moved together with the library; may be empty
-  std::optional<Sha256> sha256;     // of the file at build time; none in libraries of older versions
-  int reader = kArtworkReader;      // that the shape was made by
+  std::string path_beside_library;  // its path if it was moved together with the library; may be empty
+  std::optional<Sha256> sha256;     // of the file at build time; empty in libraries of older versions
+  int reader = kArtworkReader;      // the version of kArtworkReader that made the shape
   int width_px = 0;
   int height_px = 0;
-  bool mirrored = false;                    // the shape is the drawing's mirror image: its x runs against the drawing's
+  bool mirrored = false;                    // the shape is the drawing's mirror image
   Vec2 centroid_px;                         // shape origin in the artwork frame
   float unit_px = 0;                        // artwork px for one shape unit
   std::vector<std::uint8_t> thumbnail_png;  // RGBA PNG, longest side <= 192 px
@@ -107,8 +111,8 @@ struct Shape {
   ShapeField field;
   std::array<LevelCurve, kSmoothingLevels.size()> levels;
   std::array<float, 3> mean_lab{};  // CIELAB (D65), alpha-weighted mean
-  float colour_spread = -1;         // root mean square distance of the artwork's colours from it; negative: unknown
-  ColourGrid colour_grid{};         // over the box of the outline
+  float colour_spread = -1;         // root mean square distance of the colours from mean_lab; negative: unknown
+  ColourGrid colour_grid{};         // over the outline's bounding box
   /// The scale at which a piece is as large as it was drawn: px of an image, 1/96 inch of an SVG; 0: unknown.
   float drawn_scale_px = 0;
   Artwork artwork;

@@ -12,7 +12,7 @@
 namespace tessera {
 namespace {
 
-/// The levels are cut from this many points; the finest keeps 1024.
+/// The levels are made from this many points; the finest level keeps 1024.
 constexpr int kFinePoints = 2048;
 
 Outline even_outline(const TracedOutline& traced) {
@@ -25,7 +25,7 @@ Outline even_outline(const TracedOutline& traced) {
   return outline;
 }
 
-/// The shape frame as it lies in the artwork frame.
+/// The position of the shape frame in the artwork frame.
 struct ShapeFrame {
   Vec2 centroid_px;
   float unit_px;
@@ -36,7 +36,7 @@ struct ShapeFrame {
   }
 };
 
-/// From the polygons that pieces are measured by, so that a piece of scale s has exactly the area s².
+/// Computed from the same polygons that measure pieces, so that a piece of scale s has exactly the area s².
 ShapeFrame shape_frame(const Outline& outline_px) {
   const AreaMoment sum = area_moment(outline_px);
   return {{float(sum.x / sum.area), float(sum.y / sum.area)}, float(std::sqrt(sum.area))};

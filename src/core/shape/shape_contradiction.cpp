@@ -15,10 +15,10 @@
 namespace tessera {
 namespace {
 
-constexpr float kRoundedLength = 1e-3f;    // parts of a length that summation may lose
-constexpr double kRoundedArea = 0.02;      // parts of the area, which is 1
+constexpr float kRoundedLength = 1e-3f;    // fraction of a length that summation may lose
+constexpr double kRoundedArea = 0.02;      // tolerance of the area, which is 1
 constexpr float kRoundedDistance = 2e-3f;  // shape units; the library's steps are finer (docs/library-format.md)
-constexpr int kCheckedBlock = 8;           // nodes each way of which one is computed anew
+constexpr int kCheckedBlock = 8;           // nodes in each direction of a block in which one node is computed again
 
 bool agree(float a, float b) { return std::abs(a - b) <= kRoundedLength * std::max(1.f, std::abs(b)); }
 
@@ -41,7 +41,7 @@ float distance_to(const Outline& outline, Vec2 p) {
   return std::sqrt(squared);
 }
 
-/// A field and where its nodes lie.
+/// Checks of a field against its outline.
 class FieldCheck {
  public:
   explicit FieldCheck(const Shape& shape)
@@ -59,7 +59,7 @@ class FieldCheck {
     return true;
   }
 
-  /// A distance changes by no more than the way between two nodes.
+  /// Whether neighbouring values differ by at most the distance of the nodes.
   bool is_smooth() const {
     const float most = spacing_ + kRoundedDistance;
     for (int y = 0; y < nodes_; ++y) {
@@ -72,7 +72,7 @@ class FieldCheck {
     return true;
   }
 
-  /// Between nodes that are no farther than a cell's diagonal.
+  /// Whether the field is near 0 at every point of the outline: at most a cell's diagonal.
   bool is_zero_on_outline() const {
     const float most = std::numbers::sqrt2_v<float> * spacing_ + kRoundedDistance;
     for (const std::vector<Vec2>& curve : outline_.curves) {
@@ -83,7 +83,7 @@ class FieldCheck {
     return true;
   }
 
-  /// Negative inside by the even-odd rule, but for nodes that lie on the outline.
+  /// Whether nodes inside by the even-odd rule are negative and the others positive, except nodes on the outline.
   bool has_right_signs() const {
     const std::vector<std::vector<float>> crossings = crossings_of_rows();
     for (int y = 0; y < nodes_; ++y) {
@@ -114,7 +114,7 @@ class FieldCheck {
  private:
   float node(int i) const { return field_.extent * (2 * float(i) / float(nodes_ - 1) - 1); }
 
-  /// Where each row's line enters and leaves the outline, ascending.
+  /// The points where each row's line enters and leaves the outline, ascending.
   std::vector<std::vector<float>> crossings_of_rows() const {
     std::vector<std::vector<float>> crossings(field_.distance.data().size() / std::size_t(nodes_));
     each_side(outline_, [&](Vec2 from, Vec2 to) {

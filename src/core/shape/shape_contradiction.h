@@ -1,5 +1,5 @@
-// Whether the parts of a shape belong together. A library file may come from anywhere: a field that is not its
-// outline's would let pieces overlap without anyone noticing.
+// Checks whether the parts of a shape fit each other. A library file may come from anywhere: a field that does not fit
+// its outline would let pieces overlap unnoticed.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace tessera {
 
-/// Looks at outline, perimeter, radius and field: area 1, lengths that are the outline's, and a field that has the
-/// right sign at every node, changes no faster than a distance can, is zero along the outline and exact at one node of
-/// every 8 x 8 (which one depends on the shape). It takes half a millisecond. The text is empty where nothing
-/// contradicts, otherwise it says what does.
+/// Checks outline, perimeter, radius and field. The area must be 1, and the lengths must fit the outline. The field
+/// must have the right sign at every node, change no faster than a distance can, and be zero along the outline. It must
+/// be exact at one node of every 8 x 8; the shape decides which one. Takes half a millisecond. Returns an empty text if
+/// all fits, otherwise a text that says what does not.
 std::string shape_contradiction(const Shape& shape);
 
 }  // namespace tessera

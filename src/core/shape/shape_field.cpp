@@ -7,11 +7,11 @@
 namespace tessera {
 namespace {
 
-/// Nodes are served in blocks of kBlock x kBlock, each with the few segments that can matter there.
+/// Nodes are computed in blocks of kBlock x kBlock, each with the few segments that can be nearest there.
 constexpr int kBlock = 8;
 static_assert(kShapeFieldNodes % kBlock == 0);
 
-/// Radius of the largest disc inside a shape of lines, shape units.
+/// Largest radius of a disc inside a shape that counts as consisting of lines, shape units.
 constexpr float kMostOfLines = 0.13f;
 
 struct Segment {
@@ -45,8 +45,8 @@ float squared_distance(const Segment& s, Vec2 p) {
   return dot(r, r);
 }
 
-/// Those segments that can be nearest to a point within `reach` of `centre`: no farther from it than the nearest one
-/// is, and twice the reach.
+/// The segments that can be nearest to a point within `reach` of `centre`: at most twice the reach farther than the
+/// nearest one.
 std::vector<Segment> segments_near(const std::vector<Segment>& segments, Vec2 centre, float reach) {
   std::vector<float> squared(segments.size());
   std::transform(segments.begin(), segments.end(), squared.begin(),
@@ -64,7 +64,7 @@ void fill_block(const std::vector<Segment>& segments, const std::vector<float>& 
                 Grid<float>& out) {
   const float half_side = 0.5f * (node[kBlock - 1] - node[0]);
   const Vec2 centre{node[x0] + half_side, node[y0] + half_side};
-  // 1.5: above the square root of 2, so that rounding leaves out no segment.
+  // 1.5 exceeds the square root of 2, so that rounding leaves out no segment.
   const std::vector<Segment> near = segments_near(segments, centre, 1.5f * half_side);
   for (int y = y0; y < y0 + kBlock; ++y) {
     for (int x = x0; x < x0 + kBlock; ++x) {
@@ -75,7 +75,7 @@ void fill_block(const std::vector<Segment>& segments, const std::vector<float>& 
   }
 }
 
-/// Where the row's line enters and leaves the outline, ascending.
+/// The points where the row's line enters and leaves the outline, ascending.
 std::vector<float> crossings_of(const std::vector<Segment>& segments, float node_y) {
   std::vector<float> x;
   for (const Segment& s : segments) {

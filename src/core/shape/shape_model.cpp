@@ -11,14 +11,14 @@ namespace {
 
 constexpr float kInteriorSpacing = 0.13f;  // shape units: about 50 points
 constexpr float kInteriorDepth = 0.04f;
-constexpr float kInteriorReach = 10;  // shapes of area 1 that reach farther are hairs, or damaged
+constexpr float kInteriorReach = 10;  // shapes of area 1 that reach farther are hairlines, or damaged
 
 struct CurveShare {
   const std::vector<Vec2>* curve;
   int points;
 };
 
-/// kBoundaryPoints divided among the curves by length; every curve gets at least 4, the outer one the rest.
+/// kBoundaryPoints divided among the curves by length. Every hole gets at least 4, the outer curve the rest.
 std::vector<CurveShare> shares(const Outline& outline) {
   float total = 0;
   for (const auto& curve : outline.curves) total += closed_length(curve);
@@ -35,7 +35,7 @@ std::vector<CurveShare> shares(const Outline& outline) {
 
 void add_boundary(ShapeModel& model, int at, const CurveShare& share) {
   const std::vector<Vec2> points = resampled_closed(*share.curve, share.points);
-  // Tangents over about a fortieth of the curve: a frame for docking, not a detail.
+  // Tangents over about a fortieth of the curve: docking needs a frame, not details.
   const int reach = std::max(1, share.points / 48);
   for (int i = 0; i < share.points; ++i) {
     const Vec2 chord = points[(i + reach) % share.points] - points[(i + share.points - reach) % share.points];
@@ -95,7 +95,8 @@ std::vector<int> levels_for_scales(float min_scale_px, float max_scale_px, float
   std::vector<int> levels;
   for (int k = 0; k < int(kSmoothingLevels.size()); ++k) {
     const ScaleRange range = level_scales(k, target_sigma_px);
-    // A sliver of an octave at either end is left to the neighbouring level; a range of slivers alone has its middle's.
+    // The neighbouring level serves a small part of an octave at either end. If the range has nothing else, the level
+    // of its middle serves it.
     const bool more_than_a_sliver = range.high > min_scale_px * kLevelSliver && range.low < max_scale_px / kLevelSliver;
     if (more_than_a_sliver || (range.low <= middle_px && middle_px < range.high)) levels.push_back(k);
   }

@@ -1,4 +1,4 @@
-// Where ranks get the shapes that they place, or try: one at a time, as they are needed.
+// A source of shapes for ranks that place or try them: it gives one at a time, when it is needed.
 #pragma once
 
 #include "core/shape/shape.h"
@@ -10,13 +10,13 @@ namespace tessera {
 class ShapeSource {
  public:
   virtual ~ShapeSource() = default;
-  /// The shape with outline and field. It is valid until the next call.
+  /// The shape with outline and field, valid until the next call.
   virtual const Shape& shape(ShapeId id) = 0;
-  /// The shape's model without PADs. It is valid as long as the source.
+  /// The shape's model without PADs, valid as long as the source.
   virtual const ShapeModel& model(ShapeId id) = 0;
-  /// The first shape with this silhouette: shapes that differ by their colours alone repeat each other.
+  /// The first shape with this silhouette: shapes that differ only by their colours repeat each other.
   virtual ShapeId silhouette(ShapeId id) const { return id; }
-  /// The shape that this one is the mirror image of: they are one drawing, and used as one. Mostly itself.
+  /// The shape whose mirror image this one is, or the shape itself. Both count as one drawing.
   virtual ShapeId drawing(ShapeId id) const { return id; }
 };
 

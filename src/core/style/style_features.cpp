@@ -8,17 +8,17 @@
 namespace tessera {
 namespace {
 
-/// With so many of their area drawings are drawn with lines; with fewer the lines count in proportion.
+/// Fraction of the area from which on a drawing counts as drawn with lines; below it lines count in proportion.
 constexpr double kDrawnWithLines = 0.05;
 /// Shape units. Widths are compared by their ratio, those of hairlines by their difference.
 constexpr double kFineLine = 0.005;
 
-/// One unit of distance, by feature: about the spread over Debian's clip art (docs/measurements.md, Style), in round
-/// numbers. Less counts what one sees less: how much of the boundary is a line, as a part of it is enough to look
-/// outlined; of the others more.
+/// One unit of distance for each feature: about its spread over Debian's clip art (docs/measurements.md, Style), in
+/// round numbers. A larger value gives a feature less weight, as for `outlined`: a part of the boundary is enough to
+/// look outlined.
 struct Spread {
   double line_width = 0.6;  // of the logarithm
-  double line_part = 0.3;   // of the square root, as is the texture's
+  double line_part = 0.3;   // of the square root, as for texture
   double outlined = 0.8;
   double palette_bits = 1;
   double chroma = 14;

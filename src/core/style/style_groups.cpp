@@ -9,7 +9,7 @@
 namespace tessera {
 namespace {
 
-/// k-means ends where its start leads; the best of so many is hardly ever beaten by more.
+/// Number of starts: k-means finds a local optimum, and more starts hardly improve the best one.
 constexpr int kStarts = 12;
 constexpr int kMostSteps = 60;
 
@@ -29,7 +29,8 @@ std::uint32_t nearest_mean(const std::vector<StylePlace>& means, const StylePlac
   return nearest;
 }
 
-/// Arthur and Vassilvitskii's: each by the squared distance from those before. Fewer where styles are fewer.
+/// The first means by k-means++ (Arthur and Vassilvitskii): each is drawn by its squared distance from those before.
+/// Fewer than `groups` if there are fewer styles.
 std::vector<StylePlace> first_means(const std::vector<StylePlace>& places, std::size_t groups, int start) {
   const auto draw = [&](std::size_t k) {
     return double(unit_float(std::uint32_t(mix_bits(std::uint64_t(start) << 32 | std::uint64_t(k)) >> 32)));
@@ -89,7 +90,7 @@ Division best_division(const std::vector<StylePlace>& places, std::size_t groups
   return best;
 }
 
-/// From the plainest, the nearest to where all is 0, each time to the nearest that is left.
+/// An order of the groups: from the plainest one, nearest to 0 in all features, each time to the nearest remaining one.
 std::vector<std::uint32_t> way_through(const std::vector<StylePlace>& means) {
   std::vector<std::uint32_t> left(means.size()), way;
   std::iota(left.begin(), left.end(), 0u);

@@ -8,14 +8,14 @@
 namespace tessera {
 namespace {
 
-/// Radius of the disc that closes lines, px: what is broader than 10 px, some 4 % of the drawing's size, is an area.
+/// Radius of the disc that closes lines, px. Lines wider than 10 px, about 4 % of the drawing's size, count as areas.
 constexpr int kLineRadius_px = 5;
-/// A line's least contrast in lightness: light grey on white, dark brown on brown.
+/// Least contrast of a line in lightness, as of light grey on white or dark brown on brown.
 constexpr float kLeastContrast = 22;
-/// So far from its edge a line has its full contrast, px.
+/// Distance from its edge at which a line has its full contrast, px.
 constexpr int kSoft_px = 2;
 
-/// Of each pixel the best of a disc around it; beyond the rim is nothing.
+/// For each pixel the best value in a disc around it. Beyond the rim the value is `nothing`.
 template <class Better>
 Grid<float> best_in_disc(const Grid<float>& values, float nothing, Better better) {
   Grid<float> best(values.width(), values.height(), nothing);

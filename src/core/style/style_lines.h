@@ -1,4 +1,4 @@
-// Dark lines of a drawing: contours and strokes of a pen.
+// Finds the dark lines of a drawing: contours and pen strokes.
 #pragma once
 
 #include "core/geometry/grid.h"
@@ -6,11 +6,12 @@
 
 namespace tessera {
 
-/// How much of each pixel is line, 0..1: where the drawing is darker than what lies on both sides, which is what closing
-/// fills, by the contrast that the line has near by.
+/// The fraction of each pixel that is line, 0..1. A line is darker than the areas on both sides; morphological closing
+/// fills it. The fraction is relative to the contrast that the line has nearby.
 Grid<float> dark_lines(const StyleRaster& raster);
 
-/// The perimeter of what is above 0, px, by how often lines in eight directions cross it (Cauchy and Crofton).
+/// The perimeter of the area above 0, px, from the number of crossings with lines in eight directions (Cauchy and
+/// Crofton).
 double crofton_perimeter_px(const Grid<float>& mask);
 
 }  // namespace tessera

@@ -10,7 +10,7 @@
 namespace tessera {
 namespace {
 
-/// How far from the boundary a contour may begin, px.
+/// Largest distance of a contour's begin from the boundary, px.
 constexpr int kContourReach_px = 2;
 
 bool any_near(const Grid<float>& lines, int x, int y) {
@@ -22,7 +22,7 @@ bool any_near(const Grid<float>& lines, int x, int y) {
   return false;
 }
 
-/// Of the pixels inside that have one outside beside them.
+/// The fraction of the boundary pixels (inside, with one outside beside them) that are near a line.
 double outlined_part(const StyleRaster& raster, const Grid<float>& lines) {
   const Grid<std::uint8_t>& in = raster.inside;
   double boundary = 0, outlined = 0;

@@ -1,4 +1,4 @@
-// How a drawing's style is measured.
+// Measures the style of a drawing.
 #pragma once
 
 #include "core/style/style_features.h"
@@ -6,7 +6,7 @@
 
 namespace tessera {
 
-/// Unknown where nothing is drawn.
+/// The features of the drawing; unknown if nothing is drawn.
 StyleFeatures measure_style(const StyleRaster& raster);
 
 }  // namespace tessera

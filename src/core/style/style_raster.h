@@ -1,4 +1,4 @@
-// A drawing as its style is measured: at one size, on white.
+// A drawing as a raster for style measures: at a fixed size, on white.
 #pragma once
 
 #include <cstdint>
@@ -8,20 +8,21 @@
 
 namespace tessera {
 
-/// The square root of the drawn area, px: lines of 1 % of the drawing's size are 2 px wide.
+/// The square root of the drawn area, px. Lines of 1 % of the drawing's size are then 2 px wide.
 inline constexpr int kStyleUnit_px = 224;
-/// Drawings that are long and thin are measured smaller, as this is the longest side.
+/// The longest side. Long and thin drawings are measured at a smaller size for it.
 inline constexpr int kMostStyleSide_px = 640;
 /// White around the drawing, so that its boundary has an outside.
 inline constexpr int kStyleMargin_px = 6;
 
 struct StyleRaster {
   Grid<Lab> colour;               // over white
-  Grid<std::uint8_t> inside;      // 1 where the drawing is, with what it encloses; 0 outside, as on the raster's rim
-  float unit_px = kStyleUnit_px;  // the square root of the area that is drawn on
+  Grid<std::uint8_t> inside;      // 1 in the drawing and the area it encloses; 0 outside, also on the raster's rim
+  float unit_px = kStyleUnit_px;  // the square root of the drawn area
 };
 
-/// What white reaches from the rim through what is hardly drawn on (alpha below a half) is outside.
+/// The drawing with the area it encloses. Outside is what can be reached from the rim through pixels that are hardly
+/// drawn on (alpha below a half).
 Grid<std::uint8_t> enclosed_by(const Grid<float>& alpha);
 
 }  // namespace tessera

@@ -10,16 +10,17 @@
 namespace tessera {
 namespace {
 
-/// CIELAB from a pixel to the next, of which an edge has more: a gradient from black to white over 20 px has less.
+/// Least CIELAB difference between neighbouring pixels at an edge; a gradient from black to white over 20 px has less.
 constexpr float kEdgeStep = 5;
-/// How far from edges pixels are calm, px: antialiasing is 1 px wide.
+/// Least distance of calm pixels from edges, px: antialiasing is 1 px wide.
 constexpr int kCalm_px = 2;
-/// Over twice so many px a shade differs by so much: from black to white over 1,600 px. 8 bits a channel make steps of 0.4.
+/// Least colour difference of a shade, over twice this many px: a gradient from black to white over 1,600 px. Steps of
+/// 8 bits per channel are 0.4.
 constexpr int kShadeReach_px = 4;
 constexpr float kLeastShade = 0.5f;
-/// More is no texture but an edge that was missed.
+/// A larger difference is not texture but an edge that was missed.
 constexpr float kMostTexture = 6;
-/// So many calm px say how shaded a drawing is; fewer count in proportion.
+/// Fraction of calm pixels from which on shading counts fully; with fewer it counts in proportion.
 constexpr double kLeastCalmPart = 0.05;
 
 float difference(const Lab& a, const Lab& b) {
@@ -42,7 +43,7 @@ Grid<std::uint8_t> edges_of(const Grid<Lab>& colour) {
   return edges;
 }
 
-/// Inside, with neither edge nor outside within kCalm_px.
+/// The pixels inside with neither an edge nor the outside within kCalm_px.
 Grid<std::uint8_t> calm_part(const StyleRaster& raster) {
   const Grid<std::uint8_t> edges = edges_of(raster.colour);
   Grid<std::uint8_t> calm = raster.inside;
@@ -62,16 +63,16 @@ Lab mean_of(const Lab& a, const Lab& b, const Lab& c, const Lab& d) {
           ((a.b + c.b) + (b.b + d.b)) / 4};
 }
 
-/// Colours are gathered in cells of such a side, so that there are few, CIELAB.
+/// Side of the cells in which colours are counted, CIELAB; it keeps their number small.
 constexpr float kCell = 6;
 constexpr int kLightnessCells = 18, kHueCells = 44;
 constexpr float kLeastHue = -132;  // of a and b
-/// Colours that are as far apart are different ones for all purposes; nearer ones are alike in part.
+/// Colours at this distance are entirely different; nearer ones are partly alike.
 constexpr float kUnlike = 24;
 
-/// What is in use of a cell.
+/// The used colours of a cell.
 struct PaletteColour {
-  double part = 0;  // of all that was counted
+  double part = 0;  // fraction of all counted pixels
   Lab mean;
 };
 
@@ -112,7 +113,7 @@ class Palette {
   double all_ = 0;
 };
 
-/// Of colours that are alike in part: Leinster and Cobbold, "Measuring diversity" (2012), of order 1.
+/// The entropy of colours that are partly alike: Leinster and Cobbold, "Measuring diversity" (2012), of order 1.
 double entropy_bits(const std::vector<PaletteColour>& colours) {
   constexpr double kLog2 = 0.6931471805599453;
   double sum = 0;

@@ -1,4 +1,4 @@
-// What lies between a drawing's lines and edges: flat colours, shades, texture.
+// Measures the areas between a drawing's lines and edges: flat colours, shades, texture.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +8,15 @@
 namespace tessera {
 
 struct StyleSurface {
-  double texture = 0;  // as in StyleFeatures, as are the others
+  double texture = 0;  // the figures are those of StyleFeatures
   double shading = 0;
   double detail = 0;
-  Grid<std::uint8_t> calm;  // 1 where the drawing is and no edge is near
+  Grid<std::uint8_t> calm;  // 1 inside the drawing where no edge is near
 };
 
 StyleSurface style_surface(const StyleRaster& raster);
 
-/// Bits of the colours where `calm`; of all of the drawing's where nothing is.
+/// Bits of the colours where `calm`; of all of the drawing's colours if no pixel is calm.
 double palette_bits(const StyleRaster& raster, const Grid<std::uint8_t>& calm);
 
 }  // namespace tessera

@@ -1,4 +1,4 @@
-// How much less a drawing is preferred for being of another style.
+// The preference for drawings of the wished style.
 #pragma once
 
 #include <algorithm>
@@ -8,15 +8,15 @@
 
 namespace tessera {
 
-/// A drawing is preferred half as much for each so much of distance, at the weight 1: those that are as far apart as two
-/// are in the mean are preferred some 16 times less.
+/// Distance at which a drawing is half as preferred, at weight 1. Two drawings at the mean distance differ by a factor
+/// of about 16.
 inline constexpr float kStyleHalving = 1;
-/// Steps of preference, so that shapes share their stances (core/matching/stances.h): two to each halving, and sixteen
-/// in all, as what is preferred 256 times less is placed only where nothing else is left.
+/// Preference has steps, so that shapes share their stances (core/matching/stances.h): two per halving, and sixteen in
+/// all. A drawing that is preferred 256 times less is placed only if no other fits.
 inline constexpr int kStepsPerHalving = 2;
 inline constexpr int kMostStyleSteps = 16;
 
-/// 0 for the style that is wished for.
+/// The step of preference for a distance; 0 for the wished style.
 inline int style_step(float distance, float weight) {
   const float steps = distance / kStyleHalving * weight * float(kStepsPerHalving);
   return int(std::min(float(kMostStyleSteps), std::floor(steps + 0.5f)));
