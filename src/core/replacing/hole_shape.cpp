@@ -9,7 +9,7 @@ namespace tessera {
 namespace {
 
 /// In windows contacts are felt at half as many samples as where a whole collage is relaxed: it covers as much, and
-/// takes half the time (docs/measurements.md).
+/// takes half the time (docs/decisions/2026-11-23-replacement-trials.md).
 constexpr float kSpacing = 2;
 constexpr int kDockPoints = 64;
 constexpr int kInteriorSteps = 16;            // over the shape's field

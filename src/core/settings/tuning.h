@@ -123,7 +123,7 @@ inline constexpr float kOverlapDepth_px = 0.25f;  // less, where nodes are count
 inline constexpr float kReachSlack_px = 1.2f;  // what a disc of the reachable radius covers beyond it, counted in nodes
 inline constexpr float kDefectCost = 5;        // scale_aware: a piece that spoils a fifth of its area counts half
 // What pieces.balance = 1 adds to objective.length_exponent and scale_exponent. The first alone costs a dwarf nothing:
-// it fits into its gap along all of its boundary (docs/measurements.md, "Balance of sizes").
+// it fits into its gap along all of its boundary (docs/decisions/2026-11-23-balance-of-sizes.md).
 inline constexpr float kBalanceOfLength = 2;
 inline constexpr float kBalanceOfScale = 0.5f;
 inline constexpr float kBalanceOfRepetition = 0.5f;  // of objective.repetition_exponent: so variety stays

@@ -13,7 +13,7 @@ constexpr double kDrawnWithLines = 0.05;
 /// Shape units. Widths are compared by their ratio, those of hairlines by their difference.
 constexpr double kFineLine = 0.005;
 
-/// One unit of distance, by feature: about the spread over Debian's clip art (docs/measurements.md, Style), in round
+/// One unit of distance, by feature: about the spread over Debian's clip art (docs/decisions/2026-11-24-distance-of-styles.md), in round
 /// numbers. Less counts what one sees less: how much of the boundary is a line, as a part of it is enough to look
 /// outlined; of the others more.
 struct Spread {
