@@ -14,7 +14,8 @@ GROUPS = {
     "README.md": r"README\.md$",
     "docs/guide": r"docs/guide/.*\.md$",
     "reference and concepts": r"docs/(?!guide|gallery|measurements|scaling)[^/]*\.md$",
-    "measurements": r"docs/(measurements|scaling)\.md$",
+    "measurements": r"docs/(measurements|scaling)\.md$|docs/measurements/.*\.md$",
+    "decisions": r"docs/decisions/.*\.md$",
     "ARCHITECTURE.md": r"ARCHITECTURE\.md$",
     "comments in headers": r"(src|include)/.*\.h$",
 }

@@ -30,7 +30,7 @@ std::vector<std::string> all_and(std::vector<std::string> words) {
 // Tables, a key a row: the functions are as long as there are keys.
 // clang-format off
 
-/// A canvas of 1000 x 1000 px is the one that docs/measurements.md measures.
+/// A canvas of 1000 x 1000 px is the one that docs/measurements/pictures.md measures.
 void add_input_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
   keys.push_back(with_number({"", "seed", integer, "", 0, kMaxSeed, {},
@@ -156,7 +156,7 @@ void add_piece_keys(std::vector<JobKey>& keys) {
 
 /// levels, delta_tau: paper, section 5. top_percent, beta: trial; the paper's beta = 0.4 lets two thirds of all pairs
 /// pass, the best few percent are what prunes. tangent_dockings: trial; 300 to 600 are enough along straight sides,
-/// where PAD finds nothing. most_pairs: best hundred to best 2 %, all the same (docs/measurements.md).
+/// where PAD finds nothing. most_pairs: best hundred to best 2 %, all the same (docs/decisions/2026-11-21-pair-selection-in-bytes.md).
 void add_match_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
   keys.push_back(with_number({"match", "levels", integer, "", 2, kMaxPadLevels, {},

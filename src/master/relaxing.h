@@ -19,7 +19,7 @@
 
 namespace tessera::master {
 
-/// Where sizes differ more, dwarfs fill the gaps as well as pieces that grow into them (docs/measurements.md).
+/// Where sizes differ more, dwarfs fill the gaps as well as pieces that grow into them (docs/decisions/2026-11-23-joint-relaxation.md).
 inline constexpr float kMostRelaxedSizeRatio = 5;
 
 enum class NoRelaxing {

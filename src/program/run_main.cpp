@@ -47,7 +47,7 @@ int run_command(const Command& command, comm::Communicator& ranks) {
 bool started_by_launcher() { return std::getenv("OMPI_COMM_WORLD_SIZE") || std::getenv("PMIX_RANK"); }
 
 /// Vectors of some MB come and go in every round, and of some dozen while a library is loaded. Given back to the system
-/// in between, their pages are cleared each time: loading takes a third less without (docs/measurements.md).
+/// in between, their pages are cleared each time: loading takes a third less without (docs/decisions/2026-11-25-models-in-the-library-file.md).
 void keep_freed_memory() {
   mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the largest that there is
   mallopt(M_TRIM_THRESHOLD, int(kKeptFreed_bytes));

@@ -9,7 +9,7 @@ namespace tessera {
 namespace {
 
 /// Samples in windows lie this times as far apart as in the relaxation of a whole collage: coverage is the same, in
-/// half the time (docs/measurements.md).
+/// half the time (docs/decisions/2026-11-23-replacement-trials.md).
 constexpr float kSpacing = 2;
 constexpr int kDockPoints = 64;
 constexpr int kInteriorSteps = 16;            // over the shape's field

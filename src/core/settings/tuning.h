@@ -129,7 +129,7 @@ inline constexpr float kOverlapDepth_px = 0.25f;  // smaller depths, in counted 
 inline constexpr float kReachSlack_px = 1.2f;     // a disc counts this much farther, because nodes are counted
 inline constexpr float kDefectCost = 5;  // scale_aware: a piece with defects on a fifth of its area counts half
 // Additions at pieces.balance = 1 to objective.length_exponent and scale_exponent. The former alone costs a dwarf
-// nothing: a dwarf fits into its gap along all of its boundary (docs/measurements.md, "Balance of sizes").
+// nothing: a dwarf fits into its gap along all of its boundary (docs/decisions/2026-11-23-balance-of-sizes.md).
 inline constexpr float kBalanceOfLength = 2;
 inline constexpr float kBalanceOfScale = 0.5f;
 inline constexpr float kBalanceOfRepetition = 0.5f;  // of objective.repetition_exponent: keeps the variety

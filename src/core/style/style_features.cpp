@@ -13,7 +13,7 @@ constexpr double kDrawnWithLines = 0.05;
 /// Shape units. Widths are compared by their ratio, those of hairlines by their difference.
 constexpr double kFineLine = 0.005;
 
-/// One unit of distance for each feature: about its spread over Debian's clip art (docs/measurements.md, Style), in
+/// One unit of distance for each feature: about its spread over Debian's clip art (docs/decisions/2026-11-24-distance-of-styles.md), in
 /// round numbers. A larger value gives a feature less weight, as for `outlined`: a part of the boundary is enough to
 /// look outlined.
 struct Spread {

@@ -26,7 +26,7 @@ constexpr double kFillingExponent = 0.81;
 constexpr double kFillers = 0.19;
 
 /// Measured with 4, 14, 44 and 221 shapes: without variety coverage was 14, 4, 2 and 1 points higher, and CIEDE2000 0.4,
-/// 2.5, 0.7 and 0.1 lower (docs/measurements.md, "Mosaics seen from afar").
+/// 2.5, 0.7 and 0.1 lower (docs/decisions/2026-11-27-joints-and-small-libraries.md).
 constexpr std::size_t kFewShapes = 100;
 constexpr double kRepetitionExponent = 0.3;
 

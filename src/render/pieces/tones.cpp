@@ -15,7 +15,7 @@ namespace tessera {
 namespace {
 
 /// The most opacity of what is laid over a piece: more takes too much of the drawing's own contrast. Measured with 0.15
-/// to 0.3 (docs/measurements.md, "Mosaics seen from afar").
+/// to 0.3 (docs/decisions/2026-11-27-tone-patches.md).
 constexpr double kMostOpacity = 0.25;
 /// A way of so much, of 255, may have all of an opacity of 1, and a shorter one as much less: white that is to become a
 /// little whiter would be veiled for nothing.

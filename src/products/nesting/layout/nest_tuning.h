@@ -1,4 +1,4 @@
-// The numbers of nesting that no user sets. Measured on albano, jakobs1, shapes0 and swim (docs/measurements.md).
+// The numbers of nesting that no user sets. Measured on albano, jakobs1, shapes0 and swim (docs/measurements/nesting.md).
 #pragma once
 
 #include <cstdint>
