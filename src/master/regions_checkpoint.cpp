@@ -1,4 +1,4 @@
-// Regions: what a checkpoint keeps of them, and whose checkpoint it must be.
+// Regions: what a checkpoint keeps of them, and how it is known to belong to the job.
 #include <algorithm>
 #include <bit>
 #include <string>
@@ -53,7 +53,7 @@ void Regions::check_belongs(const CheckpointState& from) const {
                    "were then, or --restart, which removes it and starts again");
 }
 
-/// A digest of all pieces that the job gives: improving may have taken some of them out since.
+/// A digest of all pieces that the job gives; improving may have taken out some of them since.
 std::uint64_t Regions::begun_with() const {
   Digest digest;
   for (const GivenPiece& piece : settings_.wishes.given) {
