@@ -13,7 +13,7 @@
 namespace tessera::worker {
 namespace {
 
-/// What keeps a job from using the device: its compiler, or what it computes. Empty where nothing does.
+/// Why a job cannot use the device: its compiler fails, or it computes wrongly. Empty where it can.
 std::string hindrance(const cl::Device& device) {
   if (!device.getInfo<CL_DEVICE_AVAILABLE>()) return ", NOT AVAILABLE";
   try {
@@ -36,7 +36,7 @@ std::string platform_line(const cl::Platform& platform) {
   return "platform \"" + platform.getInfo<CL_PLATFORM_NAME>() + "\", " + platform.getInfo<CL_PLATFORM_VERSION>() + "\n";
 }
 
-/// What the processes of a job take of a CPU's memory beside what lies on it as a device.
+/// A text about a CPU's memory: what a job's processes take beside the memory that it offers as a device.
 std::string kept_memory_text(const std::vector<cl::Device>& devices) {
   const bool any_cpu = std::any_of(devices.begin(), devices.end(), [](const cl::Device& device) {
     return device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU;
