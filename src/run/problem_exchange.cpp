@@ -20,7 +20,7 @@ void check_library(const ShapeLibrary& library, std::uint64_t masters_digest) {
                    "); all ranks must read the same: copy it anew to every node, or keep it where all nodes see it");
 }
 
-/// `masters_digest`: of what lies over the canvas, with the colours of the drawings.
+/// Throws InputError where the colours differ. `masters_digest`: of the overlays, with the colours of the drawings.
 void check_colours(const CollageProblem& problem, std::uint64_t masters_digest) {
   if (problem.job().overlay_digest == masters_digest) return;
   throw InputError(problem.library().path() +

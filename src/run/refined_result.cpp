@@ -24,7 +24,8 @@ namespace fs = std::filesystem;
                    "it with --resume");
 }
 
-/// Where a limit may have ended it there is room left that was to stay, and no piece more is wanted.
+/// The limit of pieces for relaxing; 0: none. Where a limit may have ended the result's run, its free room was left on
+/// purpose, and no piece is added.
 int most_pieces(const RefinedResult& result) {
   const StopSettings& stop = result.whole.job.settings.stop;
   const int pieces = int(result.whole.manifest.shapes.size());
@@ -32,7 +33,7 @@ int most_pieces(const RefinedResult& result) {
   return stop.pieces > 0 ? std::max(stop.pieces, pieces) : 0;
 }
 
-/// Of each region once.
+/// The number of relaxations: one for each region.
 int relaxations(const Job& job) { return std::max(1, int(rows_of(job, "regions").size())); }
 
 }  // namespace

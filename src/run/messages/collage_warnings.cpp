@@ -29,7 +29,7 @@ double covered_fraction(const Canvas& canvas, const master::CollageResult& resul
   return covered_px2 / canvas.area_px2;
 }
 
-/// Of `found`, ascending places in a list, those from `begin` to `end`; empty where there are none.
+/// The text about those places in `found` (ascending) that lie from `begin` to `end`; empty where there are none.
 std::string those_that_lie(const std::vector<std::size_t>& found, std::size_t begin, std::size_t end, const char* where,
                            const std::function<std::string(std::size_t)>& name) {
   const auto first = std::lower_bound(found.begin(), found.end(), begin);
@@ -55,7 +55,8 @@ std::string text_of(master::NoRelaxing reason, const PieceSettings& pieces) {
   return text;
 }
 
-/// `covered`: part of what the drawing encloses; `used`: what is done with it. Empty where it is no outline alone.
+/// The warning of a drawing that is only an outline, otherwise empty. `covered`: part of what the drawing encloses. `used`:
+/// what the program does with the lines.
 std::string outline_text(const std::string& key, const std::string& file, double covered, const std::string& used) {
   if (covered >= kOutlineAlone) return "";
   const std::string percent = covered < 0.01 ? "less than 1" : fixed(100 * covered, 0);
@@ -189,7 +190,7 @@ std::string idle_keys_warning(const Job& job) {
 
 namespace {
 
-/// "30, 5, 60" where these intervals are single sizes, three or more, that do not rise; else empty.
+/// "30, 5, 60" where the intervals are three or more single sizes that do not rise; otherwise empty.
 std::string values_that_do_not_rise(const std::vector<double>& intervals) {
   std::vector<double> sizes;
   std::string text;
@@ -201,7 +202,7 @@ std::string values_that_do_not_rise(const std::vector<double>& intervals) {
   return sizes.size() >= 3 && !std::is_sorted(sizes.begin(), sizes.end()) ? text : "";
 }
 
-/// Empty where `intervals` are no such sizes.
+/// The warning of a decimal comma; empty where `intervals` show none.
 std::string decimal_comma_text(const std::string& place, const std::string& key, const std::vector<double>& intervals) {
   const std::string values = values_that_do_not_rise(intervals);
   if (values.empty()) return "";

@@ -28,21 +28,21 @@ void check(const RecognizeArguments& arguments) {
   }
 }
 
-/// A known scale is of no use where the library does not say how large its shapes were drawn.
+/// Refuses --scale where the library does not say how large its shapes were drawn.
 void check_drawn_sizes(const LibraryFile& library) {
   const LibraryParts no_parts{.outline = false, .field = false, .levels = 0, .artwork = false};
   if (library.read(0, 1, no_parts).front().drawn_scale_px > 0) return;
   throw InputError("--scale: " + library.path() + " does not know how large its shapes were drawn; build it anew");
 }
 
-/// The files that can be read, with their curves, and those that cannot, with the reasons.
+/// The files that can be read, with their curves, and the files that cannot, with the reasons.
 struct ReadQueries {
   std::vector<std::string> files;
   std::vector<DrawnCurves> drawn;
   std::vector<UnreadQuery> unread;
 };
 
-/// Throws InputError where no file can be read.
+/// Reads the queries. Throws InputError where no file can be read.
 ReadQueries read_queries(const std::vector<std::string>& files) {
   Drawers drawers({});
   ReadQueries queries;
