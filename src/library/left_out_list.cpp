@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Paths and reasons with control characters, tabs among them, would break the columns.
+/// One line of the list. Control characters in paths and reasons, such as tabs, would break the columns.
 std::string line(const char* what, const std::string& path, const std::string& why) {
   return std::string(what) + "\t" + printable_utf8(path) + "\t" + printable_utf8(why) + "\n";
 }

@@ -14,7 +14,7 @@ inline const std::vector<std::string>& mirroring_words() {
   return words;
 }
 
-/// Of the shapes with such names (patterns as in name_globs.h).
+/// How shapes with such names may be mirrored (patterns as in name_globs.h).
 struct MirroringRule {
   std::vector<std::string> names;
   Mirroring mirroring = Mirroring::never;
