@@ -12,7 +12,7 @@ namespace tessera {
 /// The places of the cells of a sheet: rows of equal pictures. The whole is a little wider than high.
 struct SheetLayout {
   int cell_width_px;
-  int cell_height_px;  // height of all lines of the caption
+  int cell_height_px;  // of the picture; the caption is below it
   int caption_px;      // height of all its lines
   int columns;
   int rows;
