@@ -19,7 +19,7 @@ struct MosaicPlan {
   double max_scale_px = 0;
 };
 
-/// How strongly a mosaic avoids showing the same drawing again.
+/// The strength with which a mosaic avoids showing the same drawing again.
 struct MosaicVariety {
   double apart_px = 0;             // distance between the outlines of two pieces of the same drawing, canvas px
   double repetition_exponent = 0;  // the job's objective.repetition_exponent

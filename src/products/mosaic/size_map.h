@@ -14,7 +14,7 @@ inline constexpr int kSizeMapPixel_px = 4;
 /// The size of the map of the plan's canvas, px.
 cv::Size size_map_size(const MosaicPlan& plan);
 
-/// How much the image changes at each place, for eyes that see no texture finer than the smallest piece. `image_bgr`:
+/// The change of the image at each place, for eyes that see no texture finer than the smallest piece. `image_bgr`:
 /// CV_8UC3 of any size, laid over the whole canvas. Returns CV_32F, one px for kSizeMapPixel_px of the canvas, in steps of
 /// CIELAB for each px.
 cv::Mat detail_of(const cv::Mat& image_bgr, const MosaicPlan& plan);

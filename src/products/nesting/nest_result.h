@@ -30,7 +30,7 @@ double density_of(const NestRun& run);
 /// The number of pieces that were wanted.
 int wanted_pieces(const NestRun& run);
 
-/// What ended the search of a run that was stopped, for people: "the time limit".
+/// The reason why the search of a run was stopped, for people: "the time limit".
 std::string stopped_by_text(const NestRun& run);
 
 /// The text of layout.json, in the format of sparrow's solutions: rotation in degrees about the shape's own origin, then

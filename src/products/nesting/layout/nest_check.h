@@ -9,11 +9,11 @@
 
 namespace tessera {
 
-/// How deep pieces may lie in each other or beyond the strip, and by how much they may be too near, as parts of the strip's
+/// Depth to which pieces may lie in each other or beyond the strip, or be too near, as a part of the strip's
 /// height.
 inline constexpr double kNestTolerance = 1e-6;
 
-/// What is wrong with the layout, for a message; empty: nothing is. Faults are: pieces that overlap or are too near, stick
+/// The fault of the layout, for a message; empty: there is none. Faults are: pieces that overlap or are too near, stick
 /// out, are missing or too many, or have an angle that is not allowed. `check_stop` is called for each two pieces that are
 /// near each other; what it throws ends the check.
 std::string nest_fault(const NestProblem& problem, const NestLayout& layout, const StopCheck& check_stop = never_stop);

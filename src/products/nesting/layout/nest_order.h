@@ -8,7 +8,7 @@
 
 namespace tessera {
 
-/// How hard a piece is to place: the size of its hull times the longer side of its bounding box.
+/// A measure of how hard a piece is to place: the size of its hull times the longer side of its bounding box.
 inline double size_to_place(const PosedShape& shape) { return double(shape.weight) * double(shape.diameter); }
 
 /// Sorts items, the largest first.

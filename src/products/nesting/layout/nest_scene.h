@@ -46,7 +46,7 @@ class NestScene {
   }
 
   void set_length(double length) { length_ = length; }
-  /// How far the pieces reach in x.
+  /// The length up to which the pieces reach in x.
   double used_length() const;
 
   void add(int item, const NestPose& pose);

@@ -5,7 +5,7 @@
 
 namespace tessera::nest_tuning {
 
-/// How deep pieces may lie in each other, as a part of the strip's height: it lets them touch in spite of rounding. Corners
+/// Depth to which pieces may lie in each other, as a part of the strip's height: it lets them touch in spite of rounding. Corners
 /// of either piece move by at most 8 times that; 1e-6 is promised.
 inline constexpr double kInset = 2e-8;
 /// The area that all sides of a search outline may add, as a part of the piece's area.
@@ -19,7 +19,7 @@ inline constexpr double kFading = 0.01;
 inline constexpr int kAnywhere = 36;
 inline constexpr int kNearby = 16;
 inline constexpr int kFlush = 16;
-/// How many of the best of these places are moved downhill.
+/// The number of the best of these places that are moved downhill.
 inline constexpr int kDescents = 3;
 /// Steps of a descent, as parts of the smaller side of the piece's box: the first, and those at which it ends.
 inline constexpr double kFirstStep = 0.25;

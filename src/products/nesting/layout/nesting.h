@@ -12,7 +12,7 @@
 
 namespace tessera {
 
-/// How much is tried, on any machine: the number of pairs of pieces that are compared.
+/// The effort, on any machine: the number of pairs of pieces that are compared.
 struct NestEffort {
   int chains = 2;
   std::uint64_t work_of_piece = 0;  // of each chain, for each piece

@@ -15,7 +15,7 @@ struct NestPlace {
 /// others, and moves the best few downhill. The present place where none is better.
 NestPlace best_place(NestScene& scene, int piece, NestRandom& random);
 
-/// The same for a new piece, with `times` as many samples. False where no angle fits onto the strip.
+/// The best place for a new piece, with `times` as many samples. False where no angle fits onto the strip.
 bool place_for_new(NestScene& scene, int item, int times, NestRandom& random, NestPlace& place);
 
 }  // namespace tessera

@@ -28,7 +28,7 @@ using PosedItems = std::vector<std::vector<PosedShape>>;
 /// Makes the shapes. `check_stop` is called before each item; what it throws ends the work.
 PosedItems posed_items(const NestProblem& problem, const StopCheck& check_stop = never_stop);
 
-/// How much two shapes overlap, estimated from their discs: about the square root of the doubly covered area, times a
+/// An estimate of how much two shapes overlap, from their discs: about the square root of the doubly covered area, times a
 /// factor for their size; never 0. After sparrow's overlap proxy (Gardeyn, Wauters 2025). `sure` becomes true where discs
 /// of both meet, so that the shapes certainly overlap.
 double overlap_estimate(const PosedShape& a, NestPoint a_shift, const PosedShape& b, NestPoint b_shift, bool& sure);

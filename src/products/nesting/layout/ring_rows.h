@@ -19,7 +19,7 @@ class RingRows {
   NestPoint from(std::size_t side) const { return (*ring_)[side > 0 ? side - 1 : ring_->size() - 1]; }
   NestPoint to(std::size_t side) const { return (*ring_)[side]; }
 
-  /// The same as tessera::contains().
+  /// See tessera::contains().
   bool contains(NestPoint p) const;
 
   /// Calls visit(side) for each side whose bounding box meets the window; for some sides more than once.

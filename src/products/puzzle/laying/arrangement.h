@@ -92,7 +92,7 @@ class PuzzleArranger {
   /// Whether all pieces lie and fit.
   bool whole(const Arrangement& in) const;
 
-  /// How much pieces agree. A boundary beside a narrow gap counts more against it than a touching one counts for it.
+  /// The agreement of all pieces. A boundary beside a narrow gap counts more against it than a touching one counts for it.
   double coherence(const Arrangement& in) const;
 
   /// Calls `watch`.

@@ -9,7 +9,7 @@
 
 namespace tessera {
 
-/// What is beside a point of a piece's boundary; with several neighbours the largest value counts.
+/// The neighbourhood of a point of a piece's boundary; with several neighbours the largest value counts.
 enum class Beside : std::uint8_t { nothing, gap, contact };
 
 struct PosedPiece {
