@@ -22,7 +22,7 @@ struct CollageResult {
   bool gave_up_question = false;  // the matcher threw Interrupted: it must not be asked again
 };
 
-/// Where the loop starts, and who keeps its state.
+/// The state from which the loop starts, and the keeper of its checkpoints.
 struct Checkpoints {
   const CheckpointState* from = nullptr;  // null: starts with an empty canvas
   // Null: keeps nothing. Otherwise the loop ends with a checkpoint, finished or not.

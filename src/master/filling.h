@@ -29,7 +29,7 @@ class Filling {
   /// already, so that the collage can be saved.
   bool place_one();
 
-  /// How often the region's samples were matched again since the last piece. The collage's checkpoint holds it, because an
+  /// The number of times the region's samples were matched again since the last piece. The collage's checkpoint holds it, because an
   /// interruption may come between two such passes.
   int empty_passes() const { return empty_passes_; }
   /// Sets it. Returns false where there are never so many passes.

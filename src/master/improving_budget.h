@@ -1,4 +1,4 @@
-// How many trials, or how much time, improving has. Each region of the canvas gets its part by area.
+// The budget of improving in trials or in time. Each region of the canvas gets its part by area.
 #pragma once
 
 #include <cstddef>
@@ -20,13 +20,13 @@ class ImprovingBudget {
   /// Whether the region may have another trial, after `trials` trials and `improve_s` seconds in all regions together.
   bool may_go_on(std::uint32_t region, std::uint64_t trials, double improve_s) const;
 
-  /// What a phase of replacement trials has done so far.
+  /// The progress of a phase of replacement trials.
   struct Replaced {
     std::uint64_t trials = 0;
     double improve_s = 0;  // seconds of improving until now
     double total_s = 0;    // seconds of the run until now
   };
-  /// How many replacement trials the region's phase has in all. Where only time is limited, it estimates how many fit into
+  /// The number of replacement trials that the region's phase has in all. Where only time is limited, it estimates how many fit into
   /// their part of the time, from the trials so far. `pieces`: the number of pieces that may be replaced.
   std::uint64_t replacements(std::uint32_t region, std::size_t pieces, const Replaced& so_far) const;
 

@@ -22,7 +22,7 @@ namespace tessera::master {
 
 class ImprovingPhase {
  public:
-  /// What the phase works with. When the phase ends or throws Interrupted, all of it stands before the next trial or batch.
+  /// The objects that the phase works with. When the phase ends or throws Interrupted, all of it stands before the next trial or batch.
   struct Parts {
     const Canvas& canvas;
     const CollageSettings& settings;

@@ -1,4 +1,4 @@
-// What a run counted, and how long its stages took. No decision depends on it.
+// The counters of a run, and the times of its stages. No decision depends on it.
 #pragma once
 
 #include "core/base/processor_time.h"

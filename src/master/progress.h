@@ -1,4 +1,4 @@
-// How a run reports its progress, and how it is asked to stop. The caller injects both, so that tests are silent.
+// The interface by which a run reports its progress and is asked to stop. The caller injects both, so that tests are silent.
 #pragma once
 
 #include <cstddef>

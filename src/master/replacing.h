@@ -30,7 +30,7 @@ inline constexpr double kPartReplaced = 5.0 / 6;
 inline constexpr std::size_t kWindowsAtATime = 8;
 inline constexpr std::uint64_t kReplacementsPerTrial = 8;
 
-/// How far a phase of replacement trials is. Its temperature falls from the first trial to the last.
+/// The progress of a phase of replacement trials. Its temperature falls from the first trial to the last.
 struct ReplacementProgress {
   std::uint64_t done = 0;  // trials
   std::uint64_t all = 0;

@@ -1,4 +1,4 @@
-// Which target samples are to be matched, and with which random dockings.
+// Decides which target samples are matched, and with which random dockings.
 #pragma once
 
 #include <cstdint>

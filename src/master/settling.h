@@ -23,7 +23,7 @@ class Settling {
   bool settle(ShapeId shape, const PoseRange& poses, Similarity& canvas_from_shape);
 
  private:
-  /// How deep boundary points of the shape may lie in other pieces, px.
+  /// The depth, px, to which boundary points of the shape may lie in other pieces.
   float hard_depth_of(const Shape& shape, float scale_px) const;
   bool push_clear(const ShapeModel& model, const PoseRange& poses, float most_px, Similarity& pose) const;
   bool fit_exactly(const Shape& shape, const PoseRange& poses, Similarity& pose) const;

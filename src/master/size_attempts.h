@@ -13,7 +13,7 @@ namespace tessera::master {
 
 class SizeAttempts {
  public:
-  /// Without fit = "all" the first attempt is the only one.
+  /// Begins the first attempt, which is the only one without fit = "all".
   explicit SizeAttempts(const PieceSettings& pieces);
 
   /// The factor that multiplies all sizes in the present attempt.

@@ -1,4 +1,4 @@
-// What candidates are worth to the present collage: the objective, less the cost of repetition (paper section 4).
+// The worth of candidates to the present collage: the objective, less the cost of repetition (paper section 4).
 #pragma once
 
 #include <cstdint>
@@ -35,9 +35,9 @@ class Scoring {
   }
   /// Whether one more piece of the shape may stand.
   bool may_use(ShapeId shape) const;
-  /// How many pieces of the shape are wanted at least.
+  /// The least number of pieces of the shape that are wanted.
   int least_uses(ShapeId shape) const { return uses_.least(shape); }
-  /// How many more pieces of the shape are needed to reach the least number.
+  /// The number of pieces of the shape that are missing to the least number.
   int missing_uses(ShapeId shape) const;
   /// The shapes that may not stand at the moment, ascending. Where some are `missing` (ascending), all others are closed.
   std::vector<ShapeId> closed_shapes(const std::vector<ShapeId>& missing) const;

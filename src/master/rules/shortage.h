@@ -1,4 +1,4 @@
-// How far a collage lacks pieces that must find a place.
+// The pieces that a collage lacks although they must find a place.
 #pragma once
 
 #include <cstdint>
