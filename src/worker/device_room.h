@@ -1,4 +1,4 @@
-// How much of a library an OpenCL device can hold.
+// Computes how much of a library an OpenCL device can hold.
 #pragma once
 
 #include <CL/opencl.hpp>
@@ -12,7 +12,7 @@
 
 namespace tessera::worker {
 
-/// What a matcher needs on a device beside its part of the library.
+/// The needs of a matcher on a device, beside its part of the library.
 struct DeviceNeeds {
   bool reads_models = true;  // it reads single models from the library's file; false: it holds all of them
   double field_nodes = 0;    // of the free field
@@ -35,7 +35,7 @@ struct DeviceRoom {
 /// devices that are CPUs share the host's memory.
 std::vector<DeviceRoom> rooms_of(const std::vector<cl::Device>& devices, int workers, int workers_of_node);
 
-/// How many shapes fit into a device; `most` at most.
+/// The number of shapes that fit into a device; `most` at most.
 std::size_t shapes_that_fit(const DeviceRoom& room, const MatchingContext& context, const DeviceNeeds& needs,
                             std::size_t most);
 

@@ -17,7 +17,7 @@ class PairStage {
   void post_count(std::vector<std::uint32_t> bins, std::uint32_t segment_stride);
   /// Waits for the posted search and posts the next part of it. False where nothing is left to search.
   bool step_count();
-  /// The same as Matcher::step_is_ready().
+  /// See Matcher::step_is_ready().
   bool step_is_ready() const;
   std::vector<DistanceHistogram> take_count();
 

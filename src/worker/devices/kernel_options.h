@@ -10,7 +10,7 @@ namespace tessera::worker {
 /// All files of kernels/, joined by cmake/EmbedKernels.cmake.
 extern const char* const kernel_source;
 
-/// How the 16 lanes of a docking (kernels/lanes.cl) are computed: by one work item in vectors, which suits CPUs, or by 16
+/// The way in which the 16 lanes of a docking (kernels/lanes.cl) are computed: by one work item in vectors, which suits CPUs, or by 16
 /// work items of a group, which suits GPUs. Both give the same bits.
 enum class DockingLanes { vectors, items };
 

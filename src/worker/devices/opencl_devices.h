@@ -17,7 +17,7 @@ std::vector<cl::Device> opencl_devices();
 /// Describes a device for records and lists.
 DeviceDescription describe(const cl::Device& device);
 
-/// How the device computes the lanes of a docking best.
+/// The best way for the device to compute the lanes of a docking.
 DockingLanes lanes_for(const cl::Device& device);
 
 /// A worker's share of its node's devices. Each worker takes `per_worker` devices of its own; 0: each takes all devices.

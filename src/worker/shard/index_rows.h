@@ -40,7 +40,7 @@ struct IndexRows {
   std::vector<ChordRecord> chords;        // by block and lane, where rotations are limited
 };
 
-/// What an index has to support.
+/// The features that an index has to support.
 struct IndexKind {
   int pad_levels = 5;
   bool with_chords = false;

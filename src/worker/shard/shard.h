@@ -41,7 +41,7 @@ void set_sizes(MatchRecord& match, const MatchingContext& context);
 Shard make_shard(const MatchRecord& match, const IndexKind& kind, const std::vector<ShapeModel>& models,
                  std::vector<LibraryPad> pads = {});
 
-/// How many shapes keep their contours and key points in memory, where these could also be read from the library's file.
+/// The number of shapes that keep contours and key points in memory, where these could also be read from the library's file.
 struct HeldShapes {
   /// A shard of at most so many shapes has all of them from the start: 5 KB a shape on the device and 14 KB in memory.
   std::uint32_t most_whole = 65536;
