@@ -13,7 +13,7 @@
 
 namespace tessera {
 
-/// What the canvas decides about the problem. Workers read no canvas: rank 0 sends them this.
+/// The part of the problem that the canvas decides. Workers read no canvas: rank 0 sends them this.
 struct CanvasFindings {
   double size_factor = 1;  // multiplies all sizes; 1 unless every shape needs a place (pieces.fit)
   double room_part = 1;    // part of the canvas that is filled; below 1 where pieces are removed

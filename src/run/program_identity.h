@@ -10,11 +10,11 @@ namespace tessera {
 /// "tessera 0.1.0, commit 4554c24, kernels 5a0c1e4bd1f0a977".
 std::string program_identity();
 
-/// For rank 0: tells all other ranks the master's program. It is the first broadcast of a job, and the only one that is
+/// Called by rank 0: tells all other ranks the master's program. It is the first broadcast of a job, and the only one that is
 /// plain text and no typed message (comm/encode.h).
 void announce_program(comm::Communicator& ranks, const std::string& program);
 
-/// For every other rank, first: throws EnvironmentError where its own `program` is not the master's.
+/// Called first by every other rank: throws EnvironmentError where its own `program` is not the master's.
 void check_program(comm::Communicator& ranks, const std::string& program);
 
 }  // namespace tessera

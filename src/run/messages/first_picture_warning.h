@@ -12,7 +12,7 @@ namespace tessera {
 /// pictures or cannot be read: whoever uses them reports that.
 std::string first_picture_warning(const std::vector<std::string>& files);
 
-/// The same for all files that a job's keys name.
+/// This warning for all files that a job's keys name.
 std::string first_picture_warning(const Job& job);
 
 }  // namespace tessera

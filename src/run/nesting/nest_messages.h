@@ -8,14 +8,14 @@
 
 namespace tessera {
 
-/// From rank 0 to all others: the search that they share.
+/// Message of rank 0 to all others: the search that they share.
 struct NestSearch {
   NestProblem problem;
   NestEffort effort;
   std::uint64_t seed = 0;
 };
 
-/// From a worker to rank 0: the best layout of its chains so far, and whether all chains have ended.
+/// Message of a worker to rank 0: the best layout of its chains so far, and whether all chains have ended.
 struct NestReport {
   NestLayout layout;
   bool is_last = false;

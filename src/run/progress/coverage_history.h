@@ -21,7 +21,7 @@ class CoverageHistory {
     double seconds;
     std::optional<double> coverage;
   };
-  /// In a long run, every 2nd, 4th, ... moment.
+  /// The moments; in a long run only every 2nd, 4th, ... of them.
   std::vector<Moment> moments_;
   std::size_t every_ = 1;
   std::size_t added_ = 0;

@@ -16,7 +16,7 @@ struct AskedCurves {
   float pixel = 1;
 };
 
-/// From rank 0 to all others: the queries and the library in which to look for them.
+/// Message of rank 0 to all others: the queries and the library in which to look for them.
 struct RecognitionQuestion {
   std::vector<AskedCurves> queries;
   std::string library;               // the file, which every rank opens itself
