@@ -12,7 +12,7 @@
 
 namespace tessera {
 
-/// How the chunks of a data set are packed. Our writer either shuffles and deflates them or does neither, and always adds a
+/// The packing of a data set's chunks. Our writer either shuffles and deflates them or does neither, and always adds a
 /// Fletcher-32 checksum.
 struct ChunkPacking {
   std::size_t bytes = 0;          // of an unpacked chunk

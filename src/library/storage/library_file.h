@@ -45,7 +45,7 @@ class LibraryFile : public ShapeLibrary {
   /// that it reads with this digest, so that a wrong digest is found before the part is used. Libraries of older versions
   /// store no digest and are read as a whole.
   std::uint64_t content_digest() const override;
-  /// In libraries of older versions each shape is its own variant.
+  /// Libraries of older versions know no variants: each shape is its own.
   std::vector<std::uint32_t> variant_of() const override;
   /// Unknown in libraries of older versions.
   std::vector<StyleFeatures> styles() const override;

@@ -34,11 +34,11 @@ class ShapeLibrary {
   /// smoothing levels in their order, and which shapes are variants. Artwork does not count. Two libraries with the same
   /// digest give the same collage. Throws as read().
   virtual std::uint64_t content_digest() const = 0;
-  /// For each shape, the first shape with the same silhouette, perhaps in other colours; mostly itself. Throws as read().
+  /// The first shape with the same silhouette, perhaps in other colours, for each shape; mostly itself. Throws as read().
   virtual std::vector<std::uint32_t> variant_of() const = 0;
   /// The style of each shape's drawing; unknown in libraries of older versions. Throws as read().
   virtual std::vector<StyleFeatures> styles() const = 0;
-  /// For each shape, the shape whose mirror image it is (the same drawing, mirrored); mostly itself.
+  /// The shape whose mirror image it is (the same drawing, mirrored), for each shape; mostly itself.
   virtual std::vector<std::uint32_t> drawings() const = 0;
   /// The shapes [begin, end). Throws InputError that names file and data set where the data are damaged.
   virtual std::vector<Shape> read(std::size_t begin, std::size_t end, const LibraryParts& parts) const = 0;
