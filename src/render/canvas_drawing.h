@@ -1,4 +1,4 @@
-// What pictures show of a canvas beside the pieces: its edge, the drawing in canvas.keep_out, and the ground.
+// The parts of a canvas that pictures show beside the pieces: its edge, the drawing in canvas.keep_out, and the ground.
 #pragma once
 
 #include "artwork/drawers/drawers.h"

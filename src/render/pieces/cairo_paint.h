@@ -11,7 +11,7 @@ namespace tessera {
 
 using Curves = std::vector<std::vector<Vec2>>;  // closed
 
-/// How much of each pixel in the picture's `window` the curves fill (even-odd): 0 to 255, CV_8U.
+/// The part of each pixel in the picture's `window` that the curves fill (even-odd): 0 to 255, CV_8U.
 cv::Mat filled_coverage(const Curves& curves, const Similarity& picture_from_curves, const cv::Rect& window);
 
 /// Curves and their place in the picture.

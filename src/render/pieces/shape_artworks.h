@@ -36,7 +36,7 @@ class ShapeArtworks {
   /// bad) the silhouette in its mean colour. `slot` is the shape's in the report. The longest side of the page is at most
   /// `side_px`. Throws DrawingStopped.
   Sprite sprite(std::size_t slot, int side_px);
-  /// The same as an SVG element with this id; the silhouette is a path.
+  /// The drawing of a shape as an SVG element with this id; the silhouette is a path.
   SvgSymbol symbol(std::size_t slot, const std::string& id);
 
   const Outline& clip(std::size_t slot) const { return clips_[slot]; }
@@ -52,7 +52,7 @@ class ShapeArtworks {
     bool thumbnail = false;
   };
 
-  /// For a deformed piece the library's shape, whose drawing is warped; otherwise the shape itself.
+  /// The shape whose drawing is used: the library's shape for a deformed piece, whose drawing is warped; otherwise the shape itself.
   const Shape& original(std::size_t slot) const;
   std::size_t original_slot(std::size_t slot) const;
   Outline clip_of(std::size_t slot) const;

@@ -1,4 +1,4 @@
-// How drawing reports its progress, and how it is asked to stop.
+// The interface by which drawing reports its progress and is asked to stop.
 #pragma once
 
 #include <atomic>
