@@ -10,7 +10,7 @@
 
 namespace tessera {
 
-/// What deforming gained and cost, for the card.
+/// The gains and costs of deforming, for the card.
 struct DeformationFigures {
   double coverage_before = 0;
   double overlap_before = 0;

@@ -1,4 +1,4 @@
-// Where the ranks of a run spent their time, and what they sent: the table at the end of a run, and a section of card.json.
+// The times of a run's ranks, and the messages that they sent: the table at the end of a run, and a section of card.json.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ struct Spread {
   double average = 0;
   double max = 0;
 
-  /// How much longer all wait for the slowest worker than for an average one, in percent; 0 where nothing was measured.
+  /// The additional time that all wait for the slowest worker, compared with an average one, in percent; 0 where nothing was measured.
   double imbalance_percent() const { return average > 0 ? 100 * (max / average - 1) : 0; }
 };
 
@@ -38,7 +38,7 @@ Spread spread_of(const std::vector<WorkerTimes>& workers, Figure figure) {
 /// no worker.
 std::string ranks_text(const RankStatistics& ranks);
 
-/// The same for programs. Its keys differ from those of the card's other sections.
+/// The table for programs. Its keys differ from those of the card's other sections.
 nlohmann::ordered_json ranks_json(const RankStatistics& ranks);
 
 }  // namespace tessera
