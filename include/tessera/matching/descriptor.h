@@ -26,7 +26,7 @@ class TESSERA_MATCHING_API Descriptor {
   /// The description of an outline that has passed check().
   virtual Description describe(const Outline& outline) const = 0;
 
-  /// How much the query differs from a known description: 0 or more, and 0 for the same description. The query may show
+  /// The difference of the query from a known description: 0 or more, and 0 for the same description. The query may show
   /// only a part of a shape, so the order of the two may matter.
   virtual double distance(const Description& query, const Description& known) const = 0;
 };

@@ -25,7 +25,7 @@ struct RecogniseSettings {
 
 struct Recognised {
   std::size_t known = 0;  ///< index of the known outline
-  /// How much of the query's length the known outline follows, and how closely: 0 to about 1.
+  /// The part of the query's length that the known outline follows, weighted by closeness: 0 to about 1.
   double similarity = 0;
   /// The same length divided by the geometric mean of the lengths of query and known outline: 1 for an outline and itself.
   /// It tells known from unknown queries.
