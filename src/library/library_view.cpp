@@ -70,7 +70,7 @@ std::vector<bool> chosen_shapes(const std::vector<LibraryFile>& files, const std
 float difference_of(const LibraryFile& file, const Shape& shape, const std::vector<Lab>& palette) {
   if (shape.colour_grid.known()) return palette_difference(shape.colour_grid, palette);
   throw InputError(file.path() + " does not know the colours of " + shape.name +
-                   "'s parts, as libraries of older versions; build it again");
+                   "'s parts, because an older version built it; build it again");
 }
 
 /// Removes drawings of other colours from the choice.

@@ -81,15 +81,15 @@ class StateChecks {
     if (index_of(shape) >= shapes) {
       fail(state_, "shape " + std::to_string(index_of(shape)) + " of " + std::to_string(shapes));
     }
-    if (!(any_size ? sane(pose) : sane(pose, settings_.pieces))) fail(state_, "a piece out of all proportion");
+    if (!(any_size ? sane(pose) : sane(pose, settings_.pieces)))
+      fail(state_, "a piece with an impossible size or place");
   }
 
   void check_candidate(const Candidate& c) const {
     check_piece(c.shape, c.canvas_from_shape, false);
-    if (c.stance >= open_shapes_.stances().stances().size())
-      fail(state_, "a way of standing that the job does not know");
+    if (c.stance >= open_shapes_.stances().stances().size()) fail(state_, "a stance that the job does not have");
     if (!sane(c.window, free_.field().value.bounds()) || !sane(c.perimeter, c.radius)) {
-      fail(state_, "a candidate out of all proportion");
+      fail(state_, "a candidate with an impossible size or place");
     }
   }
 
@@ -101,12 +101,12 @@ class StateChecks {
     const std::size_t given = open_shapes_.given();
     if (state_.loop.phase != LoopPhase::replacing || moving.size() < given ||
         !std::equal(moving.begin(), moving.begin() + std::ptrdiff_t(given), state_.placements.begin())) {
-      fail(state_, "pieces move that may not");
+      fail(state_, "its replacement phase moves pieces that must stay");
     }
     for (std::size_t i = 0; i < moving.size(); ++i) {
       check_piece(moving[i].shape, moving[i].canvas_from_shape, i < given || frees_given_pieces_);
     }
-    check_cover(moving, "more pieces move than have room");
+    check_cover(moving, "its replacement phase has far more pieces than fit");
   }
 
   /// Checks the pieces of the best attempt at sizes; the given pieces come first there, too.
@@ -114,10 +114,10 @@ class StateChecks {
     const std::vector<Placement>& best = state_.best.placements;
     for (const Placement& p : best) {
       if (index_of(p.shape) >= open_shapes_.context().library_shapes || !sane(p.canvas_from_shape)) {
-        fail(state_, "a piece of an attempt out of all proportion");
+        fail(state_, "a piece of its best attempt with an impossible size or place");
       }
     }
-    if (!best.empty()) check_cover(best, "more pieces of an attempt than have room");
+    if (!best.empty()) check_cover(best, "its best attempt has far more pieces than fit");
   }
 
   /// Checks that the pieces, without the given ones, do not cover far more than the canvas.
@@ -157,7 +157,7 @@ void Collage::restore(const CheckpointState& state) {
   replace_placements(state.placements);
   checks.check_samples(curve_);
   if (rebuilt_digest() != state.rebuilt_digest) {
-    fail(state, "its pieces do not give the free region that it was written for");
+    fail(state, "its pieces leave another free region than the saved one");
   }
   for (const PooledSample& sample : state.pool) pool_.put_back(sample.id, sample.candidates, sample.truncated);
   schedule_.restore(state);

@@ -99,7 +99,7 @@ void check(const Outline& outline) {
   }
   const OutlineBox box = box_of(outline);
   if (!(box.extent() > std::max(kSmallestExtent, kSmallestBox * farthest(box)))) {
-    throw Error("an outline whose points are all one, or lie too close together for their distance from the origin");
+    throw Error("an outline whose points are all equal, or too close together for their distance from the origin");
   }
   double total = 0;
   for (std::size_t c = 0; c < outline.curves.size(); ++c) {

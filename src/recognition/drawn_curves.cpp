@@ -100,7 +100,7 @@ DrawnCurves read_drawn_curves(const std::string& path, TracedAs kind, Drawers& d
   if (result.curves.empty()) throw InputError(path + ": " + lack_of_curves(kind));
   for (const Curve& curve : result.curves) {
     if (const std::string fault = curve_fault(curve); !fault.empty())
-      throw InputError(path + ": a curve of no use: " + fault);
+      throw InputError(path + ": a curve that cannot be used: " + fault);
   }
   return result;
 }

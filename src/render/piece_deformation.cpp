@@ -162,12 +162,12 @@ std::vector<std::size_t> points_of(const Outline& outline) {
 
 /// How the points of the outline moved. Throws InputError where `after` is not the outline of the same shape.
 std::vector<Vec2> displacements(const Outline& before, const Outline& after) {
-  if (points_of(before) != points_of(after)) throw InputError("a polygon that is not that of its shape, deformed");
+  if (points_of(before) != points_of(after)) throw InputError("a polygon that does not belong to its shape");
   std::vector<Vec2> moves;
   for (std::size_t c = 0; c < before.curves.size(); ++c) {
     for (std::size_t i = 0; i < before.curves[c].size(); ++i) {
       moves.push_back(after.curves[c][i] - before.curves[c][i]);
-      if (!(norm(moves.back()) <= kFarthest)) throw InputError("a polygon that lies far from where its shape lies");
+      if (!(norm(moves.back()) <= kFarthest)) throw InputError("a polygon far from the place of its shape");
     }
   }
   return moves;

@@ -313,7 +313,7 @@ FoundResults find_results(const std::string& argument) {
   if (!found.cards.empty() || !found.damages.empty()) return found;
   for (const std::string& path : entries_of(argument)) take(path, found);
   if (!found.cards.empty() || !found.damages.empty()) return found;
-  throw InputError(argument + ": no result of tessera collage, neither itself nor its folders");
+  throw InputError(argument + ": no result of tessera collage, neither in this folder nor in those within it");
 }
 
 }  // namespace tessera

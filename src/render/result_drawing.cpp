@@ -78,12 +78,13 @@ LibraryView opened_library(const Job& job) {
 std::string another_library(const std::string& dir, const ResultManifest& manifest, const LibraryView& library) {
   const bool same_place = manifest.library == library.path();
   const std::string maker = made_by(dir);
-  return library.path() + ": not the library that the collage was made from: the digest of its content is " +
-         digest_text(library.content_digest()) + ", that was " + digest_text(manifest.library_digest) +
+  return library.path() + ": not the library that the collage was made from: its content has the digest " +
+         digest_text(library.content_digest()) + ", that of the collage's library was " +
+         digest_text(manifest.library_digest) +
          (same_place ? ", built or changed since" : ", then in " + printable_utf8(manifest.library)) +
          (maker.empty() ? "" : "; the collage was made by " + maker) +
-         "; --library FILE says where that library is; where it is gone, tessera library build makes it again of the "
-         "same drawings, or tessera collage a collage of this one";
+         "; --library FILE says where that library is; if it is lost, build it again from the "
+         "same drawings (tessera library build), or make a new collage with this library";
 }
 
 LibraryView library_of(const std::string& dir, const Job& job, const ResultManifest& manifest) {
@@ -116,7 +117,7 @@ DrawnCanvas canvas_of(const WholeResult& result, const PictureRequest& request, 
   if (canvas_digest(canvas) != result.manifest.canvas_digest) {
     const CanvasSpec& spec = job.canvas;
     const std::string both = spec.file + (spec.file.empty() || spec.keep_out.empty() ? "" : " or ") + spec.keep_out;
-    throw InputError(both + ": another content than when the collage was made; put the file back to draw it");
+    throw InputError(both + ": its content has changed since the collage was made; put the old file back to draw it");
   }
   CanvasSpec box = job.canvas;
   shrink_box_to_page(box, canvas, drawers);
@@ -149,9 +150,8 @@ std::vector<std::string> distinct(std::vector<std::string> colours) {
 }
 
 InputError no_pdf(const std::string& dir, const std::string& harmony) {
-  return InputError(dir + ": colour.harmony: found \"" + harmony +
-                    "\" with a PDF, which has no means for it; allowed: " + "--set colour.harmony=" + kNoHarmony +
-                    ", or the PNG, TIFF and SVG");
+  return InputError(dir + ": colour.harmony: found \"" + harmony + "\" with a PDF, which cannot turn hues; allowed: " +
+                    "--set colour.harmony=" + kNoHarmony + ", or the PNG, TIFF and SVG");
 }
 
 /// Finds out, before anything is drawn, whether all files can be written.

@@ -163,16 +163,18 @@ std::string variety_text(const Quality& q) {
 
 std::string copies_text(const Quality& q) {
   if (q.pieces == 0) return kNoPieces;
-  if (!q.copies_px) return q.distinct_shapes > 0 ? "none of half of the pieces" : "not known, shapes have no names";
-  return fixed(*q.copies_px, 1) + " px off  (median; " + percent_text(*q.copies_apart, 1) + " of the diagonal)";
+  if (!q.copies_px)
+    return q.distinct_shapes > 0 ? "none: half of the pieces or more have no copy" : "not known, shapes have no names";
+  return fixed(*q.copies_px, 1) + " px away  (median; " + percent_text(*q.copies_apart, 1) + " of the diagonal)";
 }
 
 std::string between_text(const Quality& q) {
-  return q.between_px ? fixed(*q.between_px, 3) + " px  (the nearest two; 0: they touch)" : "there are no two";
+  return q.between_px ? fixed(*q.between_px, 3) + " px  (the nearest two; 0: they touch)" : "fewer than two pieces";
 }
 
 std::string style_text(const Quality& q) {
-  return q.style_distance ? fixed(*q.style_distance, 2) + " apart  (two pieces, mean by area; 0 = one)" : "not known";
+  return q.style_distance ? fixed(*q.style_distance, 2) + "  (of two pieces, mean by area; 0 = one style)"
+                          : "not known";
 }
 
 std::string quality_text(const Quality& q, float padding_px) {

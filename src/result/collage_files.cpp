@@ -109,7 +109,7 @@ void check_nothing_foreign_is_replaced(const std::string& dir, const std::string
   for (const char* name : names) {
     if (!is_there(name)) continue;
     throw InputError(in_directory(dir, name) +
-                     ": is there, and no run of tessera left it; give another --out, or remove it");
+                     ": exists, and no run of tessera wrote it; give another --out, or remove it");
   }
 }
 

@@ -82,7 +82,7 @@ std::string drawing_warning(const DrawingNotes& notes) {
     text += (text.empty() ? "" : "; ") + count_text(pieces, "piece") + " drawn as silhouettes: " + reason;
   }
   for (const std::string& problem : notes.cards) {
-    text += (text.empty() ? "" : "; ") + std::string("drawn without a word in the card: ") + problem;
+    text += (text.empty() ? "" : "; ") + std::string("the card does not tell of this drawing: ") + problem;
   }
   return text;
 }

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kTouched_px2 = 4;
 constexpr const char* kNeeded =
-    "what is drawn over the pieces that are to go, alone on a transparent or plain page, or painted over a copy of "
+    "marks over the pieces that are to go, on a transparent or plain page, or painted over a copy of "
     "collage.png";
 
 /// Refuses another aspect than the canvas'. Sizes in px are rounded, which matters most for small pictures.

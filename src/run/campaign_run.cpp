@@ -180,7 +180,7 @@ int run_campaign(const CampaignArguments& arguments, comm::Communicator& ranks) 
   check_ranking_can_be_written(campaign_folder(arguments));
   const int made = make_all(arguments, tasks, ranks);
   if (made == kUnfinishedExitCode) {
-    print_message("unfinished: the same command goes on where this one was");
+    print_message("unfinished: run the same command again to continue");
     return kUnfinishedExitCode;
   }
   RankingArguments ranking{.folders = {}, .out = campaign_folder(arguments), .weights = arguments.weights};

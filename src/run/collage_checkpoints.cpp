@@ -111,7 +111,7 @@ void CollageCheckpoints::keep(const CheckpointState& state) {
     if (failure_.empty()) {
       const bool after_bar = isatty(STDERR_FILENO) == 1;
       if (after_bar) std::fputc('\n', stderr);
-      print_message(std::string("warning: no checkpoint: ") + error.what() + "; going on without");
+      print_message(std::string("warning: no checkpoint: ") + error.what() + "; the run continues without one");
     }
     failure_ = error.what();
   }

@@ -52,7 +52,7 @@ std::vector<std::string> with_canvas(std::vector<std::string> advice, const Canv
                                      const WrittenKeys& keys) {
   if (problem.settings().match.tangent_dockings == 0) {
     advice.push_back("more " + keys.with_value("match", "tangent_dockings") +
-                     ": without, nothing docks along straight sides");
+                     ": without them nothing docks along straight sides");
   }
   const bool in_mm = problem.job().canvas.width_mm > 0;
   advice.push_back("a larger " + keys.with_value("canvas", in_mm ? "size_mm" : "size_px"));
@@ -115,7 +115,7 @@ std::string missing_warning(const CanvasProblem& problem, const master::CollageR
       count_text(pieces, "piece is", "pieces are") + " missing: " + missing_text(missing, kNamesTold) + "; ";
   if (const std::string limit = limit_that_ended(result.statistics); !limit.empty()) {
     if (keeps_number_of_pieces(problem.settings().stop, refined, limit))
-      return what + refined->folder + " lacks them, too, and refining it so lets no piece more come in";
+      return what + refined->folder + " lacks them, too, and refining it like this adds no pieces";
     return what + keys.with_value("stop", limit.c_str()) + " ended the collage before they found a place";
   }
   UnplacedShapes unplaced{{}, all_regions(problem)};
@@ -201,7 +201,7 @@ std::string empty_regions_warning(const CanvasProblem& problem, const master::Co
   for (std::size_t i = 0; i < std::min(empty.size(), kMostTold); ++i)
     warnings.push_back(empty_region_text(problem, result, empty[i]));
   if (empty.size() > kMostTold)
-    warnings.push_back("nor does anything in " + count_text(empty.size() - kMostTold, "other region"));
+    warnings.push_back("and nothing lies in " + count_text(empty.size() - kMostTold, "other region"));
   return joined_warnings(warnings);
 }
 

@@ -29,7 +29,7 @@ bool has_hosts_memory(const cl::Device& device) { return device.getInfo<CL_DEVIC
              " in one buffer)";
   }
   throw EnvironmentError("OpenCL devices: " + count_text(shapes, "shape") + " of the library " +
-                         by_count(shapes, "does", "do") + " not fit, room is for " + found +
+                         by_count(shapes, "does", "do") + " not fit into their memory; there is room for " + found +
                          "; give the job more ranks, nodes or devices");
 }
 

@@ -26,7 +26,7 @@ constexpr std::size_t kMostWindows = 10'000;
 constexpr int kMostWindow_px = 200;
 
 void require(bool holds) {
-  if (!holds) throw InputError("a cascade whose numbers lead out of it");
+  if (!holds) throw InputError("an index or a rectangle is out of range");
 }
 
 bool same_place(const cv::Rect& a, const cv::Rect& b) {

@@ -78,10 +78,10 @@ bool holds(const std::string& path, std::span<const std::uint8_t> bytes) {
 void check_replaceable(const std::string& output, std::span<const std::uint8_t> bytes, const MosaicRequest& request) {
   if (!fs::exists(output) || holds(output, bytes)) return;
   if (!fs::exists(request.job) || !is_mosaic_job(read_regular_file(request.job, kMostOwnBytes)))
-    throw InputError(output + ": is there and is not of tessera mosaic; give another name with --job");
+    throw InputError(output + ": exists and was not made by tessera mosaic; give another name with --job");
   if (!request.replace) {
-    throw InputError(output + ": is there already, with another content; tessera collage " + request.job +
-                     " runs the job as it is, --replace writes it anew, --job gives it another name");
+    throw InputError(output + ": exists with other content; tessera collage " + request.job +
+                     " runs the job as it is, --replace overwrites it, --job gives it another name");
   }
 }
 

@@ -88,7 +88,7 @@ std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, const M
          "size_map = " +
          toml_string(files.size_map) +
          "\n"
-         "# No drawing beside itself: px between the outlines of two of it.\n"
+         "# Least distance between two pieces of the same drawing: px between their outlines.\n"
          "apart_px = " +
          number_text(variety.apart_px) +
          "\n"

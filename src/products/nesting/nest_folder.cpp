@@ -88,10 +88,10 @@ fs::path checked(const fs::path& folder) {
   std::error_code ignored;
   if (!fs::exists(folder, ignored)) return folder;
   if (!fs::is_directory(folder, ignored))
-    throw InputError("--out " + shown + ": is there and is no folder; give another name");
+    throw InputError("--out " + shown + ": exists and is no folder; give another name");
   if (const std::string file = foreign_file(folder); !file.empty()) {
-    throw InputError("--out " + shown + ": is there, and its " + printable_utf8(file) +
-                     " is not of tessera nest; give another name");
+    throw InputError("--out " + shown + ": exists, and its " + printable_utf8(file) +
+                     " was not made by tessera nest; give another name");
   }
   for (const std::string& name : names_in(folder)) {
     if ((is_ours(name) || is_leftover(name)) && fs::is_directory(fs::symlink_status(folder / name)))

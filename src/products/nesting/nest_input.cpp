@@ -226,7 +226,7 @@ void add_library(const std::string& path, NestInput& input) {
        library.read(0, library.size(), {.outline = true, .field = false, .levels = 0, .artwork = false})) {
     if (!(shape.drawn_scale_px > 0)) {
       throw InputError(shown_path(path) + ": does not say how large \"" + printable_utf8(shape.name) +
-                       "\" was drawn, as of an earlier version; tessera library build makes one that does");
+                       "\" was drawn, because an earlier version built it; tessera library build makes one that does");
     }
     NestSource& source = input.sources.emplace_back();
     source.mm_per_shape = double(shape.drawn_scale_px) * kMmOfPx;

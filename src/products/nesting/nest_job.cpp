@@ -72,8 +72,8 @@ NestJob nest_job(const NestRun& run, int sheet, const std::string& folder, const
                            "# Every key of a job: docs/job-format.md\n\n"
                            "[library]\nfile = " +
                            toml_string(library) + "\n\n[canvas]\nsize_mm = [" + size_mm + "]\nsize_px = [" + size_px +
-                           "]\n\n[start]\n# Where they lie.\npieces = " + toml_string(pieces_name) +
-                           "\n\n[stop]\n# No others.\npieces = " + std::to_string(pieces.size()) +
+                           "]\n\n[start]\n# The poses of the pieces.\npieces = " + toml_string(pieces_name) +
+                           "\n\n[stop]\n# No other pieces.\npieces = " + std::to_string(pieces.size()) +
                            "\n\n[improve]\ntrials = 0\n\n[output]\ndpi = " +
                            fixed(std::clamp(std::round(canvas.per_mm * 25.4), 1.0, 4800.0), 0) + "\n";
   return {toml, puzzle_geojson(pieces)};

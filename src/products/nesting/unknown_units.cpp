@@ -39,7 +39,7 @@ std::string own_px_text(const SvgOutlines& outlines, const std::optional<NestBox
   return "written by " + outlines.program + ", which had " + px + " px an inch: its shapes take " +
          size_text(larger * extent->width(), larger * extent->height()) + " then, and " +
          size_text(extent->width(), extent->height()) + " at CSS's 96, as they are read here; --dpi " + px +
-         " or --dpi 96 says which";
+         " or --dpi 96 chooses one";
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ std::vector<Shape> shapes_of(const SolvingRequest& request) {
   for (const Shape& shape : shapes) {
     if (shape.drawn_scale_px > 0) continue;
     throw InputError(request.library + ": does not say how large \"" + shape.name +
-                     "\" was drawn, as of an earlier version; tessera library build makes one that does");
+                     "\" was drawn, because an earlier version built it; tessera library build makes one that does");
   }
   return shapes;
 }
@@ -253,13 +253,13 @@ std::string job_text(const SolvingRequest& request, const SolvedPuzzle& solved) 
          "]\n"
          "\n"
          "[start]\n"
-         "# Where they lie.\n"
+         "# The poses of the pieces.\n"
          "pieces = " +
          toml_string(fs::path(solution_path(request.job)).filename().string()) +
          "\n"
          "\n"
          "[stop]\n"
-         "# No others.\n"
+         "# No other pieces.\n"
          "pieces = " +
          std::to_string(solved.placed) +
          "\n"
@@ -291,7 +291,8 @@ void check_may_be_written(const SolvingRequest& request) {
     std::error_code ignored;
     const bool ours =
         !fs::equivalent(path, request.library, ignored) && fs::exists(request.job) && is_puzzle_job(request.job);
-    if (!ours) throw InputError(path + ": is there and is not of tessera puzzle solve; give another name with --job");
+    if (!ours)
+      throw InputError(path + ": exists and was not made by tessera puzzle solve; give another name with --job");
   }
 }
 
@@ -299,7 +300,7 @@ void check_may_be_written(const SolvingRequest& request) {
 void write(const SolvingRequest& request, const std::vector<Output>& outputs) {
   for (const Output& output : outputs) {
     if (request.replace || !fs::exists(output.path) || holds(output.path, output.text)) continue;
-    throw InputError(output.path + ": is there already, with another content; --replace writes it anew, --job gives " +
+    throw InputError(output.path + ": exists with other content; --replace overwrites it, --job gives " +
                      "it another name");
   }
   for (const Output& output : outputs) write_file_atomically(output.path, output.text);
@@ -311,8 +312,8 @@ void check_canvas(const SolvingRequest& request, const SolvedPuzzle& solved) {
   if (std::min(solved.width_px, solved.height_px) >= kLeast_px &&
       std::max(solved.width_px, solved.height_px) <= kMost_px)
     return;
-  throw InputError(request.library + ": what was laid would be a canvas of " + std::to_string(solved.width_px) + " x " +
-                   std::to_string(solved.height_px) + " px, allowed: from 16 to 20000 px (--scale K)");
+  throw InputError(request.library + ": the solved puzzle needs a canvas of " + std::to_string(solved.width_px) +
+                   " x " + std::to_string(solved.height_px) + " px, allowed: from 16 to 20000 px (--scale K)");
 }
 
 /// Refuses frames that are far too large for the pieces, because the solver walks along them in steps of a piece's size.

@@ -91,7 +91,7 @@ class KeysTried {
       keys.push_back("less " + keys_.with_value("pieces", "padding_px"));
     }
     if (canvas_.has_zones() && any_fits(without_zones(), kept_px(), false)) {
-      keys.push_back("less of the canvas kept out of (canvas.keep_out, [[keep_out]])");
+      keys.push_back("smaller zones that pieces keep out of (canvas.keep_out, [[keep_out]])");
     }
     return keys;
   }

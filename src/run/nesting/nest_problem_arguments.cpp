@@ -89,7 +89,7 @@ NestProblem problem_of(const NestArguments& arguments, const NestInput& input) {
   }
   if (!(problem.height > 0)) {
     throw InputError(printable_utf8(arguments.input) +
-                     ": how large is the material? allowed: --strip H, or --sheet W,H, in mm");
+                     ": found no size of the material, allowed: --strip H, or --sheet W,H, in mm");
   }
   std::size_t pieces = 0, points = 0;
   for (const NestSource& source : input.sources) {

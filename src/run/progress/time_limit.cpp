@@ -101,8 +101,8 @@ double time_limit_s(const std::optional<std::string>& argument, const char* slur
     const double limit_s = parse_time_limit(*argument);
     const double kept_s = reserve_s(limit_s) + leaving_s;
     if (limit_s > kept_s) return limit_s;
-    throw refused(*argument,
-                  "more than the " + fixed(kept_s, 1) + " s that are kept for checkpoint, files and leaving");
+    throw refused(*argument, "more than the " + fixed(kept_s, 1) +
+                                 " s that are reserved for the checkpoint, the files and the end of the ranks");
   }
   double end_s = 0;
   if (slurm_end_time) {
@@ -116,7 +116,8 @@ std::string short_limit_warning(double limit_s, double leaving_s) {
   const double kept_s = reserve_s(limit_s) + leaving_s;
   if (limit_s > kept_s) return "";
   return "the Slurm job ends in " + fixed(limit_s, 0) + " s, and " + fixed(kept_s, 0) +
-         " s are kept for checkpoint, files and leaving: nothing will be computed; give the job more time (sbatch "
+         " s are reserved for the checkpoint, the files and the end of the ranks: nothing will be computed; give the "
+         "job more time (sbatch "
          "--time)";
 }
 

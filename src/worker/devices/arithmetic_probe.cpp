@@ -217,8 +217,8 @@ void check_arithmetic(const DeviceSession& session) {
   const std::vector<ArithmeticProbe> probes = arithmetic_probes();
   const std::string wrong = wrong_arithmetic(probes, probe_results(session, probes));
   if (wrong.empty()) return;
-  throw EnvironmentError("OpenCL device \"" + session.name() + "\" computes otherwise than IEEE 754 says: " + wrong +
-                         "; a collage would have other bytes there than elsewhere. Choose other devices by "
+  throw EnvironmentError("OpenCL device \"" + session.name() + "\" does not compute as IEEE 754 requires: " + wrong +
+                         "; a collage made there would differ from one made elsewhere. Choose other devices by "
                          "devices.use or --devices (tessera devices lists them), or another driver");
 }
 

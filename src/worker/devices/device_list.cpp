@@ -42,8 +42,8 @@ std::string kept_memory_text(const std::vector<cl::Device>& devices) {
     return device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU;
   });
   if (!any_cpu) return "";
-  return "The memory of a CPU is that of the host: each process of a job may keep " +
-         std::to_string(kKeptFreed_bytes / 1'000'000) + " MB of it that it has freed\n(tessera plan counts them).\n";
+  return "A CPU device uses the memory of the host, where each process of a job may also keep " +
+         std::to_string(kKeptFreed_bytes / 1'000'000) + " MB\nthat it has freed (tessera plan counts them).\n";
 }
 
 std::string use_text(std::size_t devices) {

@@ -123,7 +123,7 @@ std::vector<cl::Device> devices_by_index(const std::vector<cl::Device>& all, con
     const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), index);
     if (error != std::errc() || end != item.data() + item.size()) throw refuse("\"" + item + "\" is no index");
     if (index >= all.size()) throw refuse("there is no device " + item);
-    if (std::find(indices.begin(), indices.end(), index) != indices.end()) throw refuse(item + " stands there twice");
+    if (std::find(indices.begin(), indices.end(), index) != indices.end()) throw refuse(item + " is listed twice");
     indices.push_back(index);
   }
   std::vector<cl::Device> chosen;

@@ -63,13 +63,13 @@ std::string count_fault(const NestProblem& problem, const NestLayout& layout) {
   std::vector<int> counts = layout.left_over;
   counts.resize(problem.items.size(), 0);
   for (const NestedPiece& piece : layout.pieces) {
-    if (piece.item < 0 || piece.item >= int(counts.size())) return "a piece of no item";
+    if (piece.item < 0 || piece.item >= int(counts.size())) return "a piece of an unknown item";
     if (piece.angle < 0 || piece.angle >= int(problem.items[std::size_t(piece.item)].angles_deg.size()))
-      return "a piece at no angle of its own";
+      return "a piece at an angle that it may not have";
     ++counts[std::size_t(piece.item)];
   }
   for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (counts[i] != problem.items[i].demand) return "item " + std::to_string(i) + " is there another number of times";
+    if (counts[i] != problem.items[i].demand) return "item " + std::to_string(i) + " has a wrong number of pieces";
   }
   return "";
 }
