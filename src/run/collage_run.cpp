@@ -81,8 +81,8 @@ RunRecord record_of(const CollageInput& input) {
   return record;
 }
 
-/// Seconds that leaving takes. mpirun waits two seconds for a rank that has not ended properly (rank_program.cpp), then
-/// kills it; that takes two more.
+/// Seconds that leaving takes. This rank waits two seconds for a rank that does not report its end (rank_program.cpp); then
+/// mpirun kills that rank, which takes two more.
 double leaving_s(const comm::Communicator& ranks) { return ranks.size() > 1 ? 4 : 0; }
 
 void note_beginning(const MasterRun& run) {
