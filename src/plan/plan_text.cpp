@@ -15,7 +15,7 @@ constexpr double kMemoryMargin = 1.25;
 constexpr double kTimeMargin = 3;
 constexpr double kTimeStep_s = 300;
 constexpr double kMemoryStep_bytes = 100e6;
-constexpr int kWarning_s = 120;  // before the time limit, as in slurm/*.sbatch
+constexpr int kWarning_s = 120;  // Slurm's signal this long before the time limit, as in slurm/*.sbatch
 
 std::string line(const std::string& label, const std::string& value) {
   constexpr std::size_t kLabelWidth = 22;
@@ -37,7 +37,7 @@ TimeUnit unit_of(double seconds) {
   return seconds < 7200 ? TimeUnit{60, " min", 0} : TimeUnit{3600, " h", 1};
 }
 
-/// The parts have the unit of their sum, and a digit more.
+/// The total and its parts in the same unit; the parts have one digit more.
 std::string time_text(const PlanEstimate& plan) {
   const TimeUnit unit = unit_of(plan.total_s);
   const auto part = [&](double seconds) { return fixed(seconds / unit.seconds, unit.decimals + 1) + unit.name; };
