@@ -11,7 +11,7 @@
 namespace tessera::comm {
 namespace {
 
-/// The system's exceptions without a file: most often a thread could not be started.
+/// The text for a system exception that names no file: most often a thread could not be started.
 std::string refusal(const std::system_error& error) {
   const std::string reason = error.code().message();
   if (error.code() != std::errc::resource_unavailable_try_again) return "the system refused: " + reason;
