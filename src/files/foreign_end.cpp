@@ -14,9 +14,9 @@
 namespace tessera {
 namespace {
 
-/// Made at first: a signal handler may use no memory.
+/// Prepared in advance: a signal handler may not allocate memory.
 std::array<char, 256> words;
-std::size_t word_bytes = 0;  // 0: nothing is told
+std::size_t word_bytes = 0;  // 0: nothing is printed
 bool lives = false;
 
 void tell() { [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, words.data(), word_bytes); }
@@ -25,7 +25,7 @@ void on_abort(int) {
   remove_leftover_files();
   tell();
   if (word_bytes > 0) _exit(EXIT_FAILURE);
-  // The handler is gone, and abort() goes on to end the process.
+  // The handler is reset (SA_RESETHAND); abort() goes on and ends the process.
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ bool holds_something(const std::string& folder) {
   return false;
 }
 
-/// Removes what it was told of, unless it was told that all is written.
+/// Removes the paths that were added, unless finish() was called.
 class Unfinished {
  public:
   ~Unfinished() {
@@ -32,7 +32,7 @@ class Unfinished {
   void finish() { paths_.clear(); }
 
  private:
-  std::vector<fs::path> paths_;  // folders before what is in them
+  std::vector<fs::path> paths_;  // folders before their content
 };
 
 }  // namespace
