@@ -11,11 +11,11 @@
 namespace tessera {
 namespace {
 
-// Defaults are not repeated here: they are the initial values of Job (job_file.h) and of CollageSettings (settings.h).
-// Where those come from stands above each group; "paper" is Kwan et al. 2016, "trial" the measured single-threaded
-// prototype on 120 animal silhouettes, 1000 x 1000 px, that this program was designed from.
+// Defaults are not repeated here: they are the initial values in Job (job_file.h) and CollageSettings (settings.h).
+// Their sources stand above each group. "paper" is Kwan et al. 2016. "trial" is the measured single-threaded prototype
+// from which this program was designed (120 animal silhouettes, 1000 x 1000 px).
 
-/// A field of the functions in key_fields.h.
+/// A `field` for the functions in key_fields.h.
 #define FIELD(member) \
   [](auto& job) -> auto& { return job.member; }
 
@@ -27,10 +27,10 @@ std::vector<std::string> all_and(std::vector<std::string> words) {
   return words;
 }
 
-// Tables, a key a row: the functions are as long as there are keys.
+// The rows of the table, one for each key: these functions are as long as there are keys.
 // clang-format off
 
-/// A canvas of 1000 x 1000 px is the one that docs/measurements.md measures.
+/// docs/measurements.md measures a canvas of 1000 x 1000 px.
 void add_input_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
   keys.push_back(with_number({"", "seed", integer, "", 0, kMaxSeed, {},
@@ -81,7 +81,7 @@ void add_input_keys(std::vector<JobKey>& keys) {
                            FIELD(canvas.keep_out)));
 }
 
-/// As in the paper: an empty canvas, filled from its edge inward.
+/// Default as in the paper: an empty canvas, filled from its edge inward.
 void add_start_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
   keys.push_back(with_text({"start", "pieces", file, "", 0, 0, {},
@@ -154,9 +154,10 @@ void add_piece_keys(std::vector<JobKey>& keys) {
                              FIELD(settings.pieces.overlap_px)));
 }
 
-/// levels, delta_tau: paper, section 5. top_percent, beta: trial; the paper's beta = 0.4 lets two thirds of all pairs
-/// pass, the best few percent are what prunes. tangent_dockings: trial; 300 to 600 are enough along straight sides,
-/// where PAD finds nothing. most_pairs: best hundred to best 2 %, all the same (docs/measurements.md).
+/// levels, delta_tau: paper, section 5. top_percent, beta: trial; the paper's beta = 0.4 accepts two thirds of all
+/// pairs, so only the limit to the best few percent selects. tangent_dockings: trial; 300 to 600 are enough along
+/// straight sides, where PADs match nothing. most_pairs: the result is the same from the best hundred to the best 2 %
+/// (docs/measurements.md).
 void add_match_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
   keys.push_back(with_number({"match", "levels", integer, "", 2, kMaxPadLevels, {},
@@ -187,7 +188,7 @@ std::vector<std::string> objective_names() {
   return names;
 }
 
-/// All from the trial: the paper's Z alone prefers dwarfs (75 % coverage with 600 pieces). Without a price of
+/// All from the trial: the paper's Z alone prefers very small pieces (75 % coverage with 600 pieces). Without a cost of
 /// repetition one boomerang fills the canvas.
 void add_objective_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
@@ -213,7 +214,7 @@ void add_objective_keys(std::vector<JobKey>& keys) {
                              FIELD(settings.objective.near_twin_factor)));
 }
 
-/// These numbers count where `quality` has no say: without a number nothing is improved, as in the paper.
+/// These numbers apply where `quality` is not used: without a number nothing is improved, as in the paper.
 void add_improve_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
   keys.push_back(with_number({"improve", "trials", integer, "", 0, 1e7, {},
@@ -245,7 +246,7 @@ void add_stop_keys(std::vector<JobKey>& keys) {
   keys.back().decides = false;
 }
 
-/// By default pieces keep their outlines. The limits are those up to which drawings were taken for undeformed ones.
+/// By default pieces keep their outlines. The limits are those up to which people took drawings for undeformed ones.
 void add_deform_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
   const std::size_t before = keys.size();
@@ -269,7 +270,7 @@ void add_deform_keys(std::vector<JobKey>& keys) {
   for (std::size_t i = before; i < keys.size(); ++i) keys[i].decides = false;
 }
 
-/// Once a minute costs a thousandth of the time at most, and no more than a minute is ever lost.
+/// One checkpoint a minute costs at most a thousandth of the time, and at most a minute of work is lost.
 void add_checkpoint_keys(std::vector<JobKey>& keys) {
   keys.push_back(with_number({"checkpoint", "every_s", JobKind::number, "s", 0, 1e6, {},
                               "time between two checkpoints; 0 = only at the end, and where the run is interrupted"},
@@ -278,7 +279,7 @@ void add_checkpoint_keys(std::vector<JobKey>& keys) {
   keys.back().in_result = false;
 }
 
-/// Workers send a sign of life every 5 s, whatever they compute: a minute is for nodes that swap and networks that
+/// Workers send a heartbeat every 5 s, whatever they compute. A minute allows for nodes that swap and networks that
 /// stall.
 void add_comm_keys(std::vector<JobKey>& keys) {
   keys.push_back(with_number({"comm", "silence_s", JobKind::number, "s", 1, 1e6, {},
@@ -288,7 +289,7 @@ void add_comm_keys(std::vector<JobKey>& keys) {
   keys.back().in_result = false;
 }
 
-/// One-colour silhouettes, black as a rule, make a black mass: they are told apart by colours of a palette.
+/// Silhouettes of one colour, mostly black, would form one black area: colours of a palette tell the pieces apart.
 void add_colour_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
   keys.push_back(with_text({"colour", "pieces", word, "", 0, 0, {"auto", "artwork", "palette"},
@@ -325,7 +326,7 @@ void add_colour_keys(std::vector<JobKey>& keys) {
   keys.back().decides = false;
 }
 
-/// A library is of many styles, and collages of the paper's do not regard them.
+/// A library has many styles; collages of the paper ignore them.
 void add_style_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
   keys.push_back(with_texts({"style", "like", texts, "", 0, 0, {},
@@ -338,7 +339,7 @@ void add_style_keys(std::vector<JobKey>& keys) {
                              FIELD(style.weight)));
 }
 
-/// A piece as its drawing is, cut out along its outline, is the collage of the paper.
+/// By default a piece is its drawing, cut out along its outline, as in the paper.
 void add_piece_drawing_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
   keys.push_back(with_number({"output", "outline_px", number, "px", 0, 100, {},
@@ -367,7 +368,7 @@ void add_piece_drawing_keys(std::vector<JobKey>& keys) {
                            FIELD(output.labels)));
 }
 
-/// A picture twice as wide as the default canvas shows the artwork's detail on a dense screen and in print.
+/// A picture twice as wide as the default canvas shows the artwork's details on a dense screen and in print.
 void add_machine_and_output_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
   const std::size_t first = keys.size();

@@ -18,7 +18,7 @@ JobKey required(JobKey key) {
   return key;
 }
 
-/// What shapes and regions alike may wish for.
+/// Adds the columns that shapes and regions have in common.
 void add_poses(JobTable& table, const std::string& where) {
   using enum JobKind;
   table.columns.push_back(
