@@ -47,7 +47,7 @@ struct CollageCommand {
   FirstCollageArguments first;
 };
 
-/// --job, --canvas and --size say what a first collage is to be; a job says it itself.
+/// Refuses --job, --canvas and --size beside a job: they describe a first collage, and a job has keys for that.
 void check_has_no_first_options(const FirstCollageArguments& first) {
   constexpr const char* kAllowed = ": allowed with a folder of drawings or a library";
   if (!first.job.empty()) throw InputError(std::string("--job") + kAllowed);
@@ -67,7 +67,7 @@ int run(CollageCommand command, comm::Communicator& ranks) {
   first.source = command.collage.job;
   first.is_library = source == CollageSource::library;
   command.collage.job = first_job_path(first);
-  // Rank 0 alone reads the drawings; the workers get the job from there, as any job.
+  // Only rank 0 reads the drawings; it sends the job to the workers, as any job.
   if (ranks.rank() != 0) return collage_exit_code(command.collage, ranks);
   const JobOutput output(command.collage, {}, false);
   write_first_job(first, command.collage);

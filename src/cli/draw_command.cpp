@@ -47,7 +47,7 @@ struct DrawArguments {
   bool quiet = false;
 };
 
-/// "#264653,#e76f51" as the list that a job has; a name or a path as it is.
+/// "#264653,#e76f51" as the list that a job has; a name or a path unchanged.
 std::string palette_value(const std::string& text) {
   if (!text.starts_with('#')) return text;
   std::string list;
@@ -57,7 +57,7 @@ std::string palette_value(const std::string& text) {
   return "[" + list + "]";
 }
 
-/// --width, --background and --palette are short for keys, and --set wins.
+/// The keys for --width, --background and --palette, followed by those of --set, which win.
 std::vector<std::string> drawing_keys(const DrawArguments& arguments) {
   std::vector<std::string> keys;
   if (arguments.width_px > 0) {
@@ -71,7 +71,7 @@ std::vector<std::string> drawing_keys(const DrawArguments& arguments) {
   return keys;
 }
 
-/// The job that a result was made by.
+/// The job that made a result.
 Job job_of_result(const std::string& folder) {
   try {
     return read_result(folder).job;
@@ -82,7 +82,7 @@ Job job_of_result(const std::string& folder) {
   }
 }
 
-/// Of what is asked for; what the result's job says was told when it was run.
+/// A warning about keys that are given but have no effect. Warnings about the result's own job were printed by its run.
 std::string idle_keys_warning(Job job, const std::vector<std::string>& keys) {
   const Job before = job;
   set_drawing_keys(job, keys);
@@ -98,7 +98,7 @@ void check_palette(Job job, const std::vector<std::string>& keys, const std::str
   load_palette(job, "--palette " + palette);
 }
 
-/// Pictures of one result are none of another, nor of a run that is to go on.
+/// Refuses the folder of another result, or of a run that can be resumed.
 void check_takes_pictures(const std::string& folder) {
   if (is_in_result(folder, kManifestName)) {
     throw InputError("--to " + folder + ": found a result there, allowed: a folder without one");
@@ -109,20 +109,20 @@ void check_takes_pictures(const std::string& folder) {
   }
 }
 
-/// Keeps other runs out of the folders.
+/// Locks the result's folder and the pictures' folder against other runs.
 class DrawingLocks {
  public:
   DrawingLocks(const std::string& result, const std::string& to) {
-    if (!to.empty()) check_takes_pictures(to);  // nothing is written there
+    if (!to.empty()) check_takes_pictures(to);  // checked before anything is written there
     lock_result(result, !to.empty());
     if (to.empty()) return;
     prepare_output_directory(to);
     pictures_.emplace(folder_lock_path(to), to);
-    check_takes_pictures(to);  // nobody has made one since
+    check_takes_pictures(to);  // checked again, now with the lock
   }
 
  private:
-  /// A result where nothing can be written can be drawn elsewhere.
+  /// Locks the result's folder. Where it is read-only its pictures can still be written elsewhere.
   void lock_result(const std::string& result, bool elsewhere) {
     try {
       result_.emplace(folder_lock_path(result), result);
@@ -132,14 +132,14 @@ class DrawingLocks {
   }
 
   std::optional<OutputLock> result_;
-  std::optional<OutputLock> pictures_;  // where they have a folder of their own
+  std::optional<OutputLock> pictures_;  // where the pictures have a folder of their own
 };
 
 int run(DrawArguments arguments) {
   PictureRequest& wanted = arguments.request;
   if (!wanted.png && !wanted.svg && !wanted.pdf && !wanted.tiff) wanted.png = wanted.svg = true;
   wanted.keys = drawing_keys(arguments);
-  const Job job = job_of_result(arguments.folder);  // no lock is left where there is no result
+  const Job job = job_of_result(arguments.folder);  // first, so that no lock stays where there is no result
   if (!arguments.palette.empty()) check_palette(job, wanted.keys, arguments.palette);
   print_warning(idle_keys_warning(job, wanted.keys));
   const DrawingLocks locks(arguments.folder, wanted.to);
@@ -167,7 +167,7 @@ std::string not_a_colour(const std::string& text) {
              : "found " + text + ", allowed: #rrggbb, none or image";
 }
 
-/// A name or a path is for load_palette to judge.
+/// What is wrong with a list of colours; empty where nothing is. load_palette checks names and paths.
 std::string not_a_palette(const std::string& text) {
   const std::vector<std::string_view> colours = split_outside(text, ',');
   const bool is_list = text.starts_with('#');

@@ -29,7 +29,7 @@ constexpr const char* kMatchExamples =
     "Exit code 3: nothing matches.";
 
 constexpr int kMostMatches = 1000;
-/// The narrowest smoothing, in pixels: of silhouettes, and of thinned lines, which are rougher.
+/// Standard deviation of the finest smoothing in px: of silhouettes, and of centre lines, which are rougher.
 constexpr float kOutlineSigma_px = 1.5f;
 constexpr float kCentreLineSigma_px = 2;
 

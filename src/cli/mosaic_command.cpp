@@ -40,7 +40,7 @@ constexpr const char* kMosaicExamples =
     "--set colour.weight=8 shows the image better, with more gaps; --shift 0 leaves drawings as they are;\n"
     "--set colour.overlay=0.25 lays the image over them, a quarter of what is seen. The rest is as in tessera collage.";
 
-constexpr double kMostShift = 100;  // CIEDE2000: between any two colours
+constexpr double kMostShift = 100;  // CIEDE2000; the distance of any two colours is smaller
 
 struct MosaicArguments {
   MosaicRequest request;
@@ -52,7 +52,7 @@ std::string job_path(const MosaicRequest& request) {
   return request.job.empty() ? std::filesystem::path(request.image).stem().string() + ".toml" : request.job;
 }
 
-/// All files or none. What is wrong with the overrides is wrong with the command: it leaves nothing behind.
+/// Writes all files or none. A mistake in the overrides is a mistake of the command: it leaves no file behind.
 void write_checked(const MosaicArguments& arguments, const Mosaic& mosaic) {
   const comm::StopDelay delay;
   const std::vector<std::string> new_files = write_mosaic(mosaic);
@@ -80,7 +80,7 @@ void print_faces(const MosaicRequest& request, const Mosaic& mosaic) {
       request.face_cascade.c_str());
 }
 
-/// The job as it was asked for: what --set says is not in the file.
+/// The command that runs the job, with the overrides of --set: they are not in the job file.
 std::string next_command(const MosaicArguments& arguments) {
   std::string command = "tessera collage " + shell_word(arguments.request.job);
   for (const std::string& value : arguments.collage.overrides) command += " --set " + shell_word(value);
@@ -96,7 +96,7 @@ void write_job(const MosaicArguments& arguments) {
     throw InputError(path + ": found a folder, allowed: a library; tessera library build " + shell_word(path) +
                      " -o LIB.h5 makes one of its drawings");
   }
-  const LibraryView library({.files = request.libraries, .names = {}});  // a slip of the pen costs no time
+  const LibraryView library({.files = request.libraries, .names = {}});  // first: a mistyped option costs no time
   request.shapes = library.size();
   request.face_cascade = face_cascade_file();
   Drawers drawers(photo_drawer_settings(1));
@@ -115,7 +115,7 @@ void write_job(const MosaicArguments& arguments) {
   print_now();
 }
 
-/// Rank 0: the job, and then the collage.
+/// For rank 0: writes the job, then runs the collage.
 int write_and_run(const MosaicArguments& arguments, comm::Communicator& ranks) {
   const std::string& job = arguments.request.job;
   const JobOutput output(arguments.collage, {size_map_path(job), region_picture_path(job)}, arguments.job_only);
@@ -123,7 +123,7 @@ int write_and_run(const MosaicArguments& arguments, comm::Communicator& ranks) {
   return arguments.job_only ? kDoneExitCode : collage_exit_code(arguments.collage, ranks);
 }
 
-/// Rank 0 alone reads the image and writes the job; the workers get it from there as of any collage.
+/// Only rank 0 reads the image and writes the job; it sends the job to the workers, as any collage.
 int run(MosaicArguments arguments, comm::Communicator& ranks) {
   arguments.request.job = job_path(arguments.request);
   arguments.collage.job = arguments.request.job;

@@ -26,7 +26,7 @@ constexpr const char* kNestExamples =
 
 }  // namespace
 
-// A table, an option a row.
+// The options, one in a row of the table.
 void add_nest_command(CLI::App& app, Command& selected) {
   const auto arguments = std::make_shared<NestArguments>();
   CLI::App* command = app.add_subcommand("nest", "Lay shapes of fixed sizes densely on a strip or on sheets");

@@ -74,7 +74,7 @@ struct MakeArguments {
   std::string cut = "tabs";
 };
 
-/// Without a slash at its end.
+/// The folder without a slash at its end.
 std::string folder_of(const MakeArguments& arguments) {
   if (arguments.folder.empty()) return std::filesystem::path(arguments.request.picture).stem().string() + "_puzzle";
   const std::filesystem::path folder = arguments.folder;
@@ -90,7 +90,7 @@ int make(MakeArguments arguments) {
   const MadePuzzle made = make_puzzle(request, drawers);
   print_warning(first_picture_warning(std::vector{request.picture}));
   try {
-    const comm::StopDelay delay;  // before, a signal ends the command at once
+    const comm::StopDelay delay;  // until here a signal ends the command at once
     new_folder.write(made.files, stop_check(comm::asked_by_signal));
   } catch (const Interrupted&) {
     return kUnfinishedExitCode;
@@ -124,20 +124,20 @@ bool has_frame(const SolveArguments& arguments) {
   return arguments.request.frame_px || !arguments.request.frame_file.empty();
 }
 
-/// The size of all pieces together, and the option that gives the frame that size.
+/// The size of all pieces laid without a frame, and the option that gives the frame that size.
 std::string loose_size(const SolvedPuzzle& solved) {
   const std::string width = std::to_string(solved.loose_width_px), height = std::to_string(solved.loose_height_px);
   return width + " x " + height + " px (--size " + width + "," + height + ", or the same turned)";
 }
 
-/// How to go on where all pieces fit each other, but not in the frame.
+/// Advice where all pieces fit each other, but not the frame.
 std::string shape_advice(const SolvedPuzzle& solved) {
   return "; without a frame all of them fit each other: the frame of " + std::to_string(solved.width_px) + " x " +
          std::to_string(solved.height_px) + " px has another shape or size than the puzzle, which takes " +
          loose_size(solved);
 }
 
-/// How to go on where pieces found no place, by what was given.
+/// Advice where pieces found no place; it depends on the options that were given.
 std::string advice(const SolveArguments& arguments, const SolvedPuzzle& solved) {
   if (!has_frame(arguments)) return "";
   if (solved.loose_width_px > 0) return shape_advice(solved);
@@ -147,7 +147,7 @@ std::string advice(const SolveArguments& arguments, const SolvedPuzzle& solved) 
   return shape + "; where pieces are missing or foreign, --scale says how large the others are";
 }
 
-/// What is not as it should be, beside pieces that are left over.
+/// What is doubtful about the solution, besides pieces that are left over.
 std::string doubt(const SolveArguments& arguments, const SolvedPuzzle& solved) {
   constexpr double kLeastFilled = 0.99;
   if (solved.gaps > kMostPuzzleGaps)
@@ -167,7 +167,7 @@ std::string erosion_text(double erosion_px) {
   return erosion_px > 0 ? "; they are " + fixed(erosion_px, 2) + " px smaller all round than they were cut" : "";
 }
 
-/// How far pieces lie from where they belong: those that are right, and where others are laid, those too.
+/// How far pieces lie from their right places: correct ones, and, if some are laid elsewhere, those as well.
 std::string off_text(const PuzzleAgreement& agreement) {
   if (agreement.laid == 0) return "none of them was laid";
   const std::string right = fixed(agreement.worst_px, 2) + " px off at most";
@@ -189,7 +189,7 @@ void report(const SolveArguments& arguments, const SolvedPuzzle& solved) {
                solved.width_px, solved.height_px, 100 * solved.covered, solved.scale,
                erosion_text(solved.erosion_px).c_str());
   }
-  if (solved.agreement) {  // who asks for it wants to know
+  if (solved.agreement) {  // the user asked for the comparison
     print_line("by %s: %d of %zu right (within 2 px, 1 degree, 1 %%), %s",
                printable_utf8(arguments.request.truth).c_str(), solved.agreement->right, solved.pieces,
                off_text(*solved.agreement).c_str());
@@ -199,7 +199,7 @@ void report(const SolveArguments& arguments, const SolvedPuzzle& solved) {
   print_now();
 }
 
-/// How far it is, and whether it is time to end.
+/// Shows the progress of solving, and ends it at a signal or the time limit.
 class SolvingWatch {
  public:
   SolvingWatch(const CollageArguments& arguments, const comm::Communicator& ranks)
@@ -210,7 +210,7 @@ class SolvingWatch {
     comm::install_stop_handlers();
   }
 
-  /// Throws Interrupted.
+  /// Shows the progress. Throws Interrupted.
   void look(const PuzzleProgress& at) {
     if (comm::stop_signalled()) throw Interrupted{StopReason::signal};
     if (limit_.round_over(leaving_s_)) throw Interrupted{StopReason::time_limit};
@@ -221,17 +221,17 @@ class SolvingWatch {
   }
 
  private:
-  static constexpr double kLeaving_s = 4;  // of several ranks, as of a collage
+  static constexpr double kLeaving_s = 4;  // time for several ranks to leave, as in a collage
 
   bool quiet_;
   double leaving_s_;
   TimeLimit limit_;
   SolvingProgress progress_;
-  std::string label_;  // of the bar
+  std::string label_;  // of the progress bar
   std::optional<ProgressBar> bar_;
 };
 
-/// The exit code of the job that was written, or that of an end before its time.
+/// Solves the puzzle and writes the job. Returns the exit code of that, or of an early end.
 int solve_and_report(SolveArguments& arguments, const comm::Communicator& ranks) {
   try {
     SolvingWatch watch(arguments.collage, ranks);
@@ -245,17 +245,17 @@ int solve_and_report(SolveArguments& arguments, const comm::Communicator& ranks)
   }
 }
 
-/// Rank 0: the job, and then the collage.
+/// For rank 0: writes the job, then runs the collage.
 int solve_and_collage(SolveArguments& arguments, comm::Communicator& ranks) {
   const JobOutput output(arguments.collage, {solution_path(arguments.request.job)}, arguments.job_only);
   const int solved = solve_and_report(arguments, ranks);
   if (solved == kUnfinishedExitCode || arguments.job_only) return solved;
-  comm::end_stop_handlers();  // until the collage has something to lose
+  comm::end_stop_handlers();  // signals set a flag again only once the collage has something to lose
   const int made = collage_exit_code(arguments.collage, ranks);
   return made == kDoneExitCode ? solved : made;
 }
 
-/// Rank 0 alone lays the pieces and writes the job; the workers get it from there as of any collage.
+/// Only rank 0 lays the pieces and writes the job; it sends the job to the workers, as any collage.
 int solve(SolveArguments arguments, comm::Communicator& ranks) {
   SolvingRequest& request = arguments.request;
   if (request.job.empty()) request.job = std::filesystem::path(request.library).stem().string() + ".toml";

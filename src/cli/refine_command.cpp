@@ -58,7 +58,7 @@ constexpr const char* kRefineExamples =
 struct RefineArguments {
   std::string result;
   bool relax = false;
-  std::string deform;  // how; empty: not
+  std::string deform;  // the kind of deformation; empty: none
   EraseArguments erase;
   std::vector<int> locked;
   int trials = 0;    // 0: as few as the action needs
@@ -66,7 +66,7 @@ struct RefineArguments {
   CollageArguments collage;
 };
 
-/// What an action makes of a result: where it goes, and which keys differ from those of its job.
+/// The action on a result: the suffix of its folder, and the keys that differ from the result's job.
 struct Action {
   const char* suffix;
   std::vector<std::string> keys;
@@ -78,7 +78,7 @@ std::vector<std::string> names_of(const std::vector<int>& pieces, const std::vec
   return {names.begin(), names.end()};
 }
 
-/// What is done to single pieces is noted in `result`.
+/// The action that the options ask for. Changes of single pieces are noted in `result`.
 Action action_of(const RefineArguments& arguments, const std::string& job, RefinedResult& result) {
   const std::vector<PlacedPiece> all = read_placed_pieces(result.folder);
   result.locked = piece_numbers("--lock", arguments.locked, all.size());
@@ -97,7 +97,7 @@ Action action_of(const RefineArguments& arguments, const std::string& job, Refin
   return {erase.swapped.empty() ? "-erased" : "-swapped", erasing_keys()};
 }
 
-/// The result's job, run again. What the command line sets wins, but not over where it starts.
+/// The arguments that run the result's job again. Overrides of the command line win, except over the starting pieces.
 CollageArguments collage_of(const RefineArguments& arguments) {
   check_overrides(arguments.collage.overrides);
   const auto result = std::make_shared<RefinedResult>(read_refined_result(arguments.result));
@@ -114,8 +114,8 @@ CollageArguments collage_of(const RefineArguments& arguments) {
   return collage;
 }
 
-/// One after the other with the job's seed and those after it, each in a folder of its own; then they are ranked. What
-/// was left unfinished goes on. Workers serve one run, so that there are none.
+/// Makes the variants one after the other, with the job's seed and those after it, each in a folder of its own; then
+/// ranks them. Unfinished variants continue. Runs on one rank only, as workers serve a single run.
 int make_variants(const RefineArguments& arguments, comm::Communicator& ranks) {
   if (ranks.size() > 1) {
     throw InputError(
@@ -148,7 +148,7 @@ int make_variants(const RefineArguments& arguments, comm::Communicator& ranks) {
   return exit_code == kDoneExitCode && !all_complete ? kIncompleteExitCode : exit_code;
 }
 
-/// Rank 0 alone reads the result; the workers get its job from there as of any collage.
+/// Only rank 0 reads the result; it sends the job to the workers, as any collage.
 int run(const RefineArguments& arguments, comm::Communicator& ranks) {
   if (arguments.variants > 0) return ranks.rank() == 0 ? make_variants(arguments, ranks) : 0;
   return collage_exit_code(ranks.rank() == 0 ? collage_of(arguments) : arguments.collage, ranks);
@@ -162,7 +162,7 @@ void check_has_action(const RefineArguments& arguments) {
   throw CLI::RequiredError("What to do with RESULT (--relax, --deform, --pieces, --box, --erase or --swap)");
 }
 
-/// One of them at a time.
+/// Adds the actions; at most one can be given.
 void add_actions(CLI::App& refine, RefineArguments& arguments) {
   CLI::Option_group* actions = refine.add_option_group("Actions");
   actions->require_option(0, 1);

@@ -17,17 +17,17 @@ constexpr std::size_t kMergedShown = 10;
 
 std::string file_name(const std::string& path) { return printable_utf8(std::filesystem::path(path).filename()); }
 
-/// Of a line that counts files.
+/// The count column of a line.
 std::string count_column(std::size_t count) {
   char text[32];
   std::snprintf(text, sizeof text, "  %5zu  ", count);
   return text;
 }
 
-/// Where a reason has details after a colon (a parser's message), files are counted by what stands before it.
+/// The part of a reason before a colon; files are counted by it. Details (a parser's message) follow the colon.
 std::string reason_class(const std::string& reason) { return printable_utf8(reason.substr(0, reason.find(": "))); }
 
-/// Collections keep copies of one drawing in several folders: a name is shown once.
+/// The first names, each once: collections keep copies of one drawing in several folders.
 std::string first_names(const std::vector<std::string>& paths) {
   std::vector<std::string> names;
   for (const std::string& path : paths) {

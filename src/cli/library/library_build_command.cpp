@@ -47,8 +47,8 @@ LibraryBuildReport build_with_progress(const BuildArguments& arguments, const Ar
   return report;
 }
 
-/// Of a build that wrote nothing. The list of a library that stays is not replaced. Returns why the list could not be
-/// written; mostly empty.
+/// Reports what a build left out that wrote no library. Where an older library stays, its list is not replaced. Returns
+/// why the list could not be written; mostly empty.
 std::string tell_what_was_left_out(const BuildArguments& arguments, const LibraryBuildReport& report) {
   std::error_code error;
   if (std::filesystem::exists(arguments.output, error)) {
@@ -79,7 +79,7 @@ void throw_if_nothing_found(const BuildArguments& arguments, const ArtworkFiles&
                                            : ": no file matches " + arguments.glob));
 }
 
-/// CLI::Range lets what is no number pass.
+/// Refuses nan, which CLI::Range accepts.
 void check_is_number(const char* option, float value) {
   if (std::isnan(value)) throw InputError(std::string(option) + ": found nan, allowed: a number");
 }
@@ -98,7 +98,7 @@ void build_library_file(const BuildArguments& arguments) {
   check_left_out_list(arguments.output);
   check_is_not_built_from(files.paths, arguments.output);
   const LibraryBuildReport report = build_with_progress(arguments, files);
-  const comm::StopDelay delay;  // for the list that belongs to it
+  const comm::StopDelay delay;  // the library and its list belong together
   if (!arguments.quiet) print_lines(build_summary(report));
   if (!report.written) throw_not_written(arguments, report);
   write_left_out_list(arguments.output, report);
@@ -112,7 +112,7 @@ void build_library_file(const BuildArguments& arguments) {
              build_counts(report).c_str());
 }
 
-// A table, an option a row.
+// The options, one in a row of the table.
 void add_library_build_command(CLI::App& library, Command& selected) {
   const auto arguments = std::make_shared<BuildArguments>();
   LibraryBuildSettings& settings = arguments->settings;

@@ -46,7 +46,7 @@ struct ExtractArguments {
   std::vector<std::string> photos;
   std::string output;
   std::string overview;
-  std::string ground;  // file
+  std::string ground;  // a file
   int ground_px = 512;
   bool fill_holes = false;
   ExtractionSettings settings;
@@ -118,14 +118,14 @@ LibraryBuildReport build(const ExtractArguments& arguments, const std::vector<Cu
   };
   LibraryBuildSettings settings;
   settings.files_at_a_time = rank_cores();
-  settings.tracing.rules = {.keep_rectangles = true, .fill_holes = arguments.fill_holes};  // tiles; rings
+  settings.tracing.rules = {.keep_rectangles = true, .fill_holes = arguments.fill_holes};  // for tiles; for rings
   ArtworkFiles files;
   for (const CutOut& cut_out : cut_outs) files.paths.push_back(cut_out.path);
   return build_library(files, arguments.output, settings, cut_out_loader(drawers, cut_outs, settings.tracing),
                        progress);
 }
 
-/// Whether both names lead to one file, which need not be there yet.
+/// Whether both names lead to the same file, which need not exist yet.
 bool is_same_path(const std::string& one, const std::string& other) {
   std::error_code error;
   const auto whole = [&](const std::string& path) {
@@ -139,14 +139,14 @@ bool same_file(const std::string& one, const std::string& other) {
   return std::filesystem::equivalent(one, other, error);
 }
 
-/// All that is read.
+/// All input files.
 std::vector<std::string> inputs(const ExtractArguments& arguments) {
   std::vector<std::string> files = arguments.photos;
   if (!arguments.settings.labels.empty()) files.push_back(arguments.settings.labels);
   return files;
 }
 
-/// Before the search: what the option writes replaces nothing that is read.
+/// Checks, before the search, that an option's output replaces no input file.
 void check_replaces_no_input(const ExtractArguments& arguments, const std::string& option, const std::string& output) {
   for (const std::string& photo : arguments.photos) {
     if (same_file(output, photo))
@@ -156,7 +156,7 @@ void check_replaces_no_input(const ExtractArguments& arguments, const std::strin
     throw InputError(option + ": found the map of --labels, " + output + ", allowed: another file, which is written");
 }
 
-/// Before the search: it can be written, and is no other output.
+/// Checks, before the search, that the ground's file can be written and is no other output.
 void check_ground(const ExtractArguments& arguments) {
   const std::filesystem::path ground = arguments.ground;
   std::error_code error;
@@ -169,7 +169,8 @@ void check_ground(const ExtractArguments& arguments) {
     throw InputError("--ground: found " + arguments.ground + ", allowed: a file in a folder that is there");
 }
 
-/// Before the search: each photo has an overview of its own, which is no other file of this run.
+/// Checks, before the search, that each photo has an overview file of its own, different from all other files of this
+/// run.
 void check_overviews(const ExtractArguments& arguments) {
   std::map<std::string, std::string> photo_of_overview;
   for (const std::string& photo : arguments.photos) {
@@ -205,7 +206,7 @@ void check(const ExtractArguments& arguments) {
   if (!arguments.ground.empty()) check_ground(arguments);
   if (!arguments.overview.empty()) check_overviews(arguments);
 }
-/// Keeps other runs away from all that is written, and finds at once where it could not be.
+/// Locks all outputs against other runs, and finds out at once where they cannot be written.
 class ExtractOutputs {
  public:
   explicit ExtractOutputs(const ExtractArguments& arguments) : library_(arguments.output + ".lock", arguments.output) {
@@ -247,7 +248,7 @@ int run(ExtractArguments arguments) {
 
 }  // namespace
 
-// A table, an option a row.
+// The options, one in a row of the table.
 void add_library_extract_command(CLI::App& library, Command& selected) {
   const auto arguments = std::make_shared<ExtractArguments>();
   constexpr double kMostSide_px = 50'000;

@@ -36,7 +36,7 @@ struct StylesArguments {
   bool names = false;
 };
 
-/// All styles of a library and whose they are.
+/// The styles of a library's drawings, with the drawings' names.
 struct Styles {
   std::vector<std::string> names;
   std::vector<StyleFeatures> features;
