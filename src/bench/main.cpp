@@ -1,4 +1,4 @@
-// tessera-bench, which `tessera bench` becomes: parses the command line and runs the benchmark.
+// tessera-bench, started by `tessera bench`: parses the command line and runs the benchmark.
 #include <CLI/CLI.hpp>
 
 #include <array>
@@ -45,8 +45,8 @@ constexpr const char* kBenchExamples =
 
 using Benchmark = std::function<Report(const Setting&)>;
 
-/// A report replaces only another report: throws InputError where the file is there and is no JSON, as a library or a
-/// picture is.
+/// A report replaces only another report: throws InputError where the file exists and is no JSON, such as a library or
+/// a picture.
 void check_is_report(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return;
@@ -56,7 +56,7 @@ void check_is_report(const std::string& path) {
 }
 
 int run(const Setting& setting, const Benchmark& benchmark) {
-  worker::chosen_devices(setting.devices, {}, "--devices");  // what is wrong with it shows at once, by this name
+  worker::chosen_devices(setting.devices, {}, "--devices");  // reports mistakes in --devices at once
   const std::filesystem::path folder = std::filesystem::path(setting.out).parent_path();
   prepare_output_directory(folder.empty() ? "." : folder.string());
   check_is_report(setting.out);
