@@ -1,4 +1,4 @@
-// What a library stores of an artwork file: its silhouette at a good resolution, its mean colour, a thumbnail.
+// The data that a library stores of an artwork file: its silhouette at a good resolution, its mean colour, a thumbnail.
 #pragma once
 
 #include <array>

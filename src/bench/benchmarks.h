@@ -109,7 +109,7 @@ struct DescriptorsOptions {
 Report bench_descriptors(const Setting& setting, const DescriptorsOptions& options);
 
 struct ScenesOptions : SilhouetteOptions {
-  /// By default the scale is unknown: a scene of two silhouettes does not show it.
+  /// The scale is unknown by default: a scene of two silhouettes does not show it.
   ScenesOptions() { scale_known = false; }
 
   std::vector<std::string> kinds;  // names from scene_kinds(); empty: all

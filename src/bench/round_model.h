@@ -22,7 +22,7 @@ struct Load {
   double samples = 0;  // number of matched samples
 };
 
-/// Which times of measured runs are used: wall-clock, or without the time that other programs took
+/// The clock for times of measured runs: wall-clock time, or time without the time that other programs took
 /// (ScalingCase::undisturbed_s).
 enum class Clock { wall, processor };
 

@@ -29,7 +29,7 @@ namespace tessera::comm {
 /// std::exception; do not catch it.
 struct JobEnded {};
 
-/// How the ranks leave the job.
+/// The way in which the ranks leave the job.
 enum class Ending : std::uint8_t {
   orderly,  // all ranks wait for each other, then finalise MPI
   at_once,  // the launcher is killing the job and answers no MPI calls any more
@@ -74,17 +74,17 @@ class Communicator {
   /// Takes in what has arrived and throws as a wait does. To be called now and then during long computations.
   void look();
 
-  /// From now on every wait throws Interrupted as soon as `shall_stop` returns a reason. The awaited replies may still
+  /// Makes every later wait throw Interrupted as soon as `shall_stop` returns a reason. The awaited replies may still
   /// arrive; the only thing left to do is to end the job.
   void interrupt_waits_when(StopQuestion shall_stop) { shall_stop_ = std::move(shall_stop); }
-  /// For rank 0, whose workers all have a Heart with the same `silence_s`. From now on a wait that finds a worker lost
-  /// (rank_watch.h) calls `report` with a line that names it and throws Interrupted. Every later wait throws as well,
-  /// without another report.
+  /// Watches the workers; for rank 0, whose workers all have a Heart with the same `silence_s`. From now on a wait that
+  /// finds a worker lost (rank_watch.h) calls `report` with a line that names it and throws Interrupted. Every later
+  /// wait throws as well, without another report.
   void watch_workers(double silence_s, std::function<void(const std::string& line)> report);
   /// Whether a wait of this rank was interrupted, so that a worker may still compute an answer, or hurry() was called.
   bool gave_up_waiting() const { return gave_up_waiting_; }
   bool lost_a_worker() const { return lost_a_worker_; }
-  /// For rank 0: the job shall end as fast as after an interrupted wait.
+  /// Makes rank 0 end the job as fast as after an interrupted wait.
   void hurry() { gave_up_waiting_ = true; }
 
   const Traffic& traffic() const { return traffic_; }
@@ -105,15 +105,16 @@ class Communicator {
 
   /// Tells rank 0 that this rank cannot go on.
   void report_failure(const Failure& failure);
-  /// For rank 0: tells all others to leave.
+  /// Tells all other ranks to leave; for rank 0.
   void tell_end(Ending ending);
-  /// For rank 0: waits until all others have said goodbye, then lets them leave. False where some did not within
+  /// Waits until all other ranks have said goodbye, then lets them leave; for rank 0. False where some did not within
   /// `patience_s`.
   bool see_off(double patience_s);
   /// Waits until all messages have left. False where that took longer than `patience_s`.
   bool wait_until_sent(double patience_s);
-  /// For all other ranks: waits for tell_end. Unless that says `at_once`, says goodbye and waits for permission to
-  /// leave: until all ranks have said goodbye, a large message of another rank may need this rank's poll() to arrive.
+  /// Waits for tell_end; for all ranks except 0. Unless that says `at_once`, it says goodbye and waits for permission
+  /// to leave: until all ranks have said goodbye, a large message of another rank may need this rank's poll() to
+  /// arrive.
   Ending wait_for_end();
 
   static constexpr std::size_t kMostUnderWay = std::size_t(128) << 20;

@@ -10,9 +10,9 @@ namespace tessera::comm {
 /// Returns the value of an environment variable, or null.
 using Environment = std::function<const char*(const char* name)>;
 
-/// What is wrong with the launcher and what to do. Empty where a launcher started as many ranks as the job has, or
-/// where no launcher was used (a batch script's own process, a shell inside an allocation). `ranks`: the size that MPI
-/// reports; 1 without MPI.
+/// A message that says what is wrong with the launcher and what to do. Empty where a launcher started as many ranks as
+/// the job has. Also empty without a launcher (a batch script's own process, a shell inside an allocation). `ranks`:
+/// the size that MPI reports; 1 without MPI.
 std::string launcher_problem(const Environment& environment, int ranks);
 
 }  // namespace tessera::comm

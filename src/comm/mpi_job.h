@@ -19,7 +19,7 @@ class MpiGuard {
   int exceptions_before_;
 };
 
-/// How long ranks wait for each other in MPI's own start and end.
+/// Time limits for ranks that wait for each other in MPI's own start and end.
 struct MpiPatience {
   double start_s = 300;  // until all ranks have started: a large cluster takes a minute
   double end_s = 30;     // until all ranks have left, after they said goodbye

@@ -17,7 +17,7 @@ namespace tessera::comm {
 struct RankProgram {
   /// Runs on every rank and returns the exit code; only that of rank 0 counts. Ranks other than 0 may throw JobEnded.
   std::function<int(Communicator&)> run;
-  /// For rank 0: shows the user one line.
+  /// Shows the user one line; called on rank 0.
   std::function<void(const std::string& line)> report_error;
 };
 

@@ -19,21 +19,21 @@
 
 namespace tessera::comm {
 
-/// To be called once on each rank. On rank 0 mpirun's SIGCONT raises SIGTERM; mpirun's own SIGTERM follows a second
-/// later. On other ranks the first SIGINT, SIGTERM and SIGHUP do nothing, and SIGUSR2, which mpirun and srun pass on to
-/// all ranks, never does anything: rank 0 ends the job.
+/// Prepares the signals that mpirun sends; to be called once on each rank. On rank 0 mpirun's SIGCONT raises SIGTERM;
+/// mpirun's own SIGTERM follows a second later. On other ranks the first SIGINT, SIGTERM and SIGHUP do nothing, and
+/// SIGUSR2, which mpirun and srun pass on to all ranks, never does anything: rank 0 ends the job.
 void prepare_stop_signals(int rank);
 
 /// Whether mpirun has begun to kill the job.
 bool launcher_ends_job();
 
-/// From now on the signals above end the process at once, with a line on stderr. Before that they call `clean_up`,
-/// which may only do what a signal handler may. Signals that are ignored stay ignored. For main; the functions below
-/// change the handling of the same signals.
+/// Makes the signals above end the process at once, with a line on stderr. Before that they call `clean_up`, which may
+/// only do what a signal handler may. Signals that are ignored stay ignored. For main; the functions below change the
+/// handling of the same signals.
 void end_at_once_when_signalled(void (*clean_up)());
 
-/// From now on the signals above only set a flag, however often they come (mpirun sends several). An ignored SIGHUP
-/// stays ignored, as nohup asks for. To be called once a run has something to lose; before, signals end the process.
+/// Makes the signals above only set a flag, however often they come (mpirun sends several). An ignored SIGHUP stays
+/// ignored, as nohup asks for. To be called once a run has something to lose; before, signals end the process.
 void install_stop_handlers();
 
 /// Whether a signal has come since install_stop_handlers().
@@ -48,8 +48,8 @@ double seconds_since_stop();
 /// mpirun and Slurm send for one stop count as one.
 bool stop_signalled_again();
 
-/// To be called after install_stop_handlers(), once nothing is left to lose: signals end the process at once again,
-/// also a signal that has already come.
+/// Makes signals end the process at once again, also a signal that has already come. To be called after
+/// install_stop_handlers(), once nothing is left to lose.
 void end_stop_handlers();
 
 /// While it lives, signals only set the flag, which the caller may poll: for files that are written one after the other

@@ -26,9 +26,9 @@ class TemporaryFile {
  public:
   explicit TemporaryFile(const std::string& path);
 
-  /// For libraries that create files by name (HDF5). `create` is called with temporary_path(path). It must create the
-  /// file only where nothing has that name (O_EXCL), and return a descriptor of its own; one that is not open where the
-  /// name is taken. Exceptions of `create` pass through.
+  /// Takes a file that a library creates by name (HDF5). `create` is called with temporary_path(path). It must create
+  /// the file only where nothing has that name (O_EXCL), and return a descriptor of its own; one that is not open where
+  /// the name is taken. Exceptions of `create` pass through.
   TemporaryFile(const std::string& path, const std::function<FileDescriptor(const std::string& temporary)>& create);
 
   /// Removes the file unless it was committed.

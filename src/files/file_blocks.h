@@ -16,7 +16,7 @@ class FileBlocks {
  public:
   /// Opens a regular file. Throws InputError where it cannot be read or has more than `most_bytes`.
   FileBlocks(const std::string& path, std::size_t most_bytes);
-  /// The same for a file that is already open.
+  /// Reads a file that is already open.
   FileBlocks(FileDescriptor file, const std::string& path, std::size_t most_bytes);
 
   /// The next bytes, valid until the next call; empty at the end. Throws InputError where the file cannot be read or

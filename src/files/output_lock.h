@@ -35,8 +35,8 @@ class OutputLock {
 /// be at work.
 void remove_stale_lock(const std::string& path);
 
-/// The holder of the lock file, "process 71 on node7"; empty where nobody holds it. Must not be called by a process
-/// that may hold the lock itself: the system frees a process' lock as soon as the process closes the file once.
+/// The holder of the lock file, "process 71 on node7"; empty where nobody holds it. A process that may hold the lock
+/// itself must not call it: the system frees a process' lock as soon as the process closes the file once.
 std::string holder_of_lock(const std::string& path);
 
 /// The path of the lock file of a result folder or a campaign folder.

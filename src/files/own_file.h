@@ -8,7 +8,7 @@
 namespace tessera {
 
 /// Opens `path` with the flags of open(2) (O_RDWR, O_WRONLY, O_APPEND); creates the file where there is none. Does not
-/// follow links, does not block, and refuses a file with a second name (hard link), which may be a file of the user
+/// follow links and does not block. Refuses a file with a second name (hard link), which may be a file of the user
 /// elsewhere. A file that has just lost its only name is accepted. Throws EnvironmentError that says what was found.
 FileDescriptor open_own_file(const std::string& path, int flags);
 

@@ -11,7 +11,7 @@
 
 namespace tessera {
 
-/// Opens a regular file for reading; links are followed. Anything else is refused before it is opened: a pipe would
+/// Opens a regular file for reading; links are followed. Anything else is refused before it is opened. A pipe would
 /// block, a device may never end or may act, and a file that the kernel makes up (proc, sysfs) may do all of that.
 /// Throws InputError, which names `path` and its kind, and EnvironmentError where the process may open no more files.
 FileDescriptor open_regular_file(const std::string& path);

@@ -61,7 +61,7 @@ class OrderedWorkers {
  private:
   using Outcome = std::variant<Result, std::exception_ptr>;
 
-  /// How far tasks may run ahead of a slow one: at most this many results are kept in memory.
+  /// Most tasks that may run ahead of a slow one; their results are kept in memory.
   static constexpr std::size_t kAhead = 256;
 
   void work() {

@@ -15,10 +15,11 @@
 
 namespace tessera {
 
-/// How a canvas repeats: its left edge continues at the right one (x), its upper edge at the lower one (y).
+/// The directions in which a canvas repeats: its left edge continues at the right one (x), its upper edge at the lower
+/// one (y).
 enum class Seamless { none, x, y, both };
 
-/// How much a job is improved, as a word (quality_word.h).
+/// The amount of improving, as a word (quality_word.h).
 enum class QualityWord { none, draft, good, best };
 
 /// The canvas of a job: a rectangle of the given size, or the mask in `file` scaled into a box of that size with its
@@ -36,8 +37,8 @@ struct CanvasSpec {
   std::vector<KeepOutRectangle> keep_out_rectangles = {};
 };
 
-/// What happens to the pieces of an earlier result. locked: they stay and are locked in the result, too. free:
-/// improving may remove them. standing: they stay, and keep their own lock.
+/// The treatment of the pieces of an earlier result. They stay and are locked in the result, too (locked); improving
+/// may remove them (free); or they stay and keep their own lock (standing).
 enum class StartKeep { locked, free, standing };
 
 /// The pieces that stand before the first one is placed (start_pieces.h); CollageSettings::start has the rest.

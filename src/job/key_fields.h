@@ -69,7 +69,7 @@ JobKey with_text(JobKey key, Field field) {
   return key;
 }
 
-/// For an enum: the words of the key are in the order of its values.
+/// Connects a key of words with an enum; the words must be in the order of its values.
 template <class Field>
 JobKey with_word(JobKey key, Field field) {
   key.get = [field, words = key.words](const Job& job) { return JobValue{{}, words[std::size_t(field(job))]}; };

@@ -19,7 +19,7 @@ bool is_colour_list(const std::vector<std::string>& palette);
 /// option instead of job and key.
 std::vector<std::string> load_palette(const Job& job, const std::string& option = {});
 
-/// The same for `library.colours`; empty where it is "all".
+/// The colours of `library.colours`, loaded in the same way; empty where it is "all".
 std::vector<std::string> load_library_colours(const Job& job);
 
 }  // namespace tessera

@@ -20,7 +20,7 @@ class ProgressBar {
   /// Shows the progress; cheap, as it prints only from time to time. `note` is shown behind the bar, e.g. "120 shapes".
   /// The time left is computed from `done`.
   void update(std::size_t done, const std::string& note = {});
-  /// The same with a time left that the caller knows; nullopt: unknown.
+  /// Shows the progress with a time left that the caller knows; nullopt: unknown.
   void update(std::size_t done, const std::string& note, std::optional<double> left_s);
   /// Leaves the last state of the bar on the terminal; the next output begins on a new line.
   void finish();

@@ -16,8 +16,8 @@ class JsonFile : private std::streambuf {
  public:
   explicit JsonFile(FileBlocks blocks) : blocks_(std::move(blocks)) {}
 
-  /// For nlohmann's parse and sax_parse. Errors leave the parser as InputError: with the file's name where the system
-  /// cannot read the file, without the name where a limit is exceeded.
+  /// The stream for nlohmann's parse and sax_parse. Errors leave the parser as InputError: with the file's name where
+  /// the system cannot read the file, without the name where a limit is exceeded.
   std::istream& stream() { return stream_; }
   /// The digest of the whole file, equal to Digest::add_all of its bytes. Valid only after the file was read.
   std::uint64_t digest() const { return blocks_.digest(); }

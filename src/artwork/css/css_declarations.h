@@ -29,14 +29,14 @@ std::optional<std::string> local_css_value(std::string_view value, const std::st
 /// (-x-...), text that librsvg does not take for a declaration, and at-rules and blocks between declarations.
 std::vector<CssDeclaration> local_css_declarations(CssTokens content, const std::string& id_prefix);
 
-/// The same, with all names and values unchanged.
+/// Reads declarations like local_css_declarations, but keeps all names and values unchanged.
 std::vector<CssDeclaration> css_declarations(CssTokens content);
 
 /// Whether a value ends with "!important".
 bool is_important(const std::string& value);
 /// The value without its "!important", if it has one.
 std::string without_important(std::string value);
-/// For each property the value that applies: the last important one, else the last one.
+/// The value that applies to each property: the last important one, else the last one.
 std::map<std::string, std::string> counting_values(const std::vector<CssDeclaration>& declarations);
 
 /// "name:value;name:value", for a style attribute.

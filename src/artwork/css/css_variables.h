@@ -8,9 +8,9 @@
 
 namespace tessera {
 
-/// The SVG with each var() in its properties replaced as a browser does: by the declaration of the variable in the
-/// element or the nearest outer one, else by the fallback in var() itself. A property without either is inherited or
-/// gets its initial value. Nullopt where the unpacked SVG has no var() in its properties, or cannot be read. Throws
+/// The SVG with each var() in its properties replaced as a browser does. A var() gets the declaration of the variable
+/// in the element or the nearest outer one, else the fallback in var() itself. A property without either is inherited
+/// or gets its initial value. Nullopt where the unpacked SVG has no var() in its properties, or cannot be read. Throws
 /// InputError, which names `path`, where it exceeds a limit of svg_style.h, or needs more than a million replacements.
 ///
 /// Different from a browser: variables are not inherited from a <use> into the element that it shows.

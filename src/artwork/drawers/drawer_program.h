@@ -10,7 +10,8 @@ namespace tessera {
 /// a build folder); else ../libexec/tessera/ from there (installed). Throws EnvironmentError where there is none.
 std::string drawer_program();
 
-/// The same, but without TESSERA_DRAWER it takes the first of `files` that can be run.
+/// The file in TESSERA_DRAWER, if that is set; otherwise the first of `files` that can be run. Throws as
+/// drawer_program().
 std::string drawer_program_among(const std::vector<std::string>& files);
 
 }  // namespace tessera

@@ -92,7 +92,7 @@ class Drawers {
   /// Ends all processes at once. Running calls and later ones throw DrawingStopped.
   void stop();
 
-  /// For each layer of the sandbox, the worst state in any process started so far.
+  /// The worst state of each layer of the sandbox in any process started so far.
   DrawerLayers layers() const;
 
  private:

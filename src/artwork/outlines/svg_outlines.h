@@ -19,7 +19,8 @@ struct SvgOutline {
   std::string name;       // the element's id; without one, its kind and its number in the file
   bool filled = false;    // false: a line
   bool even_odd = false;  // the fill rule
-  /// In mm from the page's upper left corner, y down. Rounded to 1e-4, or to 1e-3 in a drawing of more than 50 m.
+  /// Coordinates in mm from the page's upper left corner, y down. Rounded to 1e-4, or to 1e-3 in a drawing of more than
+  /// 50 m.
   PathSteps steps;
 };
 

@@ -12,9 +12,9 @@ namespace tessera {
 /// limit on CPU time for each drawing.
 void limit_process(std::size_t bytes);
 
-/// From now on only system calls that decoding needs work (others fail with ENOSYS): reading files, fonts included,
-/// memory, threads. No sockets, no new process or program, no signal to others, no file opened for writing, made,
-/// renamed or removed. Returns `missing` where the kernel has no seccomp.
+/// Allows from now on only the system calls that decoding needs (others fail with ENOSYS): reading files, fonts
+/// included, memory, threads. No sockets, no new process or program, no signal to others, no file opened for writing,
+/// made, renamed or removed. Returns `missing` where the kernel has no seccomp.
 LayerState forbid_system_calls();
 
 }  // namespace tessera

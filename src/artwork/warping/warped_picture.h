@@ -14,7 +14,8 @@ namespace tessera {
 /// shrink by more than 2.
 cv::Mat warped_picture(const cv::Mat& bgra, const Warp& pixel_warp, cv::Size size);
 
-/// The same for a picture on a page: `source_from_page` places it, `page_warp` maps the page to px of the result.
+/// Deforms a picture on a page in the same way: `source_from_page` places it, `page_warp` maps the page to px of the
+/// result.
 cv::Mat warped_picture(const cv::Mat& bgra, const cv::Matx23d& source_from_page, const Warp& page_warp, cv::Size size);
 
 }  // namespace tessera

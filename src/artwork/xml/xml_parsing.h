@@ -13,7 +13,7 @@ namespace tessera {
 struct FreeXml {
   void operator()(xmlDoc* doc) const { xmlFreeDoc(doc); }
   void operator()(xmlChar* text) const { xmlFree(text); }
-  /// Also frees the document of the context; a new owner of the document sets `myDoc` to null.
+  /// Frees the context and its document; a new owner of the document sets `myDoc` to null.
   void operator()(xmlParserCtxt* context) const {
     if (context->myDoc) xmlFreeDoc(context->myDoc);
     xmlFreeParserCtxt(context);

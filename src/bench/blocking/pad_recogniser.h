@@ -15,7 +15,7 @@ class PadRecogniser : public Recogniser {
   std::string name() const override { return "pad"; }
   std::vector<std::uint32_t> recognise(const ClippedQuery& query) const override;
 
-  /// The same answer with poses and similarities. Numbers of shapes are their indices in the library's list.
+  /// The answer of recognise() with poses and similarities. Numbers of shapes are their indices in the library's list.
   std::vector<Recognition> recognitions(const ClippedQuery& query) const;
 
  private:

@@ -24,9 +24,9 @@ float length_of_all(const std::vector<Curve>& curves);
 /// order, each joined to the next by a straight line.
 Curve closed_boundary(const std::vector<Curve>& curves);
 
-/// How well the rows of `query` match, in order, consecutive rows of `known` on a closed curve: the smallest mean
-/// difference by dynamic time warping, which may begin and end anywhere on the closed curve. Rows have `row` numbers;
-/// the difference of two rows is the mean difference of their numbers. Both must run in the same direction.
+/// The smallest mean difference between the rows of `query` and consecutive rows of `known` in the same order. It uses
+/// dynamic time warping; `known` is a closed curve, and the match may begin and end anywhere on it. Rows have `row`
+/// numbers; the difference of two rows is the mean difference of their numbers. Both must run in the same direction.
 float warped_difference(const std::vector<float>& query, const std::vector<float>& known, std::size_t row);
 
 }  // namespace tessera::bench

@@ -15,7 +15,8 @@ namespace tessera::bench {
 std::shared_ptr<const ModelSource> models_in_file(const std::string& folder, const VariedShapes& shapes,
                                                   std::uint32_t count, const MatchingContext& context);
 
-/// The same; where `folder` is empty, models are made whenever a matcher asks for them. `shapes` must outlive them.
+/// The models from models_in_file(). Where `folder` is empty, they are made whenever a matcher asks for them. `shapes`
+/// must outlive them.
 std::shared_ptr<const ModelSource> varied_models(const VariedShapes& shapes, std::uint32_t count,
                                                  const MatchingContext& context, const std::string& folder);
 

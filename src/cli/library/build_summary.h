@@ -7,7 +7,7 @@
 
 namespace tessera::cli {
 
-/// What was merged, left out or skipped: for each reason the number of files and the first names. Empty where all files
+/// The files that were merged, left out or skipped: their number and first names for each reason. Empty where all files
 /// were used; otherwise whole lines.
 std::string build_summary(const LibraryBuildReport& report);
 

@@ -11,7 +11,7 @@ namespace tessera::comm {
 /// Sends `site` to rank 0 without waiting. To be called once on every rank except 0.
 void tell_site(Communicator& ranks, const RankSite& site);
 
-/// For rank 0: returns `own`, then the sites of ranks 1, 2, ... Waits for all of them; throws the error that ended a
+/// Returns `own`, then the sites of ranks 1, 2, ...; for rank 0. Waits for all of them; throws the error that ended a
 /// rank.
 std::vector<RankSite> gather_sites(Communicator& ranks, RankSite own);
 

@@ -9,11 +9,11 @@
 
 namespace tessera::comm {
 
-/// For rank 0 with at least one other rank: joins all workers of the job. Waits until each has told its breadth
+/// Joins all workers of the job; for rank 0 with at least one other rank. Waits until each has told its breadth
 /// (serve). Throws the error that ended a worker. The communicator must outlive the replacer.
 std::unique_ptr<Replacer> gather_replacers(Communicator& ranks);
 
-/// For a worker: joins its own cores and the workers below it; returns only `own` where there are none.
+/// Joins a worker's own cores and the workers below it; returns only `own` where there are none below.
 std::unique_ptr<Replacer> gather_replacers(Communicator& ranks, std::unique_ptr<Replacer> own);
 
 }  // namespace tessera::comm

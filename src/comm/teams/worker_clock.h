@@ -26,7 +26,7 @@ class WorkerClock {
     const Charge charge{times_.*stage, waited_in_stages_s_, ranks_, ranks_.waited_s(), Stopwatch()};
     return work();
   }
-  /// The same, and counts the request.
+  /// Measures work() in the same way, and counts the request.
   template <class Work>
   auto measure(double WorkerTimes::*stage, std::uint64_t WorkerTimes::*questions, Work&& work) {
     ++(times_.*questions);

@@ -13,7 +13,7 @@ inline constexpr double kOutlineAlone = 0.25;
 /// line between two nodes of the grid also counts as closed. Keep-out zones count as covered.
 double covered_part_of_enclosed(const Canvas& canvas);
 
-/// The same for the keep-out zones (canvas.keep_out); 1 where there are none.
+/// The covered part for the keep-out zones alone (canvas.keep_out); 1 where there are none.
 double zones_part_of_enclosed(const Canvas& canvas);
 
 }  // namespace tessera

@@ -24,7 +24,7 @@ inline constexpr int kEdgeSide_px = 4096;
 /// limit, becomes narrower than 16 px, or leaves nothing to fill. `seconds`: time limit for each of the two drawings.
 Canvas load_canvas(const CanvasSpec& spec, double seconds = DrawerSettings{}.seconds_per_drawing);
 
-/// The same with the caller's drawers, which the caller may stop.
+/// Loads the canvas with the caller's drawers, which the caller may stop.
 Canvas load_canvas(const CanvasSpec& spec, Drawers& drawers);
 
 /// The canvas of the job; error messages begin with the job's path.

@@ -32,11 +32,11 @@ struct CanvasPage {
 CanvasPage page_in_box(std::span<const std::uint8_t> bytes, const std::string& path, cv::Size box_px, Drawers& drawers,
                        Background background = Background::cut_out);
 
-/// How drawers treat the background. A canvas with regions keeps it: its colour may be that of a region.
+/// The treatment of the background by drawers. A canvas with regions keeps it: its colour may be that of a region.
 Background background_of(const CanvasSpec& spec);
 
-/// For a canvas with a file and a size on paper: reduces the box to the page within it, exactly in mm, and in px to the
-/// size of `canvas`. Otherwise does nothing. Errors as canvas_page.
+/// Reduces the box to the page within it, exactly in mm, and in px to the size of `canvas`. Does nothing unless the
+/// canvas has a file and a size on paper. Errors as canvas_page.
 void shrink_box_to_page(CanvasSpec& spec, const Canvas& canvas, Drawers& drawers);
 
 /// The page of the spec's file; it touches the spec's box in width or height. Errors as load_canvas (canvas_file.h).

@@ -12,7 +12,7 @@ namespace tessera {
 /// Absolute paths from `library.file` or `library.files`.
 std::vector<std::string> library_paths(const Job& job);
 
-/// The same paths with commas between them, for messages and records.
+/// The paths of the library with commas between them, for messages and records.
 std::string library_text(const Job& job);
 
 /// Opens the shapes that the job chooses. Throws InputError that names the job, the key, the file, what is wrong with
