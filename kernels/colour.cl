@@ -99,7 +99,7 @@ float mean_colour_difference(const Picture* picture, global const ShapeRecord* s
                    covered.z / covered.w);
 }
 
-// The same for a point of each lane.
+// (Lightness, a and b times the weight; the weight) of the picture at a point of each lane.
 typedef struct LaneColours {
   LaneFloat lightness, a, b, weight;
 } LaneColours;

@@ -5,7 +5,7 @@
 // names. Other constants of a reference's function are repeated in its kernel; tests/worker compares the bits of both.
 #pragma OPENCL FP_CONTRACT OFF
 
-// For functions whose values must stay in registers across calls.
+// Marks functions whose values must stay in registers across calls.
 #define INLINE __attribute__((always_inline)) inline
 
 // Claims `n` places, from the result on, in a list that many work items fill. Counters stop at about 2^31 and never

@@ -151,8 +151,8 @@ typedef struct SampleRecord {
   u32 near_list;  // NearColours
 } SampleRecord;
 
-// The same chord of a PAD in the index, in steps of its shape's key points. The index has chords only where rotations
-// are limited.
+// The chord of a PAD in the index, in steps of its shape's key points. The index has chords only where rotations are
+// limited.
 typedef struct ChordRecord {
   float x;
   float y;

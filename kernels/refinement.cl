@@ -140,7 +140,7 @@ PoseRecord descended(Lanes lanes, PoseRecord s, const Piece* piece, Descent desc
   return s;
 }
 
-// How deep the piece lies in the covered area, px; any value above kHopelessDepth_px once that depth is exceeded.
+// The depth of the piece in the covered area, px; any value above kHopelessDepth_px once that depth is exceeded.
 float depth_px(Lanes lanes, PoseRecord s, const Piece* piece) {
   LaneFloat deepest = 0;
   bool hopeless = false;

@@ -26,7 +26,7 @@ constexpr int kMostly = 2;
 /// A region hardly fades anywhere if its edges are this many times as long.
 constexpr int kAlmostWholly = 16;
 
-/// What a region is, where its coverage is not alpha. A faint region would be solid, but lies below kLeastLevel.
+/// The kind of a region whose coverage is not its alpha. A faint region would be solid, but lies below kLeastLevel.
 enum class Kind : std::uint8_t { as_opaque, solid, shadow, faint };
 
 bool is_large(const AlphaRegion& region, int unit_px) { return region.core_pixels >= kLeastPixels * unit_px * unit_px; }
@@ -91,7 +91,7 @@ bool matters(const AlphaRegion& region, Kind kind) {
   return kind == Kind::shadow && region.most >= kHalf;
 }
 
-/// For each pixel, the nearest pixel of a mask.
+/// The nearest pixel of a mask to each pixel.
 class NearestPixels {
  public:
   /// `mask`: CV_8U, 255 at its pixels.

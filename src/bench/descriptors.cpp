@@ -61,7 +61,7 @@ struct DescriptorMethod {
   std::function<std::uint64_t(const TimedCollage&)> comparisons;
 };
 
-/// The same shapes, square and limits for all methods.
+/// Runs all methods with the same shapes, square and limits.
 class DescriptorRace {
  public:
   DescriptorRace(GivenShapes& shapes, const CollageLimits& limits)

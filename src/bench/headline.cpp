@@ -138,7 +138,7 @@ std::vector<Docking> best_distinct(std::vector<Docking>& dockings) {
   return kept;
 }
 
-/// From PADs to the best docking: the nearest pairs of each sample, then the best of all their dockings.
+/// Goes from PADs to the best docking: the nearest pairs of each sample, then the best of all their dockings.
 Docked dock_best(Matcher& matcher, const HeadlineScene& scene, const std::vector<TargetSample>& samples) {
   Docked docked;
   Stopwatch watch;
@@ -155,7 +155,7 @@ Docked dock_best(Matcher& matcher, const HeadlineScene& scene, const std::vector
   return docked;
 }
 
-/// For comparison, the engine's method: K percent of all pairs docked, the best of every sample refined.
+/// The engine's method, for comparison: docks K percent of all pairs, and refines the best of every sample.
 Docked dock_thoroughly(Matcher& matcher, const HeadlineScene& scene) {
   const MatchPlan plan{std::uint64_t(double(scene.points) * kPaperTopPercent / 100), 0};
   Docked docked;

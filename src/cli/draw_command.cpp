@@ -167,7 +167,7 @@ std::string not_a_colour(const std::string& text) {
              : "found " + text + ", allowed: #rrggbb, none or image";
 }
 
-/// What is wrong with a list of colours; empty where nothing is. load_palette checks names and paths.
+/// The mistake in a list of colours; empty where there is none. load_palette checks names and paths.
 std::string not_a_palette(const std::string& text) {
   const std::vector<std::string_view> colours = split_outside(text, ',');
   const bool is_list = text.starts_with('#');

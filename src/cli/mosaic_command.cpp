@@ -115,7 +115,7 @@ void write_job(const MosaicArguments& arguments) {
   print_now();
 }
 
-/// For rank 0: writes the job, then runs the collage.
+/// Writes the job, then runs the collage; for rank 0.
 int write_and_run(const MosaicArguments& arguments, comm::Communicator& ranks) {
   const std::string& job = arguments.request.job;
   const JobOutput output(arguments.collage, {size_map_path(job), region_picture_path(job)}, arguments.job_only);

@@ -147,7 +147,7 @@ std::string advice(const SolveArguments& arguments, const SolvedPuzzle& solved) 
   return shape + "; where pieces are missing or foreign, --scale says how large the others are";
 }
 
-/// What is doubtful about the solution, besides pieces that are left over.
+/// A warning about a doubtful solution, apart from pieces that are left over.
 std::string doubt(const SolveArguments& arguments, const SolvedPuzzle& solved) {
   constexpr double kLeastFilled = 0.99;
   if (solved.gaps > kMostPuzzleGaps)
@@ -167,7 +167,7 @@ std::string erosion_text(double erosion_px) {
   return erosion_px > 0 ? "; they are " + fixed(erosion_px, 2) + " px smaller all round than they were cut" : "";
 }
 
-/// How far pieces lie from their right places: correct ones, and, if some are laid elsewhere, those as well.
+/// The distances of pieces from their right places: of correct ones, and, if some are laid elsewhere, of those as well.
 std::string off_text(const PuzzleAgreement& agreement) {
   if (agreement.laid == 0) return "none of them was laid";
   const std::string right = fixed(agreement.worst_px, 2) + " px off at most";
@@ -245,7 +245,7 @@ int solve_and_report(SolveArguments& arguments, const comm::Communicator& ranks)
   }
 }
 
-/// For rank 0: writes the job, then runs the collage.
+/// Solves the puzzle and writes the job, then runs the collage; for rank 0.
 int solve_and_collage(SolveArguments& arguments, comm::Communicator& ranks) {
   const JobOutput output(arguments.collage, {solution_path(arguments.request.job)}, arguments.job_only);
   const int solved = solve_and_report(arguments, ranks);

@@ -1,4 +1,4 @@
-// What one rank of a job runs, and how all of them end together, whatever happens:
+// The program of one rank of a job, and the end of all its ranks, whatever happens:
 //   rank 0 returns or throws   its exit code is the job's; an error is reported once, by rank 0; all others are told to
 //                              leave, which they do at their next wait (JobEnded)
 //   another rank throws        it tells rank 0 what and where, and waits to be told to leave; rank 0's next wait throws

@@ -73,7 +73,7 @@ long number(const Holder& holder, const std::string& name) {
   return std::strtol(word(holder, name).c_str(), nullptr, 10);
 }
 
-/// For example "process 71 on node7, Slurm job 12".
+/// The holder for messages: "process 71 on node7, Slurm job 12".
 std::string description(const Holder& holder) {
   if (!holder.contains("host")) return "a process that has just begun";
   const std::string job = word(holder, "slurm_job");

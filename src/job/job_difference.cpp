@@ -26,7 +26,7 @@ std::string listed_without(const std::vector<std::string>& texts, const std::vec
   return joined(own);
 }
 
-/// What was added to a list and removed from it: the whole lists may be long.
+/// The texts that were added to a list and removed from it: the whole lists may be long.
 std::string list_difference(const std::vector<std::string>& then, const std::vector<std::string>& now) {
   const std::string came = listed_without(now, then), went = listed_without(then, now);
   if (came.empty() && went.empty()) return "in another order now";

@@ -53,7 +53,7 @@ std::string suggestion(const JobEntry& entry) {
   return nearest_name(full_name(entry), full_names);
 }
 
-/// For messages: ", [[shapes]], [[regions]]".
+/// The names of all tables, for messages: ", [[shapes]], [[regions]]".
 std::string table_names() {
   std::string text;
   for (const JobTable& table : job_tables()) text += ", [[" + table.name + "]]";

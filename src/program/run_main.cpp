@@ -70,8 +70,8 @@ int printed_exit_code(int exit_code) {
 /// Makes writing to a closed stdout or stderr an error instead of the end of the process: the work goes on.
 void ignore_closed_pipes() { std::signal(SIGPIPE, SIG_IGN); }
 
-/// How long the ranks of a job wait for each other at the start: as long as the time limit, at least 10 s. Four ranks
-/// on a busy machine take some seconds.
+/// Time for which the ranks of a job wait for each other at the start: as long as the time limit, at least 10 s. Four
+/// ranks on a busy machine take some seconds.
 comm::MpiPatience patience_of(const Command& command) {
   constexpr double kLeastStart_s = 10;
   comm::MpiPatience patience;

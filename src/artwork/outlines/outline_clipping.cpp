@@ -32,7 +32,7 @@ struct Parts {
     for (const clip::Path& path : open) sum += length_of(path);
     return sum;
   }
-  /// How much rounding may change the size.
+  /// The amount by which rounding may change the size.
   double slack() const {
     double sum = 1;
     for (const clip::Path& path : closed) sum += length_of(path);

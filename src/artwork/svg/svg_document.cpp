@@ -22,7 +22,7 @@ namespace {
   throw InputError(message);
 }
 
-/// What the file states about its page.
+/// The size of the page as the file states it.
 struct Dimensions {
   gboolean has_width = FALSE, has_height = FALSE, has_view_box = FALSE;
   RsvgLength width{}, height{};

@@ -18,7 +18,7 @@ namespace {
 constexpr double kMostSide_px = 2048;
 /// Most nodes of a warp over a bitmap: one step for each pixel.
 constexpr double kMostNodes = kMostSide_px * kMostSide_px;
-/// How far a bitmap continues beyond its edge: as far as the antialiased edge of a clip needs.
+/// Distance by which a bitmap continues beyond its edge: as far as the antialiased edge of a clip needs.
 constexpr int kBorder_px = 2;
 
 cv::Rect2d box_on_page(const PageBitmap& bitmap) {

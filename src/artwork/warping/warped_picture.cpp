@@ -98,7 +98,7 @@ class Sampler {
     return between(pixels, pixels + 8, place);
   }
 
-  /// The same where p has pixels on all sides.
+  /// The picture at p, which must have pixels on all sides.
   cv::Vec4b at_inner(cv::Point2d p) const {
     return inside({int((p.x - 0.5) * kSubpixels + 0.5), int((p.y - 0.5) * kSubpixels + 0.5)});
   }

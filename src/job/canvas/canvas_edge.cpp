@@ -18,7 +18,7 @@ namespace {
 constexpr double kBlur_px = 1;
 constexpr double kBorderBlur_px = 2;  // between regions, where the shares of the colours are less certain
 constexpr double kTolerance_px = 0.02;
-/// How far a ground reaches beneath those after it, and all grounds beyond the page.
+/// Distance by which a ground reaches beneath those after it, and all grounds beyond the page.
 constexpr int kBeneath_px = 8;
 
 /// A page and the size of its pixels on the canvas.

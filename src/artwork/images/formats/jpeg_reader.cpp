@@ -42,7 +42,7 @@ class JpegReader {
     return true;
   }
 
-  /// To be called after read_header(). Stays empty where the file has no whole profile.
+  /// Reads the colour profile; to be called after read_header(). It stays empty where the file has no whole profile.
   bool read_profile(std::vector<std::uint8_t>& profile) {
     JOCTET* data = nullptr;
     unsigned size = 0;
