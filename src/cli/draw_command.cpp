@@ -27,14 +27,15 @@ namespace {
 constexpr const char* kDrawExamples =
     "Examples:\n"
     "  tessera draw out/animals                           collage.svg and collage.png again, as the job says\n"
-    "  tessera draw out/animals --width 12000 --png       the picture alone, for print\n"
-    "  tessera draw out/animals --pdf                     collage.pdf, vectors and all\n"
+    "  tessera draw out/animals --width 12000 --png       only the PNG, for print\n"
+    "  tessera draw out/animals --pdf                     collage.pdf, with vectors\n"
     "  tessera draw out/animals --width 60000 --tiff      for viewers of large pictures\n"
-    "  tessera draw out/animals --background none         on nothing: transparent between the pieces\n"
+    "  tessera draw out/animals --background none         transparent between the pieces\n"
     "  tessera draw out/animals --set output.width_mm=420 --set output.dpi=300     42 cm wide on paper\n"
     "  tessera draw out/birds --palette ink --to out/birds-ink     the same collage in other colours, elsewhere\n"
-    "  tessera draw out/animals --library moved.h5        where the library has another name now\n"
-    "Nothing is computed: the pictures are made from the files in RESULT, of an unfinished collage too. Ctrl-C ends\n"
+    "  tessera draw out/animals --library moved.h5        if the library has another name now\n"
+    "Pieces stay where they are: the pictures are made from the files in RESULT, also of an unfinished collage. Ctrl-C "
+    "ends\n"
     "drawing within two seconds with exit code 75 and leaves no half-written picture.";
 
 struct DrawArguments {
@@ -185,15 +186,18 @@ void add_draw_command(CLI::App& app, Command& selected) {
   draw->footer(kDrawExamples);
   draw->add_option("RESULT", arguments->folder, "The folder of the result")->required()->type_name("DIR");
   draw->add_option("--width", arguments->width_px,
-                   "Of the pictures, which then have no size in mm; default: as the result's job says")
+                   "Width of the pictures, which then have no size in mm; default: as in the result's job")
       ->type_name("PX")
       ->check(width_range());
-  draw->add_flag("--svg", arguments->request.svg, "Draw collage.svg; without any of the four: SVG and PNG");
+  draw->add_flag("--svg", arguments->request.svg,
+                 "Draw collage.svg; without --svg, --png, --pdf and --tiff: SVG and "
+                 "PNG");
   draw->add_flag("--png", arguments->request.png, "Draw collage.png");
   draw->add_flag("--pdf", arguments->request.pdf, "Draw collage.pdf");
   draw->add_flag("--tiff", arguments->request.tiff, "Draw collage.tiff: the PNG's picture in tiles and at all sizes");
   draw->add_option("--background", arguments->background,
-                   "Of the canvas, none, or image: what the pieces show; default: output.background")
+                   "Colour of the canvas; none: transparent; image: the picture that the pieces show; default: "
+                   "output.background")
       ->type_name("#RRGGBB")
       ->check(not_a_colour);
   draw->add_option("--palette", arguments->palette,
@@ -208,7 +212,7 @@ void add_draw_command(CLI::App& app, Command& selected) {
       ->allow_extra_args(false)
       ->take_all();
   draw->add_option("--library", arguments->request.library,
-                   "The library, where it is not at its place any more; of several, each with an option of its own")
+                   "The library, if its file was moved; for several libraries give the option once for each")
       ->type_name("FILE")
       ->allow_extra_args(false);
   draw->add_flag("--quiet", arguments->quiet, "Print no progress, only warnings");

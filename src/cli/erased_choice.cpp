@@ -63,8 +63,8 @@ std::vector<int> under_mask(const std::string& mask, const std::string& folder, 
   if (marked.is_opaque && covered > 1 && double(covered) >= kNearlyAll * double(pieces.size())) {
     throw InputError("--erase " + mask + ": an opaque picture that covers " + std::to_string(covered) + " of " +
                      std::to_string(pieces.size()) +
-                     " pieces; needed: what is drawn over the pieces that are to go, alone on a transparent or plain " +
-                     "page, or painted over a copy of collage.png");
+                     " pieces; needed: only a scribble over the pieces to remove, on a transparent or plain page, or " +
+                     "painted over a copy of collage.png");
   }
   return touched;
 }

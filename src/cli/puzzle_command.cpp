@@ -47,8 +47,8 @@ constexpr const char* kMakeExamples =
     "  tessera puzzle make photo.jpg --pieces 18 --cut polygons --seed 3 --out shards\n"
     "  tessera puzzle make heart.svg --pieces 24                   the heart itself is cut: heart_puzzle/frame.svg\n"
     "Each piece is a PNG with transparency, turned by a random angle; pieces are numbered in a random order.\n"
-    "DIR/truth/pieces.geojson says where each lay, px of the picture. Of tabs there may be a few pieces more or\n"
-    "fewer, rows times columns. What to type next is printed.";
+    "DIR/truth/pieces.geojson says where each lay, px of the picture. With tabs there may be a few pieces more or\n"
+    "fewer: rows times columns. The next commands are printed.";
 
 constexpr const char* kSolveExamples =
     "Examples:\n"
@@ -56,14 +56,15 @@ constexpr const char* kSolveExamples =
     "shape\n"
     "  tessera puzzle solve jigsaw.h5 --size 600,400 --scale 1     they are known to be as large as they were drawn\n"
     "  tessera puzzle solve heart.h5 --frame heart.svg             a frame of any outline\n"
-    "  tessera puzzle solve jigsaw.h5                              no frame: the canvas is as large as what comes out\n"
-    "  tessera puzzle solve jigsaw.h5 --size 600,400 --truth jigsaw/truth      how far from it\n"
-    "LIB.h5 holds the pieces, each once, in one scale among themselves: as large as their pictures. What fits is\n"
-    "found by outlines and by what is on both sides of them; pieces need corners. A frame may come out upside down. "
-    "jigsaw_pieces.geojson\n"
-    "says where they lie, jigsaw.toml is a job that shows it, which is then run as by tessera collage. Nothing is "
-    "laid\n"
-    "beyond a frame. Pieces that find no place are named, the others are laid, and the exit code is 3.";
+    "  tessera puzzle solve jigsaw.h5                              no frame: the canvas gets the size of the solution\n"
+    "  tessera puzzle solve jigsaw.h5 --size 600,400 --truth jigsaw/truth      how far the solution is off\n"
+    "LIB.h5 holds each piece once, all in the same scale: as large as their pictures. Pieces are matched by their "
+    "outlines\n"
+    "and by the pictures on both sides; they need corners. A frame may come out upside down. jigsaw_pieces.geojson "
+    "says\n"
+    "where the pieces lie. jigsaw.toml is a job that shows it; it then runs as with tessera collage. Nothing is laid "
+    "beyond\n"
+    "a frame. Pieces without a place are named, the others are laid, and the exit code is 3.";
 
 const std::map<std::string, CutStyle> kCuts = {
     {"tabs", CutStyle::tabs}, {"polygons", CutStyle::polygons}, {"rectangles", CutStyle::rectangles}};
@@ -144,7 +145,7 @@ std::string advice(const SolveArguments& arguments, const SolvedPuzzle& solved) 
   const std::string shape =
       "; the frame may have another shape than the puzzle: without --size and --frame all that fits together is laid";
   if (arguments.request.scale) return shape;
-  return shape + "; where pieces are missing or foreign, --scale says how large the others are";
+  return shape + "; if pieces are missing or foreign, give the size of the others with --scale";
 }
 
 /// A warning about a doubtful solution, apart from pieces that are left over.
@@ -158,8 +159,8 @@ std::string doubt(const SolveArguments& arguments, const SolvedPuzzle& solved) {
            (solved.loose_width_px > 0 ? ": all pieces together take " + loose_size(solved) : "");
   if (solved.undecided > 0)
     return std::to_string(solved.undecided) + " of " + count_text(solved.placed, "piece") +
-           " have the outline of others, and what is on them does not say for sure where they belong: some may lie "
-           "wrongly";
+           " have the same outline as others, and their pictures do not decide where they belong: some may lie in a "
+           "wrong place";
   return "";
 }
 
@@ -273,7 +274,7 @@ void add_make(CLI::App& puzzle, Command& selected) {
   command->add_option("IMAGE", request.picture, "JPEG, PNG, TIFF, WebP or BMP; of an SVG its silhouette is cut")
       ->required()
       ->type_name("FILE");
-  command->add_option("--pieces", request.pieces, "About so many, 2 to 2000")->capture_default_str();
+  command->add_option("--pieces", request.pieces, "Approximate number of pieces, 2 to 2000")->capture_default_str();
   command->add_option("--cut", arguments->cut, "tabs, polygons with straight sides, or rectangles, all alike")
       ->check(CLI::IsMember(kCuts))
       ->capture_default_str();
@@ -294,7 +295,8 @@ void add_solve(CLI::App& puzzle, Command& selected) {
                        {.type_name = "W,H", .count = 2, .value = CLI::Range(64, 20'000)});
   command
       ->add_option("--frame", request.frame_file,
-                   "The frame is what this file shows, as a canvas.file; without --size as large as the pieces want it")
+                   "The frame is the silhouette in this file, like a canvas.file; without --size its size follows "
+                   "from the pieces")
       ->type_name("FILE");
   command
       ->add_option(
@@ -303,13 +305,15 @@ void add_solve(CLI::App& puzzle, Command& selected) {
       ->check(CLI::Range(0.001, 1000.0))
       ->type_name("K");
   command
-      ->add_option("--truth", request.truth, "A folder with the pieces.geojson of how they were cut: says how far off")
+      ->add_option("--truth", request.truth,
+                   "A folder with the pieces.geojson of the cut: reports how far the "
+                   "solution is off")
       ->type_name("DIR");
   command->add_option("--job", request.job, "The job file to write; default: <name of the library>.toml")
       ->type_name("FILE.toml");
-  command->add_flag("--outlines-only", request.outlines_only, "Leave out what is on the pieces");
+  command->add_flag("--outlines-only", request.outlines_only, "Ignore the pictures on the pieces");
   command->add_flag("--job-only", arguments->job_only, "Write the job and where the pieces lie, and run nothing");
-  command->add_flag("--replace", request.replace, "Write them anew where others are there");
+  command->add_flag("--replace", request.replace, "Replace the files of another puzzle");
   add_collage_options(*command, arguments->collage);
   command->callback([arguments, &selected] {
     selected.run_on_all_ranks = [arguments](comm::Communicator& ranks) { return solve(*arguments, ranks); };

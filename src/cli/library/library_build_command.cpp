@@ -32,7 +32,7 @@ constexpr char kLibraryBuildExamples[] =
     "Reads SVG and SVGZ; PNG, WebP and TIFF with transparency; masks and pictures on a plain background (PNG, WebP,\n"
     "TIFF, BMP, JPEG).\n"
     "Not GIF, PDF, EPS and others: convert them to SVG or PNG. Files that cannot be used are skipped: the first are\n"
-    "named at the end, all of them, with the reasons, in LIB.left_out.txt.";
+    "named at the end, and all of them with reasons in LIB.left_out.txt.";
 
 LibraryBuildReport build_with_progress(const BuildArguments& arguments, const ArtworkFiles& files) {
   std::optional<ProgressBar> bar;
@@ -132,17 +132,19 @@ void add_library_build_command(CLI::App& library, Command& selected) {
   build->add_flag("--keep-rectangles", settings.tracing.rules.keep_rectangles,
                   "Plain rectangles are shapes, too, not a drawing's background");
   build->add_flag("--fill-holes", settings.tracing.rules.fill_holes,
-                  "What a drawing encloses counts as the shape: for line art, rings, chairs, which others cannot fill");
+                  "Fill the holes of drawings: for line art, rings, chairs, whose holes other pieces cannot enter");
   build->add_flag(
       "--puzzle", [&settings](std::int64_t) { settings.tracing.rules.keep_rectangles = settings.keep_twins = true; },
       "Each file is a piece: plain rectangles and files that look alike are shapes, too");
-  build->add_option("--processes", settings.files_at_a_time, "How many files are traced at a time; default: all cores")
+  build
+      ->add_option("--processes", settings.files_at_a_time,
+                   "Number of files traced at a time; default: the number "
+                   "of cores")
       ->check(CLI::Range(1, 1024));
   build
-      ->add_option(
-          "--edge-opacity", settings.tracing.rules.edge_opacity,
-          "Where the outline runs: at this opacity of the drawing; 0.05 takes in halos and soft shadows. At 0.5 these "
-          "are left out, and translucent parts with an edge are in")
+      ->add_option("--edge-opacity", settings.tracing.rules.edge_opacity,
+                   "Opacity at which the outline runs: 0.05 includes halos and soft shadows; 0.5 leaves these out, but "
+                   "includes translucent parts with an edge")
       ->check(CLI::Range(0.02, 0.9))
       ->capture_default_str();
   build
@@ -152,7 +154,8 @@ void add_library_build_command(CLI::App& library, Command& selected) {
       ->capture_default_str();
   build
       ->add_option("--delta-tau", settings.tracing.pad.delta_tau,
-                   "Their base interval of integral curvature, rad; the same goes for match.delta_tau")
+                   "Base interval of integral curvature of the stored PADs, rad; for jobs with another "
+                   "match.delta_tau they are computed anew")
       ->check(CLI::Range(0.05, 1.0))
       ->capture_default_str();
   build->callback([arguments, &selected] {

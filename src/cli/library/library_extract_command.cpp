@@ -36,11 +36,12 @@ constexpr char kLibraryExtractExamples[] =
     "  tessera library extract gravel.jpg --element-px 16 --enlarge 3 -o gravel.h5    elements of few pixels\n"
     "  tessera library extract wall.jpg --element-px 120 -o stones.h5 --ground mortar.png     the mortar, too\n"
     "  tessera library extract wall.jpg --labels wall_labels.png -o stones.h5      labels from another program\n"
-    "Reads JPEG, PNG, TIFF, WebP and BMP, turned as their EXIF data say. Each element comes with its own pixels, "
-    "which\n"
-    "the library holds. Those that the photo's edge cuts are left out. Elements that touch, or lie on a ground of\n"
-    "several colours, need --element-px. Look at the overview: where elements are merged, give a smaller one, where\n"
-    "they are split, a larger one. 100 elements take some 5 s, 1000 a minute or two.";
+    "Reads JPEG, PNG, TIFF, WebP and BMP, turned as their EXIF data say. The library holds the pixels of each "
+    "element.\n"
+    "Elements cut by the photo's edge are left out. Elements that touch, or lie on a ground of several colours, need\n"
+    "--element-px. Look at the overview: if elements are merged, give a smaller number; if they are split, a larger "
+    "one.\n"
+    "100 elements take about 5 s, 1000 a minute or two.";
 
 struct ExtractArguments {
   std::vector<std::string> photos;
@@ -105,7 +106,7 @@ std::vector<CutOut> all_cut_outs(const ExtractArguments& arguments, Drawers& dra
   if (all.empty()) {
     throw InputError(arguments.output + " was not written: no element is left of " +
                      (arguments.photos.size() == 1 ? arguments.photos.front() : "these photos") +
-                     "; --min and --max leave out by size, the photo's edge what it cuts" +
+                     "; --min and --max leave out elements by size, the photo's edge those that it cuts" +
                      (arguments.settings.labels.empty() ? ", and --element-px says what to look for" : ""));
   }
   return all;
@@ -196,7 +197,7 @@ void check(const ExtractArguments& arguments) {
   check_number("--min", arguments.settings.sizes.least_px);
   check_number("--max", arguments.settings.sizes.most_px);
   if (arguments.settings.sizes.least_px > arguments.settings.sizes.most_px)
-    throw InputError("--min: found more than --max, allowed: at most that");
+    throw InputError("--min: found more than --max, allowed: at most --max");
   if (!arguments.settings.labels.empty() && arguments.settings.element_px > 0)
     throw InputError("found both --element-px and --labels, allowed: one of them");
   if (!arguments.settings.labels.empty() && arguments.photos.size() > 1)
@@ -261,25 +262,25 @@ void add_library_extract_command(CLI::App& library, Command& selected) {
       ->type_name("LIB.h5");
   extract
       ->add_option("--element-px", arguments->settings.element_px,
-                   "Short side of a typical element, px of the photo; rather too small than too large. Default: each "
-                   "lies apart on a plain ground")
+                   "Short side of a typical element, px of the photo; rather too small than too large. Default: "
+                   "elements lie apart on a plain ground")
       ->check(CLI::Range(4.0, kMostSide_px));
   extract
       ->add_option("--min", arguments->settings.sizes.least_px,
                    "Leave out smaller elements: square root of the area, px")
       ->check(CLI::Range(0.0, kMostSide_px));
-  extract->add_option("--max", arguments->settings.sizes.most_px, "Leave out larger ones")
+  extract->add_option("--max", arguments->settings.sizes.most_px, "Leave out larger elements")
       ->check(CLI::Range(0.0, kMostSide_px));
   extract
       ->add_option("--enlarge", arguments->settings.enlarged,
-                   "Search and cut up the photo so many times larger; the other options stay in its own px. A library "
-                   "needs elements of 24 px (square root of the area), and twice that for good outlines")
+                   "Enlarge the photo by this factor before the search; the other options stay in px of the photo. A "
+                   "library needs elements of 24 px (square root of the area), and twice that for good outlines")
       ->check(CLI::Range(1, kMostEnlarged));
-  extract->add_flag("--fill-holes", arguments->fill_holes, "What an element encloses counts as the shape: of rings");
+  extract->add_flag("--fill-holes", arguments->fill_holes, "Fill the holes of elements, such as rings");
   extract
       ->add_option("--labels", arguments->settings.labels,
-                   "Which pixels belong together, from another program: grey, 8 or 16 bits, 0 = gap; instead of "
-                   "searching")
+                   "Labels of the photo's pixels from another program, instead of a search: grey, 8 or 16 bits, 0 = "
+                   "gap")
       ->type_name("MAP.png");
   extract
       ->add_option("--overview", arguments->overview, "Show what was found: FOLDER/PHOTO_found.png, elements numbered")
