@@ -81,7 +81,10 @@ std::variant<ArtworkShape, SkipReason> shape_from_artwork(std::span<const std::u
   Silhouette silhouette = make_silhouette(bytes, path, settings.rules.edge_opacity);
   const Traced traced = traced_outline(silhouette, settings.rules);
   if (const auto* reason = std::get_if<SkipReason>(&traced.outline)) {
-    if (silhouette.loses_text) throw InputError(path + ": its text cannot be drawn, as fontconfig finds no font here");
+    if (silhouette.loses_text)
+      throw InputError(path +
+                       ": its text cannot be drawn: fontconfig finds no font on this "
+                       "machine");
     return is_hollow(silhouette, settings.rules) ? SkipReason::hollow : true_reason(*reason, traced.loses_parts);
   }
 

@@ -15,7 +15,7 @@ namespace {
 std::string refusal(const std::system_error& error) {
   const std::string reason = error.code().message();
   if (error.code() != std::errc::resource_unavailable_try_again) return "the system refused: " + reason;
-  return "the system gives no further thread or process: " + reason + " (ulimit -u, or the container's limit)" +
+  return "the system starts no further thread or process: " + reason + " (ulimit -u, or the container's limit)" +
          process_limits();
 }
 

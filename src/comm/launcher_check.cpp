@@ -36,8 +36,8 @@ bool is_one_of_many(const Environment& environment, const Launcher& launcher) {
 std::string refusal(const Environment& environment, const Launcher& launcher) {
   const std::string tasks = std::to_string(number(environment, launcher.tasks));
   return "started as one of " + tasks + " processes by " + launcher.name + " (" + launcher.tasks + "=" + tasks +
-         "), which this program, built with Open MPI, does not see as ranks of one job; allowed: Open MPI's mpirun "
-         "-n " +
+         "), but this program, built with Open MPI, does not see them as ranks of one job; allowed: Open MPI's "
+         "mpirun -n " +
          tasks + " tessera ..., inside sbatch too, or srun --mpi=pmix; for " + tasks +
          " jobs of one process each: env -u " + launcher.tasks + " tessera ...";
 }

@@ -33,7 +33,7 @@ void on_abort(int) {
 ForeignEnd::ForeignEnd() {
   [[maybe_unused]] static const int registered = std::atexit(tell);
   const std::string limits = process_limits();
-  const std::string text = "tessera: a library that it uses has ended it" + limits + "\n";
+  const std::string text = "tessera: a library, such as an OpenCL driver, has ended the program" + limits + "\n";
   word_bytes = limits.empty() ? 0 : std::min(text.size(), words.size());
   std::copy_n(text.begin(), word_bytes, words.begin());
   lives = true;

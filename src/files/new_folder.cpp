@@ -42,7 +42,7 @@ NewFolder::NewFolder(const std::string& folder)
       made_(folder),
       lock_(folder_lock_path(folder), folder) {
   if (holds_something(folder))
-    throw InputError(folder + ": is there already, and holds something; allowed: a new folder (--out DIR)");
+    throw InputError(folder + ": exists already and is not empty; allowed: a new or an empty folder (--out DIR)");
 }
 
 void NewFolder::write(const std::vector<NewFile>& files, const StopCheck& check_stop) {

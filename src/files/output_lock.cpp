@@ -114,7 +114,7 @@ void take(int file, const std::string& path, const std::string& output, Locking 
   }
   if (!is_over(then, now, locking == Locking::locked)) {
     throw InputError(output + ": another run may still be at work here: " + description(then) +
-                     ", of which this machine cannot tell; if it is over, remove " + path);
+                     ", and this machine cannot tell whether it has ended; if it has, remove " + path);
   }
   if (write_holder(file, now)) return;
   const int reason = errno;

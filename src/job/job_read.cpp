@@ -358,7 +358,9 @@ bool set_drawing_keys(Job& job, const std::vector<std::string>& overrides) {
     }
     const JobKey* key = find_job_key(entry.section, entry.name);
     if (!key || !key->decides) continue;
-    throw InputError(entry.where + ": decides where pieces lie: set it in the job, and run tessera collage again");
+    throw InputError(entry.where +
+                     ": this key decides where pieces lie; set it in the job, and run tessera collage "
+                     "again");
   }
   entries.apply_all_but_mm(job);
   entries.apply_mm(job);

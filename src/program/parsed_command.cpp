@@ -46,8 +46,8 @@ std::string swallowed_option(const CLI::App& app, const std::vector<std::string>
       const auto swallowed = std::find_if(values.begin(), values.end(), is_option);
       if (swallowed == values.end()) continue;
       const std::string name = option->get_name();
-      return name + ": found the option " + *swallowed + ", allowed: a value; one that begins so: " + name + "=" +
-             *swallowed;
+      return name + ": found the option " + *swallowed +
+             ", allowed: a value; for a value that begins like an option: " + name + "=" + *swallowed;
     }
   }
   return "";

@@ -86,7 +86,7 @@ void check_printed() {
   const std::string why = first_error == 0       ? ""
                           : first_error == EBADF ? ": it is closed"
                                                  : std::string(": ") + std::strerror(first_error);
-  throw EnvironmentError("standard output cannot be written" + why + "; some of what was printed is lost");
+  throw EnvironmentError("standard output cannot be written" + why + "; a part of the output is lost");
 }
 
 }  // namespace tessera

@@ -47,7 +47,7 @@ class SignalsBlocked {
 std::string text_of(std::span<const std::uint8_t> bytes) { return {bytes.begin(), bytes.end()}; }
 
 [[noreturn]] void throw_garbled(const std::string& path) {
-  throw InputError(path + ": its process gave no sensible answer");
+  throw InputError(path + ": tessera-drawer sent an invalid answer");
 }
 
 cv::Mat image_of(const DrawingAnswer& answer, const std::string& path, int longest_side_px) {

@@ -99,8 +99,8 @@ std::vector<CanvasRegion> canvas_regions(const CanvasPage& page, const cv::Mat_<
     const Grid<float> coverage = coverage_where(page.bgra, labels, [&](int label) { return label == int(region); });
     Canvas part = make_mask_canvas(coverage_on_canvas(page, coverage), page.cells_per_px);
     if (part.area_px2 <= 0) {
-      throw InputError("canvas file " + spec.file + ": no place of it is nearest to " + spec.region_colours[region] +
-                       ", the colour of one of [[regions]]");
+      throw InputError("canvas file " + spec.file + ": none of its pixels is nearest to " +
+                       spec.region_colours[region] + ", the colour of one of [[regions]]");
     }
     regions.push_back({std::move(part.distance), part.area_px2});
   }

@@ -249,7 +249,7 @@ void add_start_pieces(const std::vector<NamedShape>& shapes, Job& job) {
     given.insert(given.end(), pieces.begin(), pieces.end());
   } catch (const json::exception& error) {
     throw InputError(where + file + ": no JSON: " + printable(error.what(), 200) +
-                     "; allowed: lines with commas between them, none behind the last");
+                     "; allowed: entries with commas between them and no comma after the last one");
   } catch (const InputError& error) {
     const std::string what = error.what();
     throw InputError(where + (what.starts_with(job.start.pieces) ? what : file + ": " + what));

@@ -128,10 +128,10 @@ class Resolution {
     const float scale_px = shapes_[shape].drawn_scale_px;
     const std::string sizes = "pieces.sizes: found \"drawn\", but the shape \"" + shapes_[shape].name + "\" ";
     if (scale_px == 0)
-      fail(sizes + "does not say how large it was drawn; tessera library build makes its library anew");
+      fail(sizes + "does not say how large it was drawn; build its library again with tessera library build");
     if (!job_.settings.pieces.fit_all && (scale_px < float(range.min) || scale_px > float(range.max))) {
       fail(sizes + "was drawn at " + fixed(scale_px, 1) + " px, allowed: " + fixed(range.min, 0) + " to " +
-           fixed(range.max, 0) + " px; a scale_px of [[shapes]], or pieces.fit = \"all\"");
+           fixed(range.max, 0) + " px, or a scale_px in [[shapes]], or pieces.fit = \"all\"");
     }
     return {scale_px, scale_px};
   }

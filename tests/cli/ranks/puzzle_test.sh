@@ -30,7 +30,7 @@ diff -r jigsaw again || fail "another cut of the same seed"
 run 0 puzzle make sun.png --pieces 12 --seed 2 --out other
 ! cmp -s jigsaw/truth/pieces.geojson other/truth/pieces.geojson || fail "the same cut of another seed"
 run 2 puzzle make sun.png --pieces 12 --out jigsaw
-expect_word 'jigsaw: is there already, and holds something; allowed: a new folder'
+expect_word 'jigsaw: exists already and is not empty; allowed: a new or an empty folder'
 run 2 puzzle make sun.png --pieces 1 --out one
 expect_word '--pieces: found 1, allowed: from 2 to 2000'
 run 2 puzzle make sun.png --pieces 400 --out dust
