@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMemoryStep_bytes = 16384;  // the file is filled up with zeros to a multiple of this
 
-/// An HDF5 file in memory. AtomicFile writes it to the disk, where every failure is noticed.
+/// An HDF5 file in memory. CheckpointFolder writes its bytes to the disk, where every failure is noticed.
 Hdf5Handle create_in_memory() {
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), "file");
   // Checksums over all metadata; the next newer format would be marked as still being written.

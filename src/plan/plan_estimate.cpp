@@ -62,7 +62,7 @@ constexpr double kCountedNode_bytes = 60;
 constexpr double kCoarseNode_bytes = 18;
 constexpr double kFineCanvas_px2 = 4e6;
 // Master, while the picture is drawn: bytes for each picture px (at 4 Mpx with 232 drawings of openclipart). From 14
-// Mpx on it is what PictureLimits allows (png_output.h) with the bands and copies. The canvas' fields are added.
+// Mpx on it is what PictureLimits allows (picture_drawing.h) with the bands and copies. The canvas' fields are added.
 constexpr double kPicture_bytes = 60;
 constexpr double kMostPicture_bytes = 850e6;
 constexpr double kDrawnNode_bytes = 5;
