@@ -61,10 +61,11 @@ std::vector<int> under_mask(const std::string& mask, const std::string& folder, 
   const std::vector<int> touched = pieces_under(marked.cells, pieces, canvas);
   const std::size_t covered = pieces_under(marked.cells, pieces, canvas, kWholly).size();
   if (marked.is_opaque && covered > 1 && double(covered) >= kNearlyAll * double(pieces.size())) {
-    throw InputError("--erase " + mask + ": an opaque picture that covers " + std::to_string(covered) + " of " +
-                     std::to_string(pieces.size()) +
-                     " pieces; needed: only a scribble over the pieces to remove, on a transparent or plain page, or " +
-                     "painted over a copy of collage.png");
+    throw InputError(
+        "--erase " + mask + ": an opaque picture that covers " + std::to_string(covered) + " of " +
+        std::to_string(pieces.size()) +
+        " pieces; needed: marks over the pieces that are to go, on a transparent or plain page, or painted " +
+        "over a copy of collage.png");
   }
   return touched;
 }

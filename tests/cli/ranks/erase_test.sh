@@ -215,7 +215,7 @@ cat >photo.svg <<'END'
 <svg xmlns="http://www.w3.org/2000/svg" width="240" height="180"><linearGradient id="g"><stop stop-color="#fff"/>
 <stop offset="1" stop-color="#a00"/></linearGradient><rect width="240" height="180" fill="url(#g)"/></svg>
 END
-refused " of $(count first) pieces; needed: only a scribble over the pieces to remove" --erase photo.svg
+refused " of $(count first) pieces; needed: marks over the pieces that are to go, on" --erase photo.svg
 expect_word "--erase photo.svg: an opaque picture that covers "
 sed 's/height="360"/height="480"/' scribble.svg >tall.svg
 refused '--erase tall.svg: found another aspect: fitted into the canvas it has 180 x 180 px, needed: 240 x 180' \
