@@ -18,8 +18,8 @@ namespace {
 
 SharedBytes shared(Bytes bytes) { return std::make_shared<const Bytes>(std::move(bytes)); }
 
-/// The messages of a job's end come from any rank, also from one whose program turned out to be another one. What such
-/// a rank says may be unreadable, which is no reason not to end.
+/// Decodes a message of a job's end; empty where it cannot be read. Such messages come from any rank, even from one
+/// whose program is a different one; that is no reason not to end.
 template <class T>
 std::optional<T> readable(const Bytes& bytes) {
   try {
@@ -85,7 +85,7 @@ void Communicator::watch_workers(double silence_s, std::function<void(const std:
 
 void Communicator::throw_if_interrupted() {
   const std::optional<StopReason> reason = shall_stop_ ? shall_stop_() : std::nullopt;
-  // A rank that is heard of again later has been told to be lost: nobody waits for it any more.
+  // A rank that was reported as lost stays lost, even if it sends again later.
   if (const auto lost = watch_ && !lost_a_worker_ ? watch_->lost() : std::nullopt) {
     lost_a_worker_ = true;
     report_lost_(lost->rank > 0 ? place_of(lost->rank) + " " + lost->what : lost->what);

@@ -9,7 +9,7 @@ namespace tessera::comm {
 namespace {
 
 constexpr double kBeatsPerSilence = 10;
-constexpr double kMostPeriod_s = 5;  // whatever silence is allowed, faults of long questions show soon
+constexpr double kMostPeriod_s = 5;  // however long the allowed silence, so that busy times stay up to date
 
 }  // namespace
 

@@ -1,5 +1,5 @@
-// The messages of matching, replacing and the end of a job: for each type that is sent, how it travels (archive.h).
-// Structures without pointers travel as they lie in memory, all others by their members.
+// The messages of matching, replacing and the end of a job: how each type is sent (archive.h). Structures without
+// pointers are sent as their bytes in memory, all others member by member.
 #pragma once
 
 #include "comm/archive.h"

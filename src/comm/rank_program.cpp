@@ -9,7 +9,7 @@ namespace {
 constexpr double kLeavePatience_s = 10;  // a worker may be in the middle of a request
 constexpr double kGivenUpPatience_s =
     2;  // it may be in the middle of a launch; the time limit is near, or the user waits
-constexpr double kAtOncePatience_s = 0.1;  // of the two seconds that mpirun leaves
+constexpr double kAtOncePatience_s = 0.1;  // out of the two seconds that mpirun leaves
 
 int run_first(Communicator& ranks, const RankProgram& program) {
   try {

@@ -1,10 +1,11 @@
-// Where a library ends the process, by abort(3) or exit(3), as OpenCL's compiler does where memory or a file is limited.
+// Handles a library that ends the process by abort(3) or exit(3), as OpenCL's compiler does when memory or a file is
+// limited.
 #pragma once
 
 namespace tessera {
 
-/// While it lives such an end removes what must not stay (files/leftover_file.h), and tells of the limits of the process,
-/// where it has any: the library's own words seldom name them. One object at a time.
+/// While it lives, such an end removes leftover files (files/leftover_file.h) and prints the limits of the process, if
+/// there are any: the library's own message seldom names them. At most one object at a time.
 class ForeignEnd {
  public:
   ForeignEnd();
@@ -13,7 +14,8 @@ class ForeignEnd {
   ForeignEnd& operator=(const ForeignEnd&) = delete;
 };
 
-/// Where a ForeignEnd lives: to be called when kernels are compiled, as LLVM takes the signal of abort(3) for itself.
+/// Sets the handler of abort(3) again while a ForeignEnd lives. To be called when kernels are compiled, as LLVM
+/// installs a handler of its own.
 void take_abort_again();
 
 }  // namespace tessera

@@ -131,7 +131,7 @@ refused 'none.h5' bench library --sizes 10 --library none.h5 --out x.json
 refused '--palette nonsense: ' draw result --palette nonsense
 refused '--palette: found #zz,#112233, allowed: ' draw result --palette '#zz,#112233'
 refused 'not expected: leaf' library subset own.h5 --include star leaf -o some.h5
-refused '--out: found the option --quiet, allowed: a value; one that begins so: --out=--quiet' \
+refused '--out: found the option --quiet, allowed: a value; for a value that begins like an option: --out=--quiet' \
   collage job.toml --out --quiet
 refused '--strip: found the option --out, allowed: a value' nest own.h5 --strip --out X
 refused '--seed: found the option --quiet, allowed: a value' nest own.h5 --strip 60 --seed --quiet

@@ -55,7 +55,7 @@ TEST(BuildSummary, CountsReasonsMostFrequentFirst) {
                     {"/a/e.svg", "hairlines"}};
   EXPECT_EQ(build_summary(report),
             "parts that do not touch the largest one are not in the silhouettes of 1: deer.svg\n"
-            "  join them to have them; where a soft shadow joins them, --edge-opacity 0.05 has them\n"
+            "  join the parts to include them; if a soft shadow joins them, --edge-opacity 0.05 includes them\n"
             "parts that are too faint (an opacity below 0.08) or too thin are not in the silhouettes of 1: fly.svg\n"
             "2 enclose twice what they cover or more, which leaves gaps; --fill-holes counts it as theirs: "
             "bicycle.svg, chair.svg\n"

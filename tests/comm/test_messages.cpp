@@ -317,7 +317,7 @@ TEST(Failures, KeepTheirKindAndText) {
   EXPECT_EQ(described([] { throw EnvironmentError("b"); }), (Failure{1, "b"}));
   EXPECT_EQ(described([] { throw std::bad_alloc(); }), (Failure{1, "out of memory"}));
   EXPECT_EQ(described([] { throw std::logic_error("c"); }), (Failure{1, "internal error: c"}));
-  const std::string refused = "the system gives no further thread or process: Resource temporarily unavailable";
+  const std::string refused = "the system starts no further thread or process: Resource temporarily unavailable";
   EXPECT_EQ(described([] { throw std::system_error(EAGAIN, std::generic_category()); }),
             (Failure{1, refused + " (ulimit -u, or the container's limit)"}));
   EXPECT_EQ(described([] { throw std::system_error(EIO, std::generic_category()); }),

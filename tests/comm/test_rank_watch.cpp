@@ -75,7 +75,7 @@ TEST_F(RankWatchTest, a_worker_that_never_answers_is_lost) {
   watch_.heard(2, {.waiting = false, .for_s = RankWatch::kMostBusy * kSilence_s + 1});
   ASSERT_TRUE(watch_.lost());
   EXPECT_EQ(watch_.lost()->rank, 2);
-  EXPECT_EQ(watch_.lost()->what, "has been busy with one question for 601 s");
+  EXPECT_EQ(watch_.lost()->what, "has been busy with one request for 601 s");
 }
 
 TEST_F(RankWatchTest, whoever_waits_for_an_hour_is_not_busy) {

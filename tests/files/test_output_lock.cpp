@@ -119,8 +119,8 @@ TEST_F(OutputLockTest, is_removed_where_a_library_ends_the_process) {
 TEST_F(OutputLockTest, of_another_machine_is_left_to_the_user) {
   leave_by_another_machine();
   EXPECT_EQ(complaint(),
-            "result: another run may still be at work here: process 71 on node7, Slurm job 12, of which "
-            "this machine cannot tell; if it is over, remove " +
+            "result: another run may still be at work here: process 71 on node7, Slurm job 12, and "
+            "this machine cannot tell whether it has ended; if it has, remove " +
                 path_);
   EXPECT_TRUE(std::filesystem::exists(path_));
 }

@@ -111,7 +111,7 @@ TEST_F(Millimetres, are_for_lengths_of_the_canvas_alone) {
 TEST_F(Millimetres, of_the_canvas_have_its_aspect_and_bounds) {
   EXPECT_EQ(mistake("[canvas]\nsize_mm = [600, 400]\nsize_px = [1000, 1000]"),
             "job.toml: canvas.size_px: found [1000, 1000], allowed with a canvas.size_mm of [600.000, 400.000]: "
-            "its aspect, as [1000, 667]");
+            "the same aspect ratio, such as [1000, 667]");
   for (const char* size_px : {"[1000, 666]", "[1000, 667]", "[1000, 668]"}) {
     EXPECT_NO_THROW(load("[canvas]\nsize_mm = [600, 400]\nsize_px = " + std::string(size_px)));
   }

@@ -225,7 +225,7 @@ TEST(Plan, header_is_what_sbatch_takes) {
 TEST(Plan, says_that_it_estimates) {
   const std::string text = plan_text(animals(), estimate(animals()));
   for (const char* part :
-       {"Estimates for 3 ranks, a master and 2 workers", "232 shapes", "in one buffer", "about", "Half or twice"}) {
+       {"Estimates for 3 ranks, a master and 2 workers", "232 shapes", "in one buffer", "about", "half or twice"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
   }
 }

@@ -43,7 +43,7 @@ int wait_for(pid_t process) {
 
 void run_program(const std::vector<std::string>& command, Talk talk) {
   std::vector<char*> arguments;
-  for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));  // C's old interface
+  for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));  // an old C interface
   arguments.push_back(nullptr);
   SpawnActions actions;
   actions.read_nothing();

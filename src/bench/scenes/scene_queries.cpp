@@ -11,8 +11,8 @@
 namespace tessera::bench {
 namespace {
 
-/// Other silhouettes that are tried for one query; each is taken larger than the one before it, so that long shapes can be
-/// hidden, too: twice as large (area) after so many.
+/// Most other silhouettes that are tried for one query. Each is scaled larger than the one before, so that it can also
+/// hide long shapes: twice the area after kTriesToDouble.
 constexpr int kMostOthersTried = 64;
 constexpr double kTriesToDouble = 16;
 
@@ -36,7 +36,7 @@ struct SceneMaker {
     return {scene.seen(), run.options.edge_removed ? distance_from_hider(scene) : HiderDistance(), {silhouette}};
   }
 
-  /// Makes something of the silhouette and one of the others, whichever can be used.
+  /// Makes a view from the silhouette and one of the others, the first with which `make` succeeds.
   template <class Make>
   std::optional<Sight> with_another(const Make& make) const {
     for (int attempt = 0; attempt < kMostOthersTried && !others.empty(); ++attempt) {

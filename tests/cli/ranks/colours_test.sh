@@ -139,7 +139,7 @@ cmp -s by_means/collage.png before.png && fail "no tones in a result of an older
 cmp -s by_means/collage.png shifted/collage.png && fail "tones go by the means of pieces, not by the picture"
 run 0 draw expected --pdf --quiet --set colour.shift=0 --to plain
 run 2 draw expected --png --quiet --set colour.weight=2
-grep -q 'colour.weight=2: decides where pieces lie' errors || fail "a key that decides: $(cat errors)"
+grep -q 'colour.weight=2: this key decides where pieces lie' errors || fail "a key that decides: $(cat errors)"
 echo "ok tones"
 
 # Harmony: red drawings and blue ones, both to one hue.

@@ -76,11 +76,11 @@ run 2 collage empty
 expect_word 'no artwork in empty'
 [[ ! -e empty.toml && ! -e out/empty.h5 && ! -e out/empty ]] || fail "an empty folder leaves files"
 run 2 collage first.toml --size 400,300
-expect_word "--size: allowed with a folder of drawings or a library; of a job --set 'canvas.size_px=[W, H]' says it"
+expect_word "--size: allowed with a folder of drawings or a library; for a job use --set 'canvas.size_px=[W, H]'"
 run 2 collage first.toml --job other.toml
 expect_word '--job: allowed with a folder of drawings or a library'
 run 2 collage first.toml --canvas disc.svg
-expect_word '--canvas: allowed with a folder of drawings or a library; of a job --set canvas.file=FILE says it'
+expect_word '--canvas: allowed with a folder of drawings or a library; for a job use --set canvas.file=FILE'
 echo "ok mistakes"
 
 run 2 collage out/drawings

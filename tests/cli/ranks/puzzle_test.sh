@@ -30,7 +30,7 @@ diff -r jigsaw again || fail "another cut of the same seed"
 run 0 puzzle make sun.png --pieces 12 --seed 2 --out other
 ! cmp -s jigsaw/truth/pieces.geojson other/truth/pieces.geojson || fail "the same cut of another seed"
 run 2 puzzle make sun.png --pieces 12 --out jigsaw
-expect_word 'jigsaw: is there already, and holds something; allowed: a new folder'
+expect_word 'jigsaw: exists already and is not empty; allowed: a new or an empty folder'
 run 2 puzzle make sun.png --pieces 1 --out one
 expect_word '--pieces: found 1, allowed: from 2 to 2000'
 run 2 puzzle make sun.png --pieces 400 --out dust
@@ -185,7 +185,7 @@ grep -q '^by jigsaw/truth: 11 of 12 right' output || fail "a stranger spoils wha
 [[ -s out/stranger/collage.png ]] || fail "no picture"
 run 3 puzzle solve stranger.h5 --size 640,480 --job unscaled.toml --job-only
 expect_word '1 of 12 pieces found no place in the frame: stranger; the frame may have another shape than the puzzle: '
-expect_word '; where pieces are missing or foreign, --scale says'
+expect_word '; if pieces are missing or foreign, give the size of the others with --scale'
 within_frame unscaled 640 480 1 11 || fail "they leave the frame"
 run_on_ranks 2 3 puzzle solve stranger.h5 --job ranks.toml --quiet
 expect_word '1 of 12 pieces found no place: stranger'
@@ -293,7 +293,7 @@ PYTHON
 run 0 puzzle make grey.png --pieces 15 --cut rectangles --out grey
 run 0 library build grey/pieces -o grey.h5 --puzzle
 run 0 puzzle solve grey.h5 --size 400,240 --job-only
-grep -qE 'warning: [0-9]+ of 15 pieces have the outline of others, and what is on them does not say for sure' errors ||
+grep -qE 'warning: [0-9]+ of 15 pieces have the same outline as others, and their pictures do not decide' errors ||
   fail "no doubt of pieces without a picture"
 echo "ok pictures on the pieces"
 
