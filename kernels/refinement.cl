@@ -140,14 +140,14 @@ PoseRecord descended(Lanes lanes, PoseRecord s, const Piece* piece, Descent desc
   return s;
 }
 
-// The depth of the piece in the covered area, px; any value above kHopelessDepth_px once that depth is exceeded.
+// The depth of the piece in the covered area, px; any value above kMaxPushDepth_px once that depth is exceeded.
 float depth_px(Lanes lanes, PoseRecord s, const Piece* piece) {
   LaneFloat deepest = 0;
   bool hopeless = false;
   for (int block = 0; block < kBoundaryPoints / kLanes && !hopeless; ++block) {
     const Points p = placed_points(lanes, s, piece->contour + kFineAt, kBoundaryPoints, block);
     deepest = max(deepest, -field_values(piece->field, p.x, p.y));
-    hopeless = any_lane(lanes, deepest > kHopelessDepth_px);
+    hopeless = any_lane(lanes, deepest > kMaxPushDepth_px);
   }
   const int interior_points = piece->shape->interior_points;
   for (int block = 0; block * kLanes < interior_points && !hopeless; ++block) {
@@ -155,7 +155,7 @@ float depth_px(Lanes lanes, PoseRecord s, const Piece* piece) {
     const LaneFloat d = -field_values(piece->field, p.x, p.y);
     const LaneInt covered = (numbers_of_block(lanes, block) < interior_points) & (d > 0);
     deepest = max(deepest, covered ? d + kInteriorDepth_px : (LaneFloat)0);
-    hopeless = any_lane(lanes, deepest > kHopelessDepth_px);
+    hopeless = any_lane(lanes, deepest > kMaxPushDepth_px);
   }
   return largest_lane(lanes, deepest);
 }
@@ -164,7 +164,7 @@ float depth_px(Lanes lanes, PoseRecord s, const Piece* piece) {
 // too deep. Descent and depth occur only once in the code, as devices inline them.
 bool refine(Lanes lanes, PoseRecord* pose, const Piece* piece, float hard_depth_px) {
   PoseRecord s = *pose;
-  const Descent nestle = DESCENT(kNestle);
+  const Descent nestle = DESCENT(kCloseFit);
   const Descent push = DESCENT(kPush);
   Descent approach = DESCENT(kApproach);
   approach.first_radius_px = max(approach.first_radius_px, kApproachRadius * scale_of(s));
@@ -180,7 +180,7 @@ bool refine(Lanes lanes, PoseRecord* pose, const Piece* piece, float hard_depth_
       s = descended(lanes, s, piece, k == 0 ? approach : k == 1 ? nestle : push);
     }
     depth = depth_px(lanes, s, piece);
-    too_deep = depth > hard_depth_px && depth <= kHopelessDepth_px;
+    too_deep = depth > hard_depth_px && depth <= kMaxPushDepth_px;
   }
   *pose = s;
   return depth <= hard_depth_px && pose_allowed(&piece->stance, s);

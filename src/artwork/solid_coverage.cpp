@@ -120,9 +120,9 @@ class NearestPixels {
 };
 
 /// The regions of an alpha channel with their kinds.
-class JudgedRegions {
+class RegionKinds {
  public:
-  JudgedRegions(const cv::Mat& alpha, int unit_px)
+  RegionKinds(const cv::Mat& alpha, int unit_px)
       : unit_px_(unit_px),
         plain_(alpha_regions(alpha, unit_px, kPlainRegions)),
         plain_kinds_(kinds_of(plain_, alpha, unit_px)),
@@ -161,7 +161,7 @@ class JudgedRegions {
 
 /// Masks, CV_8U: opaque pixels; translucent ones that count; those left out as clear or as a shadow; and those left out
 /// although they end at an edge.
-struct SurePixels {
+struct PixelMasks {
   cv::Mat opaque;
   cv::Mat translucent;
   cv::Mat left_out;
@@ -170,9 +170,9 @@ struct SurePixels {
   bool any_matters = false;  // see matters()
 };
 
-SurePixels sure_pixels(const cv::Mat& alpha, const JudgedRegions& regions) {
+PixelMasks sure_pixels(const cv::Mat& alpha, const RegionKinds& regions) {
   const auto none = [&] { return cv::Mat(cv::Mat::zeros(alpha.size(), CV_8U)); };
-  SurePixels sure{alpha >= kOpaqueAlpha, none(), alpha < kPlainRegions.clear_alpha, none(), none()};
+  PixelMasks sure{alpha >= kOpaqueAlpha, none(), alpha < kPlainRegions.clear_alpha, none(), none()};
   for (int y = 0; y < alpha.rows; ++y) {
     for (int x = 0; x < alpha.cols; ++x) {
       const auto [region, kind] = regions.at(y, x);
@@ -189,7 +189,7 @@ SurePixels sure_pixels(const cv::Mat& alpha, const JudgedRegions& regions) {
 }
 
 /// The coverage. On edges it rises like alpha, from what is left out on one side to what counts on the other.
-cv::Mat coverage_of(const cv::Mat& alpha, const JudgedRegions& regions, const SurePixels& sure, int unit_px) {
+cv::Mat coverage_of(const cv::Mat& alpha, const RegionKinds& regions, const PixelMasks& sure, int unit_px) {
   const NearestPixels opaque(sure.opaque, alpha), translucent(sure.translucent, alpha), left_out(sure.left_out, alpha);
   const double reach_px = kEdgeWidth_px * unit_px;
   cv::Mat coverage = alpha.clone();
@@ -235,7 +235,7 @@ int remove_loose_parts(cv::Mat& coverage, const cv::Mat& alpha) {
 }
 
 /// Whether a visible part is neither covered nor soft.
-bool loses_parts(const cv::Mat& alpha, const cv::Mat& coverage, const SurePixels& sure, int unit_px) {
+bool loses_parts(const cv::Mat& alpha, const cv::Mat& coverage, const PixelMasks& sure, int unit_px) {
   cv::Mat told;
   const cv::Mat shadow = sure.left_out & (alpha >= kPlainRegions.clear_alpha);
   cv::dilate((coverage >= kHalf) | sure.fading | shadow, told, square(kEdgeWidth_px * unit_px));
@@ -247,8 +247,8 @@ bool loses_parts(const cv::Mat& alpha, const cv::Mat& coverage, const SurePixels
 
 SolidCoverage solid_coverage(const cv::Mat& alpha, double source_px) {
   const int unit_px = std::max(1, int(std::lround(source_px)));
-  const JudgedRegions regions(alpha, unit_px);
-  const SurePixels sure = sure_pixels(alpha, regions);
+  const RegionKinds regions(alpha, unit_px);
+  const PixelMasks sure = sure_pixels(alpha, regions);
   SolidCoverage solid{sure.any_matters ? coverage_of(alpha, regions, sure, unit_px) : alpha};
   solid.loses_parts = loses_parts(alpha, solid.coverage, sure, unit_px);
   if (sure.any_matters) solid.loose_parts = remove_loose_parts(solid.coverage, alpha);

@@ -25,7 +25,7 @@ constexpr double kPaper_s = 0.064;
 constexpr std::uint64_t kPaperPositions = 25'000'000;
 /// Scale of the piece on the canvas, in the middle of the docked shape's scales, so that most pairs fit in scale. With
 /// a larger scale there would be little work.
-constexpr float kLyingScale_px = 80;
+constexpr float kPlacedScale_px = 80;
 constexpr double kPaperTopPercent = 1;      // K of the paper
 constexpr std::uint64_t kNearestPairs = 4;  // for each sample
 constexpr std::size_t kRefinedOfAll = 32;
@@ -92,7 +92,7 @@ HeadlineScene make_scene(int slices, int sample_count) {
   const TracedOutline lying_outline = blob_outline(1);
   const TracedOutline docked_outline = blob_outline(2);
   const Shape lying = make_shape(lying_outline, {});
-  const Similarity pose{0, kLyingScale_px, 500, 500};
+  const Similarity pose{0, kPlacedScale_px, 500, 500};
   FreeField free(make_rectangle_canvas(1000, 1000), scene.settings.pieces);
   free.stamp(lying, pose);
   scene.field = free.field();

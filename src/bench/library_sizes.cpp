@@ -78,7 +78,7 @@ Grown run_size(const LibraryFile& library, std::uint32_t count, const Canvas& ca
   master::SilentObserver silent;
   grown.statistics = master::make_collage(canvas, settings, *matcher, kept, silent).statistics;
   grown.peak_bytes = peak_memory_bytes();
-  grown.device_bytes = worker::shard_bytes(context, count, models->reads_singly()).device;
+  grown.device_bytes = worker::shard_bytes(context, count, models->supports_random_access()).device;
   return grown;
 }
 

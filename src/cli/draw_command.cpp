@@ -145,7 +145,7 @@ int run(DrawArguments arguments) {
   print_warning(idle_keys_warning(job, wanted.keys));
   const DrawingLocks locks(arguments.folder, wanted.to);
   comm::install_stop_handlers();
-  if (!draw(arguments.folder, wanted, arguments.quiet, comm::asked_by_signal)) {
+  if (!draw(arguments.folder, wanted, arguments.quiet, comm::stop_asked_by_signal)) {
     print_message("drawing interrupted: the same command goes on");
     return kUnfinishedExitCode;
   }

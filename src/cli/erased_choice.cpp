@@ -32,7 +32,8 @@ std::vector<int> numbered(const std::string& option, const std::vector<int>& giv
 }
 
 /// The pieces without locked ones, which always stay.
-std::vector<int> loose(const std::string& option, std::vector<int> pieces, const std::vector<PlacedPiece>& all) {
+std::vector<int> without_locked(const std::string& option, std::vector<int> pieces,
+                                const std::vector<PlacedPiece>& all) {
   const bool any = !pieces.empty();
   std::erase_if(pieces, [&](int i) { return all[std::size_t(i)].locked; });
   if (!pieces.empty()) return pieces;
@@ -43,7 +44,7 @@ std::vector<int> loose(const std::string& option, std::vector<int> pieces, const
 std::vector<int> in_box(const std::string& option, const std::vector<float>& px, const Job& job,
                         const std::vector<PlacedPiece>& all) {
   const std::vector<int> found = pieces_in({{px[0], px[1]}, {px[0] + px[2], px[1] + px[3]}}, all);
-  if (!found.empty()) return loose(option, found, all);
+  if (!found.empty()) return without_locked(option, found, all);
   const Canvas canvas = canvas_of(job);
   throw InputError(
       option + ": found no piece with its centre in it; the canvas is " + std::to_string(canvas.width_px) + " x " +
@@ -91,7 +92,7 @@ std::vector<int> erased_pieces(const EraseArguments& arguments, const std::strin
   if (!arguments.box_px.empty()) {
     return in_box("--box " + text_of(arguments.box_px), arguments.box_px, job, all);
   }
-  return loose("--erase " + arguments.mask, under_mask(arguments.mask, folder, job), all);
+  return without_locked("--erase " + arguments.mask, under_mask(arguments.mask, folder, job), all);
 }
 
 }  // namespace tessera::cli

@@ -92,7 +92,7 @@ int make(MakeArguments arguments) {
   print_warning(first_picture_warning(std::vector{request.picture}));
   try {
     const comm::StopDelay delay;  // until here a signal ends the command at once
-    new_folder.write(made.files, stop_check(comm::asked_by_signal));
+    new_folder.write(made.files, stop_check(comm::stop_asked_by_signal));
   } catch (const Interrupted&) {
     return kUnfinishedExitCode;
   }
@@ -149,7 +149,7 @@ std::string advice(const SolveArguments& arguments, const SolvedPuzzle& solved) 
 }
 
 /// A warning about a doubtful solution, apart from pieces that are left over.
-std::string doubt(const SolveArguments& arguments, const SolvedPuzzle& solved) {
+std::string solution_warning(const SolveArguments& arguments, const SolvedPuzzle& solved) {
   constexpr double kLeastFilled = 0.99;
   if (solved.gaps > kMostPuzzleGaps)
     return "there are narrow gaps between pieces: some may not belong where they lie, or outlines are not exact";
@@ -183,7 +183,7 @@ void report(const SolveArguments& arguments, const SolvedPuzzle& solved) {
                   " found no place" + (has_frame(arguments) ? " in the frame" : "") + ": " + listed(solved.left_over) +
                   advice(arguments, solved));
   }
-  print_warning(doubt(arguments, solved));
+  print_warning(solution_warning(arguments, solved));
   if (!arguments.collage.quiet) {
     print_line("%s: %zu of %s on %d x %d px, %.2f %% of it covered, scale %.4g%s",
                printable_utf8(arguments.request.job).c_str(), solved.placed, count_text(solved.pieces, "piece").c_str(),
@@ -212,9 +212,9 @@ class SolvingWatch {
   }
 
   /// Shows the progress. Throws Interrupted.
-  void look(const PuzzleProgress& at) {
+  void check_stop(const PuzzleProgress& at) {
     if (comm::stop_signalled()) throw Interrupted{StopReason::signal};
-    if (limit_.round_over(leaving_s_)) throw Interrupted{StopReason::time_limit};
+    if (limit_.must_end_round(leaving_s_)) throw Interrupted{StopReason::time_limit};
     if (quiet_) return;
     const SolvingProgress::Shown shown = progress_.see(at);
     if (!bar_ || shown.label != label_) bar_.emplace(label_ = shown.label, shown.of);
@@ -236,7 +236,7 @@ class SolvingWatch {
 int solve_and_report(SolveArguments& arguments, const comm::Communicator& ranks) {
   try {
     SolvingWatch watch(arguments.collage, ranks);
-    arguments.request.watch = [&](const PuzzleProgress& at) { watch.look(at); };
+    arguments.request.watch = [&](const PuzzleProgress& at) { watch.check_stop(at); };
     const SolvedPuzzle solved = write_solved_puzzle(arguments.request);
     report(arguments, solved);
     return solved.left_over.empty() ? kDoneExitCode : kIncompleteExitCode;

@@ -3,7 +3,7 @@
 // Bytes that were cut off, or that claim more elements than there are bytes, are an error. Ranks compare their programs
 // before the first such message.
 //
-// A type is sent as the bytes that it has in memory (kSentAsItLies) or member by member (kSentByMembers). For the
+// A type is sent as the bytes that it has in memory (kSentAsBytes) or member by member (kSentByMembers). For the
 // latter the type needs, in boost::serialization,
 // template <class Archive> void serialize(Archive& archive, Type& value, unsigned)
 // It names all members in a structured binding, so that a forgotten member does not compile, and passes them to
@@ -29,11 +29,11 @@ namespace tessera::comm {
 /// Whether values of this type are sent as the bytes that they have in memory; a vector of them then costs one copy.
 /// Specialise it for structures without pointers, several at once with kIsOneOf.
 template <class T>
-inline constexpr bool kSentAsItLies = std::is_enum_v<T>;
+inline constexpr bool kSentAsBytes = std::is_enum_v<T>;
 template <class T, std::size_t kSize>
-inline constexpr bool kSentAsItLies<std::array<T, kSize>> = std::is_arithmetic_v<T>;
+inline constexpr bool kSentAsBytes<std::array<T, kSize>> = std::is_arithmetic_v<T>;
 
-/// Whether the type has a serialize(). Specialise it like kSentAsItLies.
+/// Whether the type has a serialize(). Specialise it like kSentAsBytes.
 template <class T>
 inline constexpr bool kSentByMembers = false;
 template <class T>
@@ -131,13 +131,13 @@ BOOST_SERIALIZATION_USE_ARRAY_OPTIMIZATION(tessera::comm::MessageWriter)
 namespace boost::serialization {
 
 template <class T>
-requires tessera::comm::kSentAsItLies<T>
+requires tessera::comm::kSentAsBytes<T>
 struct is_bitwise_serializable<T> : mpl::true_ {
   static_assert(std::is_trivially_copyable_v<T>);
 };
 
 template <class T>
-requires tessera::comm::kSentAsItLies<T>
+requires tessera::comm::kSentAsBytes<T>
 struct implementation_level_impl<const T> {
   using tag = mpl::integral_c_tag;
   using type = mpl::int_<primitive_type>;

@@ -73,7 +73,7 @@ void Communicator::throw_if_over() const {
   if (failure_) throw_failure(*failure_);
 }
 
-void Communicator::look() {
+void Communicator::check_arrivals() {
   take_in_arrivals();
   throw_if_over();
 }
@@ -90,7 +90,7 @@ void Communicator::throw_if_interrupted() {
     lost_a_worker_ = true;
     report_lost_(lost->rank > 0 ? place_of(lost->rank) + " " + lost->what : lost->what);
   }
-  gave_up_waiting_ |= reason || lost_a_worker_;
+  wait_was_interrupted_ |= reason || lost_a_worker_;
   if (reason) throw Interrupted{*reason};
   if (lost_a_worker_) throw Interrupted{StopReason::lost_rank};
 }
@@ -105,7 +105,7 @@ void Communicator::wait_until(Done done) {
   IdleWait wait;
   Stopwatch since_look;
   if (watch_) watch_->begin_wait();
-  for (look(); !done(); look()) {
+  for (check_arrivals(); !done(); check_arrivals()) {
     if (watch_) watch_->waited(since_look.lap());
     throw_if_interrupted();
     wait.pause();
@@ -184,7 +184,7 @@ bool Communicator::wait_patiently(Done done, double patience_s) {
   return true;
 }
 
-bool Communicator::see_off(double patience_s) {
+bool Communicator::wait_for_goodbyes(double patience_s) {
   if (!wait_patiently([this] { return byes_ == size() - 1 && under_way() == 0; }, patience_s)) return false;
   for (int to = 1; to < size(); ++to) post(to, Tag::leave, shared({}));
   return wait_until_sent(patience_s);

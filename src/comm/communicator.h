@@ -72,20 +72,20 @@ class Communicator {
   void barrier();
 
   /// Takes in what has arrived and throws as a wait does. To be called now and then during long computations.
-  void look();
+  void check_arrivals();
 
   /// Makes every later wait throw Interrupted as soon as `shall_stop` returns a reason. The awaited replies may still
   /// arrive; the only thing left to do is to end the job.
   void interrupt_waits_when(StopQuestion shall_stop) { shall_stop_ = std::move(shall_stop); }
-  /// Watches the workers; for rank 0, whose workers all have a Heart with the same `silence_s`. From now on a wait that
+  /// Watches the workers; for rank 0, whose workers all have a HeartbeatSender with the same `silence_s`. From now on a wait that
   /// finds a worker lost (rank_watch.h) calls `report` with a line that names it and throws Interrupted. Every later
   /// wait throws as well, without another report.
   void watch_workers(double silence_s, std::function<void(const std::string& line)> report);
-  /// Whether a wait of this rank was interrupted, so that a worker may still compute an answer, or hurry() was called.
-  bool gave_up_waiting() const { return gave_up_waiting_; }
+  /// Whether a wait of this rank was interrupted, so that a worker may still compute an answer, or end_soon() was called.
+  bool wait_was_interrupted() const { return wait_was_interrupted_; }
   bool lost_a_worker() const { return lost_a_worker_; }
   /// Makes rank 0 end the job as fast as after an interrupted wait.
-  void hurry() { gave_up_waiting_ = true; }
+  void end_soon() { wait_was_interrupted_ = true; }
 
   const Traffic& traffic() const { return traffic_; }
   /// Time since the start that this rank spent in receive() until the messages came, and the processor time that the
@@ -109,7 +109,7 @@ class Communicator {
   void tell_end(Ending ending);
   /// Waits until all other ranks have said goodbye, then lets them leave; for rank 0. False where some did not within
   /// `patience_s`.
-  bool see_off(double patience_s);
+  bool wait_for_goodbyes(double patience_s);
   /// Waits until all messages have left. False where that took longer than `patience_s`.
   bool wait_until_sent(double patience_s);
   /// Waits for tell_end; for all ranks except 0. Unless that says `at_once`, it says goodbye and waits for permission
@@ -148,7 +148,7 @@ class Communicator {
   StopQuestion shall_stop_;
   std::optional<RankWatch> watch_;  // on rank 0 with workers
   std::function<void(const std::string& line)> report_lost_;
-  bool gave_up_waiting_ = false;
+  bool wait_was_interrupted_ = false;
   bool lost_a_worker_ = false;
   std::atomic<std::uint64_t> activity_{0};
   Traffic traffic_;

@@ -13,13 +13,13 @@ constexpr double kMostPeriod_s = 5;  // however long the allowed silence, so tha
 
 }  // namespace
 
-Heart::Heart(Communicator& ranks, double silence_s)
+HeartbeatSender::HeartbeatSender(Communicator& ranks, double silence_s)
     : ranks_(ranks),
       thread_([this, period_s = std::min(silence_s / kBeatsPerSilence, kMostPeriod_s)](const std::stop_token& stop) {
-        beat(stop, period_s);
+        send_until_stopped(stop, period_s);
       }) {}
 
-void Heart::beat(const std::stop_token& stop, double period_s) {
+void HeartbeatSender::send_until_stopped(const std::stop_token& stop, double period_s) {
   std::uint64_t activity = 0;
   double for_s = 0;
   std::unique_lock lock(mutex_);

@@ -17,12 +17,12 @@ struct Heartbeat {
 
 /// Sends a heartbeat every tenth of `silence_s`, or more often, from a thread of its own until it is destroyed. For
 /// workers. The communicator must outlive it and must allow sending from two threads (communicator.h).
-class Heart {
+class HeartbeatSender {
  public:
-  Heart(Communicator& ranks, double silence_s);
+  HeartbeatSender(Communicator& ranks, double silence_s);
 
  private:
-  void beat(const std::stop_token& stop, double period_s);
+  void send_until_stopped(const std::stop_token& stop, double period_s);
 
   Communicator& ranks_;
   std::mutex mutex_;

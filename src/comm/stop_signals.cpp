@@ -138,7 +138,7 @@ void install_stop_handlers() {
 
 bool stop_signalled() { return signalled.load(std::memory_order_relaxed) != 0; }
 
-std::optional<StopReason> asked_by_signal() {
+std::optional<StopReason> stop_asked_by_signal() {
   return stop_signalled() ? std::optional(StopReason::signal) : std::nullopt;
 }
 

@@ -39,7 +39,7 @@ void install_stop_handlers();
 /// Whether a signal has come since install_stop_handlers().
 bool stop_signalled();
 /// StopReason::signal where a signal has come.
-std::optional<StopReason> asked_by_signal();
+std::optional<StopReason> stop_asked_by_signal();
 
 /// Seconds since the first signal; 0 where none has come.
 double seconds_since_stop();

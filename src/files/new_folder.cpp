@@ -22,9 +22,9 @@ bool holds_something(const std::string& folder) {
 }
 
 /// Removes the paths that were added, unless finish() was called.
-class Unfinished {
+class RemovedUnlessFinished {
  public:
-  ~Unfinished() {
+  ~RemovedUnlessFinished() {
     std::error_code ignored;
     for (auto path = paths_.rbegin(); path != paths_.rend(); ++path) fs::remove(*path, ignored);
   }
@@ -46,7 +46,7 @@ NewFolder::NewFolder(const std::string& folder)
 }
 
 void NewFolder::write(const std::vector<NewFile>& files, const StopCheck& check_stop) {
-  Unfinished unfinished;
+  RemovedUnlessFinished unfinished;
   for (const NewFile& file : files) {
     check_stop();
     const fs::path path = fs::path(folder_) / file.name;

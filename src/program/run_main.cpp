@@ -17,9 +17,9 @@
 #include "comm/stop_signals.h"
 #include "core/base/error.h"
 #include "core/base/kept_memory.h"
-#include "files/foreign_end.h"
 #include "files/lack_of_memory.h"
 #include "files/leftover_file.h"
+#include "files/library_abort.h"
 #include "run/progress/time_limit.h"
 #include "terminal/exit_codes.h"
 #include "terminal/terminal.h"
@@ -98,7 +98,7 @@ int run(int argc, char** argv, const std::function<Command()>& parse) {
           },
       .report_error = print_message};
   if (started_by_launcher()) return comm::run_mpi_job(argc, argv, program, patience_of(command));
-  const ForeignEnd end;  // reports where a library aborts; Open MPI has a handler of its own
+  const LibraryAbortHandler end;  // reports where a library aborts; Open MPI has a handler of its own
   comm::InProcessNetwork alone(1);
   return comm::run_rank(*alone.connect(0), program).exit_code;
 }

@@ -32,7 +32,7 @@ class ThreadedJob {
 
   ~ThreadedJob() {
     master_->tell_end(Ending::orderly);
-    EXPECT_TRUE(master_->see_off(60));
+    EXPECT_TRUE(master_->wait_for_goodbyes(60));
   }
 
  protected:

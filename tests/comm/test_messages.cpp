@@ -199,9 +199,9 @@ TEST(Messages, TheSmallOnes) {
   const ShapeRange range = there_and_back(ShapeRange{7, 4000000000u});
   EXPECT_EQ(range.begin, 7u);
   EXPECT_EQ(range.end, 4000000000u);
-  const StandingLimits limits{3, 0.9f, 45.5f, {ShapeId{1}, ShapeId{4000000000u}}};
+  const StanceLimits limits{3, 0.9f, 45.5f, {ShapeId{1}, ShapeId{4000000000u}}};
   EXPECT_EQ(there_and_back(limits), limits);
-  EXPECT_EQ(there_and_back(StandingLimits{}), StandingLimits{}) << "infinity";
+  EXPECT_EQ(there_and_back(StanceLimits{}), StanceLimits{}) << "infinity";
   const FieldStart start{1012, 1013, {-5.5f, -0.f}};
   EXPECT_EQ(there_and_back(start), start);
   const RankSite site{"node7", {{"gpu", "H100", "CUDA", "535.1", 4000000000u}, {"cpu", "", "PoCL", "3.1", 0}}};

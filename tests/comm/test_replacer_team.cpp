@@ -129,7 +129,8 @@ TEST(ReplacerTeam, EachWorkerHasAsMuchAsItIsBroad) {
 /// Owns the shapes too.
 class WorkersReplacer : public Replacer {
  public:
-  explicit WorkersReplacer(Communicator& ranks) : own_(shapes_, 1 + ranks.rank() % 3, [&ranks] { ranks.look(); }) {}
+  explicit WorkersReplacer(Communicator& ranks)
+      : own_(shapes_, 1 + ranks.rank() % 3, [&ranks] { ranks.check_arrivals(); }) {}
 
   int breadth() const override { return own_.breadth(); }
   void post_replace(std::vector<ReplacementWindow> windows) override { own_.post_replace(windows); }

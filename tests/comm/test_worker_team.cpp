@@ -33,7 +33,7 @@ class EchoMatcher : public Matcher {
     origin_ = origin;
   }
   void update_field(const FieldPatch& patch) override { write_patch(patch, field_); }
-  void limit(const StandingLimits& limits) override { limits_ = limits; }
+  void limit(const StanceLimits& limits) override { limits_ = limits; }
 
   void post_count(const CountRequest& request) override {
     if (!request.samples.empty()) samples_ = request.samples;
@@ -84,7 +84,7 @@ class EchoMatcher : public Matcher {
   std::vector<TargetSample> samples_;
   CountRequest counted_;
   DockRequest request_;
-  StandingLimits limits_;
+  StanceLimits limits_;
   std::vector<Docking> dockings_;
 };
 

@@ -28,15 +28,15 @@ inline std::ostream& operator<<(std::ostream& out, const MatcherKind& kind) { re
 
 /// A scene, and the reference's round on it: made once, for all kinds.
 struct KnownRound {
-  explicit KnownRound(MatchingScene of, const StandingLimits& within = {}) : scene(std::move(of)), limits(within) {
+  explicit KnownRound(MatchingScene of, const StanceLimits& within = {}) : scene(std::move(of)), limits(within) {
     ReferenceMatcher reference(scene.context, 0, scene.models);
     set_field(reference, scene.field);
-    if (limits != StandingLimits{}) reference.limit(limits);
+    if (limits != StanceLimits{}) reference.limit(limits);
     round = run_round(reference, scene);
   }
 
   MatchingScene scene;
-  StandingLimits limits;
+  StanceLimits limits;
   Round round;
 };
 
@@ -62,7 +62,7 @@ class MatcherSuite : public testing::TestWithParam<MatcherKind> {
 
   void expect_the_references_round(const KnownRound& known) const {
     const std::unique_ptr<Matcher> matcher = matcher_of(known.scene);
-    if (known.limits != StandingLimits{}) matcher->limit(known.limits);
+    if (known.limits != StanceLimits{}) matcher->limit(known.limits);
     EXPECT_FALSE(known.round.refined.empty());
     expect_same_round(run_round(*matcher, known.scene), known.round);
   }
@@ -183,8 +183,8 @@ TEST_P(MatcherSuite, GivesTheReferencesRoundWithColours) {
       << "slots are spent on what has the colour";
 }
 
-inline StandingLimits every_third_of_80_used_up() {
-  StandingLimits limits;
+inline StanceLimits every_third_of_80_used_up() {
+  StanceLimits limits;
   for (std::uint32_t shape = 0; shape < 80; shape += 3) limits.used_up.push_back(ShapeId{shape});
   return limits;
 }
@@ -204,7 +204,7 @@ TEST_P(MatcherSuite, GivesTheReferencesRoundWithHeavyColours) {
 /// The order of shapes by colour is kept, whatever the limits; which of them are listed is not.
 TEST_P(MatcherSuite, ColoursAfterOtherLimitsAreThoseOfTheLimits) {
   static const MatchingScene scene = scene_with_colours();
-  StandingLimits limits;
+  StanceLimits limits;
   for (std::uint32_t shape = 0; shape < 40; ++shape) limits.used_up.push_back(ShapeId{shape});
   const auto matcher = matcher_of(scene), fresh = matcher_of(scene);
   const Round before = run_round(*matcher, scene);
@@ -265,8 +265,8 @@ inline MatchingScene scene_that_fits_all() {
   return scene;
 }
 
-inline StandingLimits size_factor(float factor) {
-  StandingLimits limits;
+inline StanceLimits size_factor(float factor) {
+  StanceLimits limits;
   limits.size_factor = factor;
   return limits;
 }

@@ -270,7 +270,7 @@ TEST_F(DamagedModels, ThatAreMissingAreMadeAnew) {
   }
   const LibraryFile library(path_);
   EXPECT_EQ(library.stored_models(context_), nullptr);
-  EXPECT_FALSE(models_of(library, context_)->reads_singly());
+  EXPECT_FALSE(models_of(library, context_)->supports_random_access());
 }
 
 }  // namespace test_damaged_models

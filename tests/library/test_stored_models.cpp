@@ -83,7 +83,7 @@ class StoredModelsTest : public testing::Test {
 
 TEST_F(StoredModelsTest, AreThoseOfTheShapes) {
   ASSERT_NE(stored_, nullptr);
-  EXPECT_TRUE(stored_->reads_singly());
+  EXPECT_TRUE(stored_->supports_random_access());
   for (const ShapeRange range : {ShapeRange{0, 3}, {kSegmentShapes - 2, kSegmentShapes + 2}, {kShapes - 1, kShapes}}) {
     const std::vector<ShapeModel> models = stored_->models(range, {});
     ASSERT_EQ(models.size(), range.size());

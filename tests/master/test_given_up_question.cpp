@@ -23,7 +23,7 @@ class InterruptedMatcher : public Matcher {
     matcher.start_field(width, height, origin);
   }
   void update_field(const FieldPatch& patch) override { call().update_field(patch); }
-  void limit(const StandingLimits& limits) override { call().limit(limits); }
+  void limit(const StanceLimits& limits) override { call().limit(limits); }
   void post_count(const CountRequest& request) override { call().post_count(request); }
   std::vector<DistanceHistogram> take_count() override { return call().take_count(); }
   void post_dock(const DockRequest& request) override {
@@ -78,7 +78,7 @@ void check_given_up_questions(const CollageSettings& s) {
     KeepLatest keeper;
     std::size_t calls = 1 + (all_calls - 1) * i / (kInterruptions - 1) - i % 3 * (i < kInterruptions - 1 && i > 0);
     const CollageResult interrupted = run_until_call(s, calls, {nullptr, &keeper});
-    EXPECT_TRUE(interrupted.unfinished && interrupted.gave_up_question) << i;
+    EXPECT_TRUE(interrupted.unfinished && interrupted.matcher_interrupted) << i;
     EXPECT_EQ(interrupted.statistics.stopped_by, StopReason::signal);
     const CheckpointState first = keeper.latest;
     calls = 2 + i;  // and soon once more

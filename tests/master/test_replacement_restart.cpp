@@ -99,7 +99,7 @@ TEST_F(InterruptedPhase, OfTheLoopsOwnReplacerGoesOn) {
   KeepLatest keeper;
   const CollageResult stopped = run(small_canvas(), settings_, nullptr, observer, {nullptr, &keeper});
   EXPECT_TRUE(stopped.unfinished);
-  EXPECT_FALSE(stopped.gave_up_question);
+  EXPECT_FALSE(stopped.matcher_interrupted);
   EXPECT_FALSE(keeper.latest.loop.moving.empty());
   expect_same(go_on(keeper.latest), "in the first batch");
 }
@@ -115,7 +115,7 @@ TEST_F(InterruptedPhase, AReplacerThatGivesUpLeavesTheStateBeforeTheBatch) {
     SilentObserver silent;
     const CollageResult stopped = run(small_canvas(), settings_, &giving_up, silent, {nullptr, &keeper});
     EXPECT_TRUE(stopped.unfinished);
-    EXPECT_TRUE(stopped.gave_up_question);
+    EXPECT_TRUE(stopped.matcher_interrupted);
     EXPECT_EQ(stopped.statistics.stopped_by, StopReason::lost_rank);
     EXPECT_EQ(giving_up.batches.size(), batch) << "not asked again";
     EXPECT_FALSE(keeper.latest.loop.moving.empty());

@@ -116,7 +116,7 @@ TEST(Restart, InTheMiddleOfATrialGivesTheSameCollage) {
     StopAtQuestion stop(*rc::gen::inRange<std::size_t>(1, count.questions));
     const CollageResult interrupted = run(s, {}, stop, {nullptr, &keeper});
     RC_ASSERT(interrupted.unfinished);
-    RC_ASSERT(!interrupted.gave_up_question);
+    RC_ASSERT(!interrupted.matcher_interrupted);
     RC_ASSERT(interrupted.statistics.stopped_by == StopReason::signal);
     SilentObserver silent;
     expect_same(run(s, {4}, silent, {&keeper.latest, nullptr}), whole);
@@ -136,7 +136,7 @@ TEST(Restart, InTheMiddleOfAChoiceGivesTheSameCollage) {
       StopAtQuestion stop(*rc::gen::inRange<std::size_t>(1, count.questions));
       const CollageResult interrupted = run(s, {}, stop, {nullptr, &keeper});
       RC_ASSERT(interrupted.unfinished);
-      RC_ASSERT(!interrupted.gave_up_question);
+      RC_ASSERT(!interrupted.matcher_interrupted);
       StopAtQuestion again(*rc::gen::inRange<std::size_t>(1, 40));
       const CheckpointState first = keeper.latest;
       const CollageResult second = run(s, {4}, again, {&first, &keeper});

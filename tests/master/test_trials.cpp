@@ -184,7 +184,7 @@ TEST_F(RelaxingTest, TheFirstTrialIsThatOfTheRegion) {
 TEST_F(RelaxingTest, PiecesSettleFromWhereTheyAre) {
   const std::vector<Placement> moving = {piece(1, 50, {50, 70}), piece(3, 50, {95, 70}), piece(0, 40, {160, 80})};
   matcher_.offers = {};
-  EXPECT_EQ(improving_.come_to_rest(moving, 9, never_stop), Trial::kept);
+  EXPECT_EQ(improving_.relax_replaced_pieces(moving, 9, never_stop), Trial::kept);
   ASSERT_EQ(collage_.placements().size(), 3u);
   for (std::size_t i = 0; i < moving.size(); ++i) EXPECT_EQ(collage_.placements()[i].shape, moving[i].shape);
   const Vec2 apart = collage_.placements()[1].canvas_from_shape.translation() -
@@ -196,14 +196,14 @@ TEST_F(RelaxingTest, WhatSettlesToLessIsPutBack) {
   matcher_.offers = {};
   ASSERT_EQ(improving_.try_once(0, never_stop), Trial::kept);
   const std::vector<Placement> large = collage_.placements();
-  EXPECT_EQ(improving_.come_to_rest({piece(1, 20, {60, 70})}, 9, never_stop), Trial::put_back);
+  EXPECT_EQ(improving_.relax_replaced_pieces({piece(1, 20, {60, 70})}, 9, never_stop), Trial::put_back);
   EXPECT_EQ(collage_.placements(), large);
 }
 
 TEST_F(RelaxingTest, AnInterruptedSettlingIsPutBack) {
   int asked = 0;
   const StopCheck stop = stop_check([&] { return ++asked > 20 ? std::optional(StopReason::signal) : std::nullopt; });
-  EXPECT_THROW(improving_.come_to_rest({piece(1, 60, {60, 70})}, 9, stop), Interrupted);
+  EXPECT_THROW(improving_.relax_replaced_pieces({piece(1, 60, {60, 70})}, 9, stop), Interrupted);
   EXPECT_EQ(collage_.placements(), before_);
 }
 
@@ -240,7 +240,7 @@ class RepetitionTest : public TrialsTest {
   /// Nothing hinders them from growing to the largest size.
   Trial settles_to(std::uint32_t a, std::uint32_t b) {
     matcher_.offers = {};
-    return improving_.come_to_rest({piece(a, 88, {50, 70}), piece(b, 88, {150, 70})}, 9, never_stop);
+    return improving_.relax_replaced_pieces({piece(a, 88, {50, 70}), piece(b, 88, {150, 70})}, 9, never_stop);
   }
 };
 
@@ -269,7 +269,7 @@ TEST_F(ApartTest, OfPiecesTooNearToTheirLikeTheFirstStays) {
   const Placement other = piece(1, 20, {90, 30});
   const Placement near = piece(0, 20, {90, 60});
   const Placement far = piece(0, 20, {170, 100});
-  EXPECT_EQ(without_too_near({given[0], given[1], other, near, far}, given.size(), apart(), shapes_, Period{}),
+  EXPECT_EQ(without_pieces_near_like({given[0], given[1], other, near, far}, given.size(), apart(), shapes_, Period{}),
             (std::vector<Placement>{given[0], given[1], other, far}));
 }
 
@@ -280,7 +280,7 @@ TEST_F(ApartTest, WhatWasTakenOutDoesNotComeBackToWhereItLay) {
   const Placement back = piece(0, 10, {110, 80});
   const Placement other = piece(1, 40, {100, 70});
   const Placement beside = piece(0, 40, {121, 70});
-  EXPECT_EQ(without_too_near({back, other, beside, back}, 1, s, shapes_, Period{}),
+  EXPECT_EQ(without_pieces_near_like({back, other, beside, back}, 1, s, shapes_, Period{}),
             (std::vector<Placement>{back, other, beside}));
 }
 

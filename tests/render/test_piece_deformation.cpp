@@ -55,7 +55,7 @@ TEST(PieceDeformation, ComesBackFromTheFile) {
   Deformable sample, again;
   deform_pieces(sample.report, sample.job.settings);
   std::ofstream(folder.path("pieces.geojson")) << geojson_text(sample.report);
-  take_up_deformed_pieces(folder.path(""), again.report);
+  restore_deformed_pieces(folder.path(""), again.report);
   for (std::size_t i = 0; i < 2; ++i) {
     const float scale_px = sample.report.placements[i].canvas_from_shape.scale();
     EXPECT_LT(farthest(sample.report.shapes[i].outline, again.report.shapes[i].outline) * scale_px, 0.01) << i;
@@ -77,7 +77,7 @@ TEST(PieceDeformation, RefusesPolygonsOfOtherPieces) {
   const auto refused = [&](const std::string& bytes) {
     Deformable again;
     std::ofstream(folder.path("pieces.geojson")) << bytes;
-    return test::message_of([&] { take_up_deformed_pieces(folder.path(""), again.report); });
+    return test::message_of([&] { restore_deformed_pieces(folder.path(""), again.report); });
   };
   std::string one_less = text;  // the first position of the first ring
   const auto at = one_less.find("[[[") + 2;

@@ -33,7 +33,7 @@ class Journal : public testing::Test {
 };
 
 TEST_F(Journal, keeps_what_happens_in_the_record_and_in_the_log) {
-  journal_.ranks_are({{"node1", {}}, {"node2", {{"gpu", "G", "P", "D", 80}}}});
+  journal_.set_rank_sites({{"node1", {}}, {"node2", {{"gpu", "G", "P", "D", 80}}}});
   CheckpointState from;
   from.name = "out/checkpoint.h5";
   from.placements.resize(3);

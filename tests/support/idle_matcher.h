@@ -16,7 +16,7 @@ class IdleMatcher : public Matcher {
  public:
   void start_field(int, int, Vec2) override {}
   void update_field(const FieldPatch&) override {}
-  void limit(const StandingLimits&) override {}
+  void limit(const StanceLimits&) override {}
   void post_dock(const DockRequest&) override {}
   DockReply take_dock() override { return {}; }
   void post_refine(const std::vector<Docking>&) override {}

@@ -24,7 +24,7 @@ class SingleModels : public ModelSource {
     return result;
   }
 
-  bool reads_singly() const override { return true; }
+  bool supports_random_access() const override { return true; }
 
   std::vector<ShapeModel> contours(std::span<const ShapeId> shapes) const override {
     std::vector<ShapeModel> result;

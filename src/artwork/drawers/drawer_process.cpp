@@ -29,7 +29,7 @@ namespace tessera {
 namespace {
 
 /// Wall-clock limit as a multiple of the CPU time limit; it matters where the process does not compute.
-constexpr double kPatience = 3;
+constexpr double kPassesWithoutGain = 3;
 
 /// The environment of a drawer: only what libraries, fonts and sanitizers need. Nothing of MPI or Slurm: a child that
 /// takes itself for a rank would disturb the job.
@@ -180,7 +180,7 @@ std::optional<DrawingAnswer> DrawerProcess::ask(const DrawingRequest& request, d
   took_too_long_ = false;
   allow_cpu_time(seconds);
   DrawingAnswer answer;
-  double left_s = kPatience * seconds;
+  double left_s = kPassesWithoutGain * seconds;
   if (exchange(request, answer, left_s)) return answer;
   end();
   if (WIFSIGNALED(status_) && WTERMSIG(status_) == SIGXCPU) took_too_long_ = true;

@@ -68,9 +68,9 @@ void check_side(int longest_side_px, const std::string& path) {
 
 /// Threads that own one process each. A process dies with the thread that started it (PR_SET_PDEATHSIG), so that must
 /// not be a caller's thread.
-class Drawers::Crew {
+class Drawers::DrawerPool {
  public:
-  explicit Crew(const DrawerSettings& settings) : settings_(settings) {
+  explicit DrawerPool(const DrawerSettings& settings) : settings_(settings) {
     const int count = std::max(1, settings.processes);
     for (int i = 0; i < count; ++i)
       processes_.push_back(
@@ -86,7 +86,7 @@ class Drawers::Crew {
     }
   }
 
-  ~Crew() {
+  ~DrawerPool() {
     stop();
     {
       const std::lock_guard lock(mutex_);
@@ -186,7 +186,7 @@ class Drawers::Crew {
   std::vector<std::jthread> threads_;  // joined before the processes are destroyed
 };
 
-Drawers::Drawers(const DrawerSettings& settings) : crew_(std::make_unique<Crew>(settings)) {}
+Drawers::Drawers(const DrawerSettings& settings) : crew_(std::make_unique<DrawerPool>(settings)) {}
 
 Drawers::~Drawers() = default;
 

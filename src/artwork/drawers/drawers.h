@@ -96,8 +96,8 @@ class Drawers {
   DrawerLayers layers() const;
 
  private:
-  class Crew;
-  std::unique_ptr<Crew> crew_;
+  class DrawerPool;
+  std::unique_ptr<DrawerPool> crew_;
 };
 
 }  // namespace tessera

@@ -10,9 +10,9 @@
 
 #include "artwork/images/cairo_objects.h"
 #include "artwork/images/looks_like_svg.h"
+#include "artwork/outlines/drawing_elements.h"
 #include "artwork/outlines/layer_paths.h"
 #include "artwork/outlines/outline_clipping.h"
-#include "artwork/outlines/svg_leaves.h"
 #include "artwork/svg/flattened_nodes.h"
 #include "artwork/svg/svg_document.h"
 #include "artwork/svg/svg_page.h"
@@ -57,7 +57,7 @@ cairo_status_t append(void* closure, const unsigned char* from, unsigned count) 
 
 /// The paths of one element, or of the whole drawing where `leaf` is null. A px is `scale` units; the page's corner is
 /// at (kFarthest, kFarthest).
-std::vector<LayerPath> paths_of(const SvgDocument& document, const SvgLeaf* leaf, double scale) {
+std::vector<LayerPath> paths_of(const SvgDocument& document, const DrawingElement* leaf, double scale) {
   std::string text;
   const CairoSurface surface(cairo_svg_surface_create_for_stream(append, &text, 2 * kFarthest, 2 * kFarthest));
   cairo_svg_surface_restrict_to_version(surface.get(), CAIRO_SVG_VERSION_1_2);
@@ -163,8 +163,8 @@ double px_per_inch_of(std::string_view program) {
 }
 
 /// Counts the visible texts, images and foreign objects, and each <use> that shows one.
-int count_others(const SvgDocument& document, const std::vector<SvgLeaf>& leaves) {
-  return int(std::count_if(leaves.begin(), leaves.end(), [&](const SvgLeaf& leaf) {
+int count_others(const SvgDocument& document, const std::vector<DrawingElement>& leaves) {
+  return int(std::count_if(leaves.begin(), leaves.end(), [&](const DrawingElement& leaf) {
     return leaf.shows_picture || (leaf.is_text && document.draws_element(leaf.id));
   }));
 }
@@ -174,7 +174,7 @@ int count_others(const SvgDocument& document, const std::vector<SvgLeaf>& leaves
 /// elements.
 class OutlineReader {
  public:
-  OutlineReader(const SvgLeaves& leaves, const std::string& path, double px_per_inch)
+  OutlineReader(const DrawingElements& leaves, const std::string& path, double px_per_inch)
       : leaves_(leaves),
         path_(path),
         px_per_inch_(px_per_inch) {}
@@ -233,7 +233,7 @@ class OutlineReader {
 
   std::vector<LeafOutlines> drawn_leaves(const SvgDocument& document) {
     std::vector<LeafOutlines> drawn;
-    for (const SvgLeaf& leaf : leaves_.list) {
+    for (const DrawingElement& leaf : leaves_.list) {
       LeafOutlines& found = drawn.emplace_back();
       if (!leaf.is_shape) continue;
       const std::vector<LayerPath> paths = paths_of(document, &leaf, scale());
@@ -244,7 +244,7 @@ class OutlineReader {
     return drawn;
   }
 
-  void add(const SvgLeaf& leaf, const LayerPath& path, std::vector<SvgOutline>& outlines) {
+  void add(const DrawingElement& leaf, const LayerPath& path, std::vector<SvgOutline>& outlines) {
     const double tolerance = kTolerance_mm / unit_mm_;
     LayerPath seen = united(clipped(path, tolerance), tolerance);
     if (seen.steps.empty()) return;
@@ -268,7 +268,7 @@ class OutlineReader {
   }
 
   void mark_far(const SvgDocument& document, std::vector<LeafOutlines>& drawn) const {
-    const auto small_extent = [&](const SvgLeaf* leaf) {
+    const auto small_extent = [&](const DrawingElement* leaf) {
       return extent_of(paths_of(document, leaf, scale() / kSmaller));
     };
     Extent all;
@@ -286,7 +286,7 @@ class OutlineReader {
     }
   }
 
-  static void add(const SvgLeaf& leaf, LeafOutlines& drawn, SvgOutlines& found) {
+  static void add(const DrawingElement& leaf, LeafOutlines& drawn, SvgOutlines& found) {
     if (drawn.is_far)
       found.far_elements.push_back(leaf.name);
     else if (leaf.is_shape && drawn.outlines.empty())
@@ -297,7 +297,7 @@ class OutlineReader {
     }
   }
 
-  const SvgLeaves& leaves_;
+  const DrawingElements& leaves_;
   const std::string& path_;
   const double px_per_inch_;
   double unit_mm_ = kLargestUnit_mm;
@@ -310,7 +310,7 @@ SvgOutlines svg_outlines(std::span<const std::uint8_t> bytes, const std::string&
   if (!looks_like_svg(bytes)) throw InputError(path + ": not an SVG file");
   std::vector<std::uint8_t> unpacked;
   if (is_gzip(bytes)) bytes = unpacked = gunzip(bytes, path, kMaxSvgBytes);
-  const SvgLeaves leaves = svg_leaves(bytes, path);
+  const DrawingElements leaves = drawing_elements(bytes, path);
   try {
     return OutlineReader(leaves, path, px_per_inch).read();
   } catch (const InputError& error) {

@@ -97,10 +97,10 @@ void make_metapixel_mosaic(const Tiles& tiles, const std::string& image, const T
                            const std::string& mosaic) {
   const std::string side = std::to_string(grid.tile_px);
   const std::string width = "--width=" + side, height = "--height=" + side;
-  run_program({"metapixel-prepare", drawings_in(tiles), prepared_in(tiles), width, height}, Talk::no);
+  run_program({"metapixel-prepare", drawings_in(tiles), prepared_in(tiles), width, height}, ProgramOutput::no);
   run_program({"metapixel", "--metapixel", image, mosaic, "--library=" + prepared_in(tiles), width, height, "--scale=1",
                "--distance=" + std::to_string(distance_with(tiles.count)), "--metric=subpixel"},
-              Talk::no);
+              ProgramOutput::no);
 }
 
 }  // namespace tessera::bench

@@ -68,7 +68,7 @@ void PaperMatcher::start_field(int width, int height, Vec2 origin) {
 
 void PaperMatcher::update_field(const FieldPatch& patch) { write_patch(patch, field_.value); }
 
-void PaperMatcher::limit(const StandingLimits& limits) { tessera::limit(context_, all_stances_, limits); }
+void PaperMatcher::limit(const StanceLimits& limits) { tessera::limit(context_, all_stances_, limits); }
 
 void PaperMatcher::post_count(const CountRequest& request) {
   if (!request.samples.empty()) counted_ = request.samples;

@@ -47,7 +47,7 @@ void SegmentMatcher::update_field(const FieldPatch& patch) {
   reference_.update_field(patch);
 }
 
-void SegmentMatcher::limit(const StandingLimits& limits) {
+void SegmentMatcher::limit(const StanceLimits& limits) {
   tessera::limit(context_, all_stances_, limits);
   reference_.limit(limits);
 }

@@ -70,7 +70,7 @@ void answer(const Message& request, Communicator& ranks, Matcher& matcher, Repla
       clock.measure(&Times::field_s, [&] { matcher.update_field(patch); });
       break;
     }
-    case Tag::limit: matcher.limit(decode<StandingLimits>(request.bytes)); break;
+    case Tag::limit: matcher.limit(decode<StanceLimits>(request.bytes)); break;
     case Tag::count_request:
       ranks.send(asker, Tag::count_reply,
                  measured_answer(request, matcher, clock, &Times::count_s, &Times::counts, count));

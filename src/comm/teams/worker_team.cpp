@@ -75,7 +75,7 @@ class WorkerTeam : public JoinedMatcher {
     ranks_.send(workers_, Tag::update_field, encode(patch));
     if (own_) own_->update_field(patch);
   }
-  void limit(const StandingLimits& limits) override {
+  void limit(const StanceLimits& limits) override {
     ranks_.send(workers_, Tag::limit, encode(limits));
     if (own_) own_->limit(limits);
   }

@@ -34,7 +34,7 @@ double covered_part(const Grid<float>& nodes, const Distance& inside_px) {
 
 }  // namespace
 
-double covered_part_of_enclosed(const Canvas& canvas) {
+double covered_share(const Canvas& canvas) {
   const Grid<float>& distance = canvas.distance.value;
   if (!canvas.has_zones()) return covered_part(distance, [&](int i, int j) { return distance(i, j); });
   const Grid<float>& to_zones = canvas.keep_out.value;

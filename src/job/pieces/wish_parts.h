@@ -22,14 +22,14 @@ class WishParts {
   const ShapeWish& wish(std::uint32_t part) const { return parts_[part].wish; }
 
  private:
-  struct Part {
+  struct ShapePart {
     ShapeWish wish;
     std::size_t shapes = 0;
     std::size_t chosen = 0;       // shapes of this part that the current row names
     std::uint32_t of_chosen = 0;  // the part that these shapes get
   };
 
-  std::vector<Part> parts_;
+  std::vector<ShapePart> parts_;
   std::vector<std::uint32_t> part_of_;  // by shape
 };
 

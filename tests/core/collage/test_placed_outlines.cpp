@@ -254,7 +254,7 @@ TEST(PlacedOutlines, WithoutPaddingEachVertexThatLiesTooDeepIsAConflict) {
     const std::vector<Vec2> ways = meeting.ways();
     RC_ASSERT(ways.size() == std::size_t(piece_too_deep) + std::size_t(other_too_deep));
     const auto is_way_out = [allowed_px](Vec2 way, const Deepest& d, const Outline& outer) {
-      if (d.depth_px >= kHopelessDepth_px) return true;  // there is no short one
+      if (d.depth_px >= kMaxPushDepth_px) return true;  // there is no short one
       return std::abs(double(norm(way)) - (d.depth_px - allowed_px)) < kRounding_px &&
              std::abs(depth(d.vertex + way, outer) - allowed_px) < kRounding_px;
     };
@@ -296,7 +296,7 @@ TEST(PlacedOutlines, TheWayOutOfACrossingLeadsTheDeepestVertexOut) {
     const bool by_own = own_px > others_px;
     const Deepest& deepest = by_own ? meeting.of_piece : meeting.of_other;
     RC_PRE(deepest.depth_px > 0.1 && std::abs(own_px - others_px) > kRounding_px);
-    RC_PRE(deepest.depth_px < kHopelessDepth_px);
+    RC_PRE(deepest.depth_px < kMaxPushDepth_px);
     const std::vector<Vec2> ways = meeting.ways();
     RC_ASSERT(ways.size() == 1u);
     const double needed_px = padding_px + kWritten_px;

@@ -148,7 +148,7 @@ TEST(NearColours, AreOfShapesThatMayStand) {
   near.start(all);
   EXPECT_EQ(near.length(), kLeastNearColours);
   const NearColours::List before = near.list_for(sample_at({60, 100}));
-  StandingLimits limits;
+  StanceLimits limits;
   for (std::uint32_t shape = 20; shape < 60; ++shape) limits.used_up.push_back(ShapeId(shape));
   near.start(all.limited(limits));
   const NearColours::List list = near.list_for(sample_at({60, 100}));

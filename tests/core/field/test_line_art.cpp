@@ -44,14 +44,14 @@ TEST(MostDepth, IsWhatIsAllowedInGeneralButInLines) {
   EXPECT_FLOAT_EQ(most_depth_px(1.4f, 1.2f), 0.84f);
 }
 
-TEST(HeldDepth, ReachesWhatIsAllowedInGeneralWhereALineMayBeEnteredNoDeeper) {
-  const HeldDepth in_ordinary_pieces(1.4f, INFINITY);
+TEST(StoredDepth, ReachesWhatIsAllowedInGeneralWhereALineMayBeEnteredNoDeeper) {
+  const StoredDepth in_ordinary_pieces(1.4f, INFINITY);
   for (const float d : {3.f, 0.f, -0.4f, -1.f, -30.f}) EXPECT_EQ(in_ordinary_pieces(d), d);
-  const HeldDepth in_lines(1.4f, 1.2f);
+  const StoredDepth in_lines(1.4f, 1.2f);
   for (const float d : {3.f, 0.f, -0.5f}) EXPECT_EQ(in_lines(d), d) << "areas are counted by it";
   EXPECT_NEAR(in_lines(-0.84f), -1.4f, 1e-5f);
   EXPECT_LT(in_lines(-1.2f), -2.3f);
-  const HeldDepth in_hairs(1.4f, 0.3f);
+  const StoredDepth in_hairs(1.4f, 0.3f);
   EXPECT_NEAR(in_hairs(-0.6f), -1.4f, 1e-5f);
 }
 

@@ -72,14 +72,14 @@ TEST(PartialPyramid, OfAStraightLineHasNoLevels) {
   for (const PartialPyramid& p : partial_pyramids(line, 0.3f, 1, kPad)) {
     EXPECT_EQ(p.left_levels, 0);
     EXPECT_EQ(p.right_levels, 0);
-    EXPECT_FALSE(tells_enough(p));
+    EXPECT_FALSE(has_enough_levels(p));
   }
 }
 
 TEST(PartialPyramid, TellsEnoughWithFourLevelsOnBothSides) {
-  EXPECT_TRUE(tells_enough({{}, 2, 2}));
-  EXPECT_FALSE(tells_enough({{}, 1, 5}));
-  EXPECT_FALSE(tells_enough({{}, 3, 1}));
+  EXPECT_TRUE(has_enough_levels({{}, 2, 2}));
+  EXPECT_FALSE(has_enough_levels({{}, 1, 5}));
+  EXPECT_FALSE(has_enough_levels({{}, 3, 1}));
 }
 
 }  // namespace test_partial_pyramid

@@ -20,8 +20,8 @@ using relaxed_pieces::kDiscRadius;
 using relaxed_pieces::pose;
 
 /// Nobody helps.
-std::vector<HoleCandidate> best(const Hole& hole, float reach_px, const std::vector<HoleGuest>& guests, float softness,
-                                Draws& draws) {
+std::vector<HoleCandidate> best(const Hole& hole, float reach_px, const std::vector<CandidateShape>& guests,
+                                float softness, Draws& draws) {
   TaskPool alone(1);
   return best_candidates(hole, reach_px, guests, softness, draws, alone);
 }
@@ -150,12 +150,12 @@ TEST_F(HoleInACorner, NoRoomIsSeenBeyondTwiceTheReach) {
   EXPECT_FALSE(open.rim(kReach_px).empty());
 }
 
-HoleGuest guest(std::size_t shape, const PoseRange& poses, float weight = 1, float worth = 1) {
+CandidateShape guest(std::size_t shape, const PoseRange& poses, float weight = 1, float worth = 1) {
   return {&hole_shapes()[shape], poses, weight, worth};
 }
 
-std::vector<HoleGuest> all_guests(const PoseRange& poses) {
-  std::vector<HoleGuest> guests;
+std::vector<CandidateShape> all_guests(const PoseRange& poses) {
+  std::vector<CandidateShape> guests;
   for (std::size_t i = 0; i < hole_shapes().size(); ++i) guests.push_back(guest(i, poses));
   return guests;
 }
@@ -171,13 +171,13 @@ class HoleOfAShape {
         edge_(field_, 1),
         hole(where.translation(), 55, 1.5f, edge_) {}
 
-  std::vector<HoleCandidate> candidates(const std::vector<HoleGuest>& guests, std::uint64_t random = 1) const {
+  std::vector<HoleCandidate> candidates(const std::vector<CandidateShape>& guests, std::uint64_t random = 1) const {
     Draws draws(random);
     return best(hole, kReach_px, guests, kSoftness, draws);
   }
 
  private:
-  static CanvasField inside_of(const LaidPiece& piece) {
+  static CanvasField inside_of(const ContactPiece& piece) {
     CanvasField field{Grid<float>(kCanvas_px, kCanvas_px), {0, 0}};
     for (int j = 0; j < kCanvas_px; ++j) {
       for (int i = 0; i < kCanvas_px; ++i) field.value(i, j) = -piece.distance({float(i), float(j)}).value;
@@ -193,7 +193,7 @@ class HoleOfAShape {
 };
 
 /// Those of every hole, whoever is asked.
-void check_candidates(const std::vector<HoleCandidate>& found, const std::vector<HoleGuest>& guests) {
+void check_candidates(const std::vector<HoleCandidate>& found, const std::vector<CandidateShape>& guests) {
   for (std::size_t k = 0; k < found.size(); ++k) {
     const HoleCandidate& c = found[k];
     RC_ASSERT(guests.at(c.incoming).poses.contains(c.canvas_from_shape));
@@ -212,7 +212,7 @@ TEST(HoleCandidates, AHoleGetsItsShapeBack) {
   EXPECT_TRUE(rc::check([] {
     const auto shape = *rc::gen::element<std::size_t>(1, 2, 4);
     const Similarity was = pose(40, relaxed_pieces::any_number(0, 6), kMiddle);
-    const std::vector<HoleGuest> guests = all_guests({20, 60, {}});
+    const std::vector<CandidateShape> guests = all_guests({20, 60, {}});
     const std::vector<HoleCandidate> found = HoleOfAShape(shape, was).candidates(guests, *rc::gen::inRange(0, 1000));
     check_candidates(found, guests);
     RC_ASSERT(!found.empty());
@@ -230,7 +230,7 @@ TEST(HoleCandidates, KeepToScalesAndRotations) {
     const float low_rad = relaxed_pieces::any_number(-3, 3);
     const PoseRange poses{*rc::gen::element(20.f, 30.f, 35.f), *rc::gen::element(35.f, 50.f),
                           direction_range(low_rad, low_rad + *rc::gen::element(0.f, 0.2f, 1.5f, 4.f))};
-    const std::vector<HoleGuest> guests = all_guests(poses);
+    const std::vector<CandidateShape> guests = all_guests(poses);
     const HoleOfAShape hole(*rc::gen::element<std::size_t>(0, 1, 4), pose(42, was_rad, kMiddle));
     const std::vector<HoleCandidate> found = hole.candidates(guests);
     RC_ASSERT(!found.empty());
@@ -244,7 +244,7 @@ TEST(HoleCandidates, OfAnOpenPlaceAreTheBestFirst) {
   const EdgeDistance edge(free);
   Hole open({50, 60}, 55, 1.5f, edge);
   open.add(laid(kDisc, pose(45, 0, {95, 50})));
-  const std::vector<HoleGuest> guests = all_guests({20, 60, {}});
+  const std::vector<CandidateShape> guests = all_guests({20, 60, {}});
   EXPECT_TRUE(rc::check([&] {
     Draws draws(*rc::gen::arbitrary<std::uint64_t>());
     const std::vector<HoleCandidate> found = best(open, kReach_px, guests, kSoftness, draws);
@@ -257,7 +257,7 @@ TEST(HoleCandidates, OfAnOpenPlaceAreTheBestFirst) {
 TEST(HoleCandidates, AShapeThatMayNotTurnFindsItsPlace) {
   for (const float was_rad : {0.f, 2.f}) {
     const HoleOfAShape hole(1, pose(40, was_rad, kMiddle));
-    const std::vector<HoleGuest> guests = {guest(1, {20, 60, direction_range(was_rad, was_rad)}, 0.01f)};
+    const std::vector<CandidateShape> guests = {guest(1, {20, 60, direction_range(was_rad, was_rad)}, 0.01f)};
     float sum_px2 = 0;
     for (std::uint64_t random = 0; random < 12; ++random) {
       const std::vector<HoleCandidate> found = hole.candidates(guests, random);
@@ -269,7 +269,7 @@ TEST(HoleCandidates, AShapeThatMayNotTurnFindsItsPlace) {
 
 TEST(HoleCandidates, WhatCannotBeSmallEnoughIsLeftOut) {
   const HoleOfAShape hole(1, pose(30, 0, kMiddle));
-  std::vector<HoleGuest> guests = all_guests({20, 60, {}});
+  std::vector<CandidateShape> guests = all_guests({20, 60, {}});
   guests[1].poses.min_scale_px = 36;
   for (const HoleCandidate& c : hole.candidates(guests)) EXPECT_NE(c.incoming, 1u);
   EXPECT_FALSE(hole.candidates(guests).empty());
@@ -277,12 +277,12 @@ TEST(HoleCandidates, WhatCannotBeSmallEnoughIsLeftOut) {
 
 TEST(HoleCandidates, WhatWeighsNothingIsNeverDrawn) {
   const HoleOfAShape hole(1, pose(40, 0, kMiddle));
-  std::vector<HoleGuest> guests = all_guests({20, 60, {}});
+  std::vector<CandidateShape> guests = all_guests({20, 60, {}});
   guests[1].weight = 0;
   const std::vector<HoleCandidate> found = hole.candidates(guests);
   EXPECT_FALSE(found.empty());
   for (const HoleCandidate& c : found) EXPECT_NE(c.incoming, 1u);
-  for (HoleGuest& g : guests) g.weight = 0;
+  for (CandidateShape& g : guests) g.weight = 0;
   EXPECT_TRUE(hole.candidates(guests).empty());
 }
 
@@ -292,7 +292,7 @@ TEST(HoleCandidates, WhatWeighsLittleIsSeldomAmongTheBest) {
   const auto times_found = [&](float weight) {
     int times = 0;
     for (std::uint64_t random = 0; random < 12; ++random) {
-      const std::vector<HoleGuest> guests = {guest(0, {20, 60, {}}), guest(1, {20, 60, {}}, weight)};
+      const std::vector<CandidateShape> guests = {guest(0, {20, 60, {}}), guest(1, {20, 60, {}}, weight)};
       for (const HoleCandidate& c : hole.candidates(guests, random)) times += c.incoming == 1;
     }
     return times;
@@ -302,20 +302,20 @@ TEST(HoleCandidates, WhatWeighsLittleIsSeldomAmongTheBest) {
 
 TEST(HoleCandidates, WorthDecidesAmongThem) {
   const HoleOfAShape hole(1, pose(40, 0, kMiddle));
-  std::vector<HoleGuest> guests = all_guests({20, 60, {}});
+  std::vector<CandidateShape> guests = all_guests({20, 60, {}});
   ASSERT_EQ(hole.candidates(guests).front().incoming, 1u);
   for (const std::size_t wanted : {0u, 2u, 4u}) {
     for (std::size_t i = 0; i < guests.size(); ++i) guests[i].worth = i == wanted ? 1 : 0.3f;
     EXPECT_EQ(hole.candidates(guests).front().incoming, wanted);
   }
-  for (HoleGuest& g : guests) g.worth = -0.1f;
+  for (CandidateShape& g : guests) g.worth = -0.1f;
   EXPECT_TRUE(hole.candidates(guests).empty()) << "worth nothing";
 }
 
 /// Neighbours will make some room: the softer they are, the more of it is taken.
 TEST(HoleCandidates, SofterNeighboursAreCoveredMore) {
   const HoleOfAShape hole(0, pose(40, 0, kMiddle));
-  const std::vector<HoleGuest> guests = {guest(2, {42, 60, {}})};
+  const std::vector<CandidateShape> guests = {guest(2, {42, 60, {}})};
   const auto best_px2 = [&](float softness) {
     Draws draws(1);
     const std::vector<HoleCandidate> found = best(hole.hole, kReach_px, guests, softness, draws);
@@ -336,7 +336,7 @@ TEST(HoleCandidates, NothingFitsWhereThereIsNoHole) {
 
 TEST(HoleCandidates, AreTheSameAgain) {
   const HoleOfAShape hole(4, pose(40, 1, kMiddle));
-  const std::vector<HoleGuest> guests = all_guests({20, 60, {}});
+  const std::vector<CandidateShape> guests = all_guests({20, 60, {}});
   const std::vector<HoleCandidate> found = hole.candidates(guests, 5);
   const std::vector<HoleCandidate> again = hole.candidates(guests, 5);
   ASSERT_EQ(found.size(), again.size());

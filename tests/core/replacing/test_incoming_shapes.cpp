@@ -27,8 +27,8 @@ std::vector<ShapeId> let_in(std::vector<std::uint32_t> taken_out, Vec2 at, const
   test::VectorShapes shapes(library());
   std::vector<FormerPiece> not_back;
   for (const std::uint32_t shape : taken_out) not_back.push_back({ShapeId{shape}, {60, 0, at.x, at.y}});
-  return ids_of(
-      let_into(kWindow, incoming_shapes(StanceTable(CollageSettings{}, 4), shapes, 1), not_back, period, shapes));
+  return ids_of(shapes_for_window(kWindow, incoming_shapes(StanceTable(CollageSettings{}, 4), shapes, 1), not_back,
+                                  period, shapes));
 }
 
 TEST(IncomingShapes, WhatWasTakenOutThereStaysOut) {

@@ -1,4 +1,4 @@
-#include "files/foreign_end.h"
+#include "files/library_abort.h"
 
 #include <signal.h>
 #include <unistd.h>
@@ -30,23 +30,23 @@ void on_abort(int) {
 
 }  // namespace
 
-ForeignEnd::ForeignEnd() {
+LibraryAbortHandler::LibraryAbortHandler() {
   [[maybe_unused]] static const int registered = std::atexit(tell);
   const std::string limits = process_limits();
   const std::string text = "tessera: a library, such as an OpenCL driver, has ended the program" + limits + "\n";
   word_bytes = limits.empty() ? 0 : std::min(text.size(), words.size());
   std::copy_n(text.begin(), word_bytes, words.begin());
   lives = true;
-  take_abort_again();
+  set_abort_handler_again();
 }
 
-ForeignEnd::~ForeignEnd() {
+LibraryAbortHandler::~LibraryAbortHandler() {
   word_bytes = 0;
   lives = false;
   signal(SIGABRT, SIG_DFL);
 }
 
-void take_abort_again() {
+void set_abort_handler_again() {
   if (!lives) return;
   struct sigaction action = {};
   action.sa_handler = on_abort;

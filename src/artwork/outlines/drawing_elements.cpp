@@ -1,4 +1,4 @@
-#include "artwork/outlines/svg_leaves.h"
+#include "artwork/outlines/drawing_elements.h"
 
 #include <algorithm>
 #include <cctype>
@@ -102,7 +102,7 @@ class LeafFinder {
     for (xmlNode* node : switches_) xmlNodeSetName(node, xml("g"));
   }
 
-  std::vector<SvgLeaf> take() { return std::move(leaves_); }
+  std::vector<DrawingElement> take() { return std::move(leaves_); }
 
  private:
   struct NewId {
@@ -157,7 +157,7 @@ class LeafFinder {
   xmlNode* root_;
   SvgMasks masks_;
   SvgPictures pictures_;
-  std::vector<SvgLeaf> leaves_;
+  std::vector<DrawingElement> leaves_;
   std::unordered_map<std::string, const xmlNode*> first_of_id_;
   std::vector<NewId> new_ids_;
   std::vector<xmlNode*> hidden_, switches_, patterns_;
@@ -167,12 +167,12 @@ class LeafFinder {
 
 }  // namespace
 
-SvgLeaves svg_leaves(std::span<const std::uint8_t> bytes, const std::string& path) {
+DrawingElements drawing_elements(std::span<const std::uint8_t> bytes, const std::string& path) {
   const XmlDocPtr doc = parsed_foreign_svg(bytes, path);
   xmlNode* const root = xmlDocGetRootElement(doc.get());
   LeafFinder finder(root, path);
   finder.change();
-  SvgLeaves leaves;
+  DrawingElements leaves;
   leaves.list = finder.take();
   for (const char* side : {"width", "height"}) {
     const std::string length = attribute(root, side);

@@ -6,16 +6,16 @@ namespace tessera {
 
 /// While it lives, such an end removes leftover files (files/leftover_file.h) and prints the limits of the process, if
 /// there are any: the library's own message seldom names them. At most one object at a time.
-class ForeignEnd {
+class LibraryAbortHandler {
  public:
-  ForeignEnd();
-  ~ForeignEnd();
-  ForeignEnd(const ForeignEnd&) = delete;
-  ForeignEnd& operator=(const ForeignEnd&) = delete;
+  LibraryAbortHandler();
+  ~LibraryAbortHandler();
+  LibraryAbortHandler(const LibraryAbortHandler&) = delete;
+  LibraryAbortHandler& operator=(const LibraryAbortHandler&) = delete;
 };
 
-/// Sets the handler of abort(3) again while a ForeignEnd lives. To be called when kernels are compiled, as LLVM
+/// Sets the handler of abort(3) again while a LibraryAbortHandler lives. To be called when kernels are compiled, as LLVM
 /// installs a handler of its own.
-void take_abort_again();
+void set_abort_handler_again();
 
 }  // namespace tessera
