@@ -137,13 +137,13 @@ readonly figures=(
   "13|Australian animals in three sizes|australia"
   "15|growing outward|outward"
   "16|a collage without seams|seamless"
-  "17|pieces keep out of what is drawn|letters"
+  "17|pieces keep out of letters|letters"
   "18|a puzzle of 18 pieces with straight sides|shards"
   "18|pieces that are alike: any exact cover|tangram"
   "19|a puzzle of closely packed pieces|puzzle"
   "21, 23|gaps closed by deforming|deformed"
   "22|a mosaic of stones by their greys|stones"
-  "24|a place is erased and filled anew|changed"
+  "24|a place is erased and filled again|changed"
 )
 
 sections() {
@@ -171,8 +171,8 @@ numbers() {
 {
   body=$(sections)
   echo "# Gallery"
-  echo "Every job of [jobs](../../jobs), made by \`scripts/gallery.sh\` with Debian's openclipart (public domain) and photos."
-  echo "The numbers are those of each card; the times are of one run without MPI on the machine that made the gallery."
+  echo "\`scripts/gallery.sh\` runs every job of [jobs](../../jobs), with Debian's openclipart (public domain) and photos."
+  echo "The numbers are those of each card. The times are of one run without MPI on the machine that made the gallery."
   echo
   echo "| the paper's figure | what it shows | here | numbers |"
   echo "|---|---|---|---|"
