@@ -73,7 +73,7 @@ void append_loop(CheckpointColumns& to, const CheckpointState& state) {
   to.best_missing = {state.best.missing};
   to.empty_passes.push_back(std::uint8_t(state.empty_passes));
   RunStatistics statistics = state.statistics;
-  tell(statistics, state.loop);
+  copy_to_statistics(statistics, state.loop);
   for (const auto count : kCounts) to.counts.push_back(statistics.*count);
   for (const auto measure : kMeasures) to.measures.push_back(statistics.*measure);
   to.replaced.push_back(state.loop.replaced);

@@ -69,7 +69,7 @@ class FileReader {
     }
     if (reading_.px_per_inch && example_.empty())
       throw InputError("--dpi: " + path + " has no SVG with an outline; allowed: with an SVG");
-    units_.tell(path, input_);
+    units_.report(path, input_);
   }
 
  private:

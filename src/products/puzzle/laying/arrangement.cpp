@@ -67,7 +67,7 @@ double PuzzleArranger::gaps(const Arrangement& in) const {
   std::size_t all = 0, beside_gap = 0;
   for (const LaidPiece& laid : in.laid) {
     if (is_frame(laid)) continue;
-    tell(in);
+    report(in);
     const PosedPiece piece = posed(laid);
     std::vector<Beside> beside(piece.piece->points.size(), Beside::nothing);
     for (const PosedPiece& neighbour : neighbours(piece, in, laid.piece))
@@ -79,7 +79,7 @@ double PuzzleArranger::gaps(const Arrangement& in) const {
 }
 
 PuzzleArranger::Boundary PuzzleArranger::boundary_of(const LaidPiece& laid, const Arrangement& in) const {
-  tell(in);
+  report(in);
   const PosedPiece piece = posed(laid);
   std::vector<Beside> beside(piece.piece->points.size(), Beside::nothing);
   Boundary boundary;
@@ -187,7 +187,7 @@ bool PuzzleArranger::exclude_each_other(const PuzzlePlace& a, const PuzzlePlace&
 }
 
 void PuzzleArranger::lay(const PuzzlePlace& place, Arrangement& in) const {
-  tell(in);
+  report(in);
   const PosedPiece rough = posed({place.piece, place.pose});
   const std::vector<PosedPiece> around = neighbours(rough, in);
   const Similarity pose = around.empty() ? place.pose : settled(rough, around, scale_, kSettlingSteps);
@@ -235,7 +235,7 @@ void PuzzleArranger::add_places_beside(const LaidPiece& laid, Arrangement& in) c
                       .pose = followed_by(match.here_from_there, laid.pose),
                       .whole_sides = match.whole_side ? 1 : 0};
     if (joins_a_place(place, in)) continue;  // before settling, which takes longer
-    tell(in);
+    report(in);
     const PosedPiece piece = posed({place.piece, place.pose});
     const std::vector<PosedPiece> around = neighbours(piece, in);
     if (std::any_of(around.begin(), around.end(), [&](const PosedPiece& p) { return overlap(piece, p, scale_); }))
@@ -315,7 +315,7 @@ void PuzzleArranger::keep_best(std::vector<Arrangement>& all, int width) const {
 
 void PuzzleArranger::settle_all(Arrangement& in) const {
   std::vector<PosedPiece> pieces = laid_pieces(in);
-  settle_jointly(pieces, scale_, kLastSteps, [&] { tell(in); });
+  settle_jointly(pieces, scale_, kLastSteps, [&] { report(in); });
   for (std::size_t i = 0; i < pieces.size(); ++i) in.laid[i].pose = pieces[i].pose;
 }
 

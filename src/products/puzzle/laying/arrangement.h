@@ -96,7 +96,7 @@ class PuzzleArranger {
   double coherence(const Arrangement& in) const;
 
   /// Calls `watch`.
-  void tell(const Arrangement& in) const { watch_(placed(in)); }
+  void report(const Arrangement& in) const { watch_(placed(in)); }
 
  private:
   std::vector<PosedPiece> neighbours(const PosedPiece& piece, const Arrangement& in, int but = -1) const;

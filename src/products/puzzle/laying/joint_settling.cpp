@@ -102,9 +102,9 @@ class PoseEquations {
 }  // namespace
 
 void settle_jointly(std::vector<PosedPiece>& pieces, const PuzzleScale& scale, int steps,
-                    const std::function<void()>& tell) {
+                    const std::function<void()>& report) {
   for (int step = 0; step < steps && pieces.size() > 1; ++step) {
-    tell();
+    report();
     pieces = PoseEquations(pieces, scale).moved_pieces();
   }
 }
