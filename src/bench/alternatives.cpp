@@ -5,7 +5,7 @@
 #include "bench/baselines/random_filling.h"
 #include "bench/benchmarks.h"
 #include "bench/devices.h"
-#include "bench/library_matcher.h"
+#include "bench/inputs/library_matcher.h"
 #include "core/field/free_field.h"
 #include "core/quality/quality.h"
 #include "core/settings/tuning.h"

@@ -4,9 +4,9 @@
 
 #include "bench/benchmarks.h"
 #include "bench/devices.h"
+#include "bench/inputs/library_matcher.h"
 #include "bench/inputs/model_file.h"
 #include "bench/inputs/varied_shapes.h"
-#include "bench/library_matcher.h"
 #include "bench/process_memory.h"
 #include "core/base/stop.h"
 #include "core/base/stopwatch.h"

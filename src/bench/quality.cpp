@@ -5,7 +5,7 @@
 
 #include "bench/benchmarks.h"
 #include "bench/devices.h"
-#include "bench/library_matcher.h"
+#include "bench/inputs/library_matcher.h"
 #include "bench/line_plot.h"
 #include "core/base/error.h"
 #include "core/base/rank_pool.h"

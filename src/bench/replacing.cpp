@@ -5,7 +5,7 @@
 
 #include "bench/benchmarks.h"
 #include "bench/devices.h"
-#include "bench/library_matcher.h"
+#include "bench/inputs/library_matcher.h"
 #include "bench/replacing_case.h"
 #include "comm/encode.h"
 #include "comm/messages.h"

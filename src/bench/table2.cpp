@@ -3,7 +3,7 @@
 
 #include "bench/benchmarks.h"
 #include "bench/devices.h"
-#include "bench/library_matcher.h"
+#include "bench/inputs/library_matcher.h"
 #include "bench/table2_rows.h"
 #include "core/base/error.h"
 #include "core/base/stop.h"
