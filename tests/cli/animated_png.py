@@ -5,7 +5,7 @@ import struct
 import sys
 import zlib
 
-HEADER_END = 33  # the mark, and the chunk IHDR
+HEADER_END = 33  # the signature and the chunk IHDR
 
 with open(sys.argv[1], "rb") as file:
     png = file.read()
