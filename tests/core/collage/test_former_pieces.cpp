@@ -1,4 +1,4 @@
-// Who may come in for pieces that were taken out of a collage, and what is the same place.
+// Which shapes may replace pieces that were taken out of a collage, and which places count as the same.
 #include "core/collage/former_pieces.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ bool others(const CollageSettings& settings, const TakenOut& piece = kFirst,
   return others_may_come_in({piece}, settings, silhouettes, drawings).front();
 }
 
-/// Two classes: the first shape's, and that of the two others.
+/// Settings with two classes: the first shape's, and that of the two others.
 CollageSettings with_classes(const ShapeWish& first, const ShapeWish& others) {
   CollageSettings s;
   s.wishes.classes = {first, others};
@@ -59,7 +59,7 @@ TEST(FormerPieces, NoOthersComeInThatAreUsedUp) {
   EXPECT_TRUE(others_may_come_in({{ShapeId{1}, 0}}, s, kOwn, kOwn).front()) << "the first one may";
 }
 
-/// Its mirror image counts for it.
+/// A piece of the shape's mirror image counts as one of the shape.
 TEST(FormerPieces, NoOthersComeInForWhatMustStandAgain) {
   CollageSettings s;
   s.pieces.least_uses = 1;
