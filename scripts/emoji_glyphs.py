@@ -11,7 +11,7 @@ import unicodedata
 
 from fontTools.ttLib import TTFont
 
-JOINERS = {0x200D, 0xFE0F}  # between the characters of one emoji; they are nothing by themselves
+JOINERS = {0x200D, 0xFE0F}  # these stand between the characters of one emoji and mean nothing alone
 
 
 def word(code_point):

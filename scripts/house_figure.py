@@ -7,7 +7,7 @@ import re
 import sys
 
 WIDTH, ROW, BOX, HALF_HEIGHT = 940, 92, 132, 19
-WORDS = {  # below the name
+WORDS = {  # the text below the name
     "core": "the algorithm", "files": "whole or not at all", "text": "numbers, JSON, XML", "artwork": "foreign drawings",
     "library": "shapes in HDF5", "job": "the job and its keys", "layers": "beside the pieces", "recognition": "matches as files",
     "package": "library for programs", "checkpoint": "state in a file", "result": "the result's files", "render": "pictures",

@@ -8,7 +8,7 @@ import subprocess
 import sys
 
 LONG_SENTENCE = 25
-# A comment that begins so has no subject: "Of the pieces of a window, as they change."
+# A comment that begins with such a word has no subject: "Of the pieces of a window, as they change."
 FRAGMENT = re.compile(r"(Of|By|That|Those|Which|What|Where|How|As|In|On|For|From|With|Without|To be|Nothing|None|Or|Also|The same)\b")
 GROUPS = {
     "README.md": r"README\.md$",

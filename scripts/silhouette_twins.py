@@ -14,8 +14,8 @@ import numpy as np
 from PIL import Image
 
 LEAST_IOU = 0.97
-COARSE_IOU = 0.88  # pairs below it by centroids, areas and the best of 360 angles are not looked at again
-GRID = 192         # pixels of the square on which pairs are compared
+COARSE_IOU = 0.88  # pairs are not refined if centroids, areas and the best of 360 angles give less
+GRID = 192         # pixels along each side of the square in which pairs are compared
 RADIUS = 2.6       # half the square's side, in square roots of the silhouette's area
 
 
@@ -26,7 +26,7 @@ class Silhouette:
             pixels = pixels[:, ::-1]
         self.name = "~" * mirrored + path.stem
         self.group = path.stem.rsplit("-", 1)[0]
-        # A margin, so that points outside the picture are outside the silhouette.
+        # The margin puts points outside the picture outside the silhouette.
         self.pixels = np.pad(pixels, 2).astype(np.float32)
         y, x = np.nonzero(self.pixels)
         self.centre = np.array([x.mean(), y.mean()])
@@ -92,7 +92,7 @@ def best_iou(a, b, angle, points):
         if pose is start:
             step /= 2
             continue
-        trial = 2 * pose - start  # once more the way of all four together
+        trial = 2 * pose - start  # repeats the whole last move
         overlap = iou(fixed, moved(b, points, trial))
         if overlap > best:
             best, pose = overlap, trial

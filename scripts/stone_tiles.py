@@ -13,13 +13,13 @@ import struct
 import sys
 import zlib
 
-PHOTO_PX = (1600, 800)  # what PHOTO.jpg is taken for
-PHOTO_MEAN = 0.57  # of its lightness, sRGB
-SLAB_PX = (1600, 200)  # eight of them on the sheet
-TILES = [92, 92, 92, 92, 92, 92, 91, 91]  # of each slab: 734
-MEANS = [0.09, 0.2, 0.31, 0.43, 0.55, 0.67, 0.8, 0.92]  # of each slab, sRGB
-CONTRASTS = [0.5, 0.9, 1.2, 1.3, 1.3, 1.2, 0.9, 0.5]  # the photo's is 1
-STEP_PX = 2  # of the map's pixels
+PHOTO_PX = (1600, 800)  # PHOTO.jpg is scaled to this size
+PHOTO_MEAN = 0.57  # mean lightness, sRGB
+SLAB_PX = (1600, 200)  # the sheet has eight of them
+TILES = [92, 92, 92, 92, 92, 92, 91, 91]  # for each slab; 734 in all
+MEANS = [0.09, 0.2, 0.31, 0.43, 0.55, 0.67, 0.8, 0.92]  # for each slab, sRGB
+CONTRASTS = [0.5, 0.9, 1.2, 1.3, 1.3, 1.2, 0.9, 0.5]  # for each slab; the photo has 1
+STEP_PX = 2  # the size of a pixel of the map
 GAP_PX = 4  # between two tiles
 
 
