@@ -83,7 +83,7 @@ def faults_of(page, program, keys):
         key = KEY.match(word)
         if not key or key[1].endswith(tuple("." + ending for ending in FILE_ENDINGS)):
             continue
-        if key[1] not in keys and re.sub("_mm$", "_px", key[1]) not in keys:  # lengths have a twin in mm
+        if key[1] not in keys and re.sub("_mm$", "_px", key[1]) not in keys:  # lengths have a second key in mm
             yield f"no job has the key {key[1]}"
 
 

@@ -9,7 +9,7 @@ import re
 import sys
 
 ROOTS = ("", "src/", "tests/", "kernels/")
-# (?<!...): a part of a longer path, of a URL or of an include is none.
+# (?<!...) excludes parts of a longer path, of a URL or of an include.
 FILE = re.compile(r"(?<![\w/.<\"$}{-])((?:[a-z_]+/)+[a-z_0-9]+\.(?:h|cpp|cl))\b")
 PATTERN = re.compile(r"`((?:src/)?(?:core|files|text|artwork|library|job|layers|recognition|package|checkpoint|result|render|products|comm|worker"
                      r"|master|terminal|run|plan|program|bench|cli|kernels)/[\w/{},*]+(?:\.\*)?)`")
