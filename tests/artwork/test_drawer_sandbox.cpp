@@ -1,4 +1,4 @@
-// What a process can still do after it limited itself. Each attempt runs in a forked child, since limits cannot be removed.
+// The abilities that a process still has after it limited itself. Each attempt runs in a forked child, since limits cannot be removed.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <fontconfig/fontconfig.h>

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""animated_png.py FROM TO: the PNG with the chunk that makes it an animation of two pictures."""
+"""animated_png.py FROM TO: adds the chunk to a PNG that makes it an animation of two pictures."""
 
 import struct
 import sys

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# kept_inputs_test.sh TESSERA NEW_FOLDER: an input is never removed or replaced, even if its name is that of an output, of a temporary file,
-# or of the list beside a library.
+# kept_inputs_test.sh TESSERA NEW_FOLDER: an input is never removed or replaced.
+# This holds even if its name is that of an output, of a temporary file, or of the list beside a library.
 # Neither is any other file of the user with such a name.
 set -uo pipefail
 tessera=$1

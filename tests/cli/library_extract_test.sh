@@ -81,7 +81,7 @@ expect_silence "a warning of pixels that the library holds"
 [[ -s collage/collage.png ]] || fail "no picture"
 mv elsewhere.png wall.png
 
-# How alike photo and collage are: all stones used once give the same sizes and elongations, half of them do not.
+# The likeness of photo and collage: all stones used once give the same sizes and elongations, half of them do not.
 figures=$(dirname "${BASH_SOURCE[0]}")/../../scripts/texture-figures.sh
 texture=(--set 'canvas.size_px=[700, 600]' --set pieces.sizes=drawn --set pieces.uses=1 --quiet)
 run 0 collage job.toml --out texture "${texture[@]}" --set stop.pieces=12

@@ -70,7 +70,7 @@ for file in pipe folder /dev/zero /proc/kmsg; do
   echo "ok $file"
 done
 
-# Such files in a result's folder, or in place of its files: no command waits, and they stay unchanged.
+# A result's folder may hold such files, also in place of its own files. No command waits for them, and they stay unchanged.
 for name in manifest.json pieces.geojson job.toml card.json checkpoint.h5; do
   cp -r result special
   rm -f "special/$name"

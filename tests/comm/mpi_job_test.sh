@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# mpi_job_test.sh MPIRUN MPI_JOB: checks how a job of three ranks ends under mpirun: its exit code, one error line from one rank, and the
-# written file after mpirun was told to stop.
+# mpi_job_test.sh MPIRUN MPI_JOB: checks how a job of three ranks ends under mpirun.
+# It checks the exit code, the one error line of one rank, and the written file after mpirun was told to stop.
 set -uo pipefail
 mpirun=$1
 job=$2

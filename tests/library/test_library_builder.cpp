@@ -116,7 +116,7 @@ TEST_F(LibraryBuilder, NamesPicturesInOtherFormats) {
   EXPECT_EQ(report.files, 6u) << "all but the text";
 }
 
-/// As for names in a library: if a file's name equals the pattern, it is the only match.
+/// Patterns work as for names in a library: if a file's name equals the pattern, it is the only match.
 TEST_F(LibraryBuilder, AnExactNameWinsOverAPattern) {
   for (const char* name : {"logo [final].svg", "logo f.svg", "logo i.svg"}) write(name, name);
   EXPECT_EQ(found("logo [final].svg").paths, std::vector<std::string>{folder_.path("in/logo [final].svg")});

@@ -117,7 +117,7 @@ TEST(GivenUpQuestion, MayBeAnyOfTheLastPasses) {
   EXPECT_TRUE(in_empty_pass);
 }
 
-/// With fit = "all": between two attempts at sizes, and where the best attempt is laid again.
+/// The interruption comes between two attempts at sizes (fit = "all"), or where the best attempt is laid again.
 TEST(GivenUpQuestion, MayBeTheFirstOfAnotherAttempt) {
   CollageSettings s = settings();
   s.pieces.fit_all = true;

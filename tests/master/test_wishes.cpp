@@ -434,7 +434,7 @@ TEST(Wishes, NobodyWaitsForAShapeThatIsShutOut) {
   EXPECT_EQ(count.size(), library().size()) << "all others stand; counting made entries of the three";
 }
 
-/// As if each shape could be used once: neither rounds nor matching are spent on shapes that already stand.
+/// The case costs as little as if each shape could be used once: no rounds or matching are spent on shapes that already stand.
 TEST(Wishes, ShapesThatAreShutOutEverywhereCostNothing) {
   CollageSettings s = settings();
   s.pieces.max_scale_px = 40;

@@ -1,6 +1,6 @@
-"""The Python module tessera, installed: arrays in and out, libraries, results, descriptors; and input of no use.
+"""The installed Python module tessera: arrays in and out, libraries, results, descriptors; and unusable input.
 
-Environment: PYTHONPATH, TESSERA_DUCKS (docs/matching), TESSERA_LIBRARY (of bean, corner, drop, leaf, star), TESSERA_RESULT."""
+Environment: PYTHONPATH, TESSERA_DUCKS (docs/matching), TESSERA_LIBRARY (holds bean, corner, drop, leaf, star), TESSERA_RESULT."""
 
 import copy
 import gc
@@ -22,7 +22,7 @@ RESULT = os.environ["TESSERA_RESULT"]
 
 
 def blob(seed, points=400):
-    """A closed curve without symmetry, about 2 to 3 large: shape (points, 2)."""
+    """A closed curve without symmetry and with a radius of about 2 to 3. The array has the shape (points, 2)."""
     random = np.random.default_rng(seed)
     angle = np.linspace(0, 2 * np.pi, points, endpoint=False)
     radius = np.ones(points)
@@ -42,7 +42,7 @@ ANGLES = np.linspace(0, 2 * np.pi, 4000, endpoint=False)
 
 
 def longest_wait(work):
-    """The longest time that this thread waits for the interpreter while another one works: a part of that one's time."""
+    """The longest wait of this thread for the interpreter while another thread works, as a share of the other thread's time."""
     done = threading.Event()
 
     def work_to_the_end():

@@ -76,8 +76,8 @@ TEST(MosaicPlan, RefusesWhatIsTooFewTooManyOrTooLong) {
   EXPECT_NO_THROW(mosaic_plan({800, 100}, kFewestMosaicPieces));
 }
 
-// Measured in mosaics of 3,041 shapes (six of about 1,000 pieces, two of 2,000): the number of pieces per million px², for places with this
-// largest size.
+// The numbers of pieces per million px² for places with this largest size. They were measured in mosaics of 3,041 shapes (six of about
+// 1,000 pieces, two of 2,000).
 TEST(MosaicPlan, ExpectsAsManyPiecesAsCameInMeasurements) {
   const MosaicPlan plan = mosaic_plan({100, 100}, 3000);
   const std::pair<double, double> kMeasured[] = {{16, 3242}, {32.4, 2195}, {37.9, 1906}, {44.4, 1801}, {52.3, 1719}};

@@ -12,7 +12,7 @@ namespace test_photo_elements {
 
 constexpr int kDisc = 7, kSquare = 3, kCut = 5, kSpeck = 9;
 
-/// Labels on 200 x 100 px: a disc of radius 25 with a hole, a square of 30 to its upper right, one cut by the edge, and a speck.
+/// Labels on 200 x 100 px. There are a disc of radius 25 with a hole, a square of 30 to its upper right, one cut by the edge, and a speck.
 cv::Mat labels() {
   cv::Mat map = cv::Mat::zeros(100, 200, CV_32S);
   cv::circle(map, {60, 60}, 25, cv::Scalar(kDisc), cv::FILLED);

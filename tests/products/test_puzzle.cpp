@@ -133,7 +133,7 @@ TEST(PuzzleCut, NoTwoTabsAreAlike) {
   EXPECT_EQ(std::adjacent_find(areas.begin(), areas.end()), areas.end());
 }
 
-/// Also for numbers of pieces that give a grid of long or narrow pieces.
+/// The test includes numbers of pieces that give a grid of long or narrow pieces.
 TEST(PuzzleCut, TabsNeitherMeetNorLeaveTheFrame) {
   for (int pieces = 2; pieces <= 20; ++pieces) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {

@@ -1,4 +1,4 @@
-// How well a mosaic shows its picture from afar: from bands of pixels to the figures of a card.
+// The likeness of a mosaic to its picture from afar: from bands of pixels to the figures of a card.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

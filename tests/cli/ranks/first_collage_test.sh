@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# first_collage_test.sh TESSERA MPIRUN NEW_FOLDER: tessera collage FOLDER, from drawings to a library, a job and a picture; and the message
-# for a path that is no job.
+# first_collage_test.sh TESSERA MPIRUN NEW_FOLDER: tessera collage FOLDER, from drawings to a library, a job and a picture.
+# It also checks the message for a path that is no job.
 set -uo pipefail
 tessera=$1
 # shellcheck disable=SC2034 # support/ranks.sh

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# random_signals_test.sh TESSERA MPIRUN NEW_FOLDER MOMENTS [SEED]: ends runs by Ctrl-C, TERM, USR2 and the time limit at random moments,
-# also while drawing, on 1 and 3 ranks.
+# random_signals_test.sh TESSERA MPIRUN NEW_FOLDER MOMENTS [SEED]: ends runs by Ctrl-C, TERM, USR2 and the time limit.
+# The ends come at random moments, also while drawing, on 1 and 3 ranks.
 # Each run ends in time, and goes on to the bytes of an undisturbed run. PATIENCE=3 allows three times as long, for busy machines.
 set -uo pipefail
 tessera=$1

@@ -1,4 +1,4 @@
-// Which shapes may replace pieces that were taken out of a collage, and which places count as the same.
+// The shapes that may replace pieces taken out of a collage, and the places that count as the same.
 #include "core/collage/former_pieces.h"
 
 #include <gtest/gtest.h>

@@ -51,7 +51,7 @@ TEST(Objective, ScaleAwareHasItsFormula) {
   EXPECT_NEAR(objective(terms, kPiece, settings), expected, 1e-6f);
 }
 
-/// At the two ends of the scale, a poor fit of a large piece and a good fit of a piece half as large change their order.
+/// A poor fit of a large piece and a good fit of a piece half as large change their order from one end of the scale to the other.
 TEST(Objective, BalanceWeighsContactAgainstSize) {
   const DockingTerms large{80, 0, 0, 0, 0};
   const DockingTerms middle{90, 0, 0, 0, 0};

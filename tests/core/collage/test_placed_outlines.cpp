@@ -1,4 +1,4 @@
-// Which pieces may stand beside placed pieces, against brute force over all segments and all vertices.
+// The rule that decides which pieces may stand beside placed pieces, against brute force over all segments and all vertices.
 #include "core/collage/placed_outlines.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ Shape square() {
   return shape;
 }
 
-constexpr double kWritten_px = 0.002;  // of the decimals of positions
+constexpr double kWritten_px = 0.002;  // the error of positions with three decimals
 const float kOverlap_px = PieceSettings().overlap_px;
 
 PieceSettings padded_by(float padding_px) {

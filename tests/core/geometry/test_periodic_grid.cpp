@@ -42,7 +42,7 @@ TEST(Period, OffersTheImagesAround) {
 
 using Node = std::pair<int, int>;
 
-/// A grid with a period of 7 to 12 nodes both ways, or without repetition in one or both directions; and up to a period of images.
+/// A grid of 7 to 11 nodes each way that repeats in both directions, in one or in none. It holds up to a period of images.
 PeriodicGrid any_grid() {
   const bool in_x = *rc::gen::inRange(0, 2) == 1;
   const bool in_y = *rc::gen::inRange(0, 2) == 1;

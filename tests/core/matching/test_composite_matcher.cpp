@@ -10,7 +10,7 @@
 namespace tessera {
 namespace test_composite_matcher {
 
-/// A matcher that counts in a given number of steps and notes its calls in `calls`: "post 0" is the call of the part with shape 0.
+/// A matcher that counts in a given number of steps. It notes its calls in `calls`: "post 0" is a call of the part with shape 0.
 class SteppingMatcher : public test::IdleMatcher {
  public:
   SteppingMatcher(std::uint32_t shape, int steps, std::vector<std::string>& calls)
@@ -61,7 +61,7 @@ TEST(CompositeMatcher, PartsTakeTheirStepsInTurns) {
                           "take 0", "take 1", "take 2"}));
 }
 
-/// As on a worker with others below it. The first part is such a worker: it steps by itself and answers slowly.
+/// The case of a worker with others below it. The first part is such a worker: it steps by itself and answers slowly.
 TEST(CompositeMatcher, DevicesTakeAllTheirStepsBeforeAnythingIsTaken) {
   Calls calls;
   std::vector<std::unique_ptr<Matcher>> parts;
