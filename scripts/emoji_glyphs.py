@@ -20,7 +20,7 @@ def word(code_point):
 
 
 def ligatures(font):
-    """(glyphs, the glyph that stands for them) for each ligature."""
+    """The pair (glyphs, their common glyph) for each ligature."""
     for lookup in font["GSUB"].table.LookupList.Lookup:
         for table in lookup.SubTable:
             table = getattr(table, "ExtSubTable", table)

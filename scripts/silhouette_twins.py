@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""silhouette_twins.py FOLDER OUT.txt: lists pairs of silhouettes that nobody can tell apart.
+"""silhouette_twins.py FOLDER OUT.txt: lists pairs of silhouettes that look the same.
 
 Two silhouettes are twins when both are of one class (the name before the last hyphen) and one, turned, moved and scaled,
 overlaps the other with an intersection over union of 0.97 or more. "~B" is the mirror image of B, which a library may
@@ -73,8 +73,8 @@ def iou(a, b):
 
 
 def best_iou(a, b, angle, points):
-    """The best is looked for by coverages, which change smoothly with the pose, as counts of pixels do not: a pattern
-    search over angle, scale and position (Hooke and Jeeves 1961)."""
+    """The best overlap, by a pattern search over angle, scale and position (Hooke and Jeeves 1961). It compares coverages, because
+    they change smoothly with the pose, unlike counts of pixels."""
     fixed = a.at(points)
     pose = np.array([angle, 0.0, 0.0, 0.0])
     best = iou(fixed, moved(b, points, pose))
@@ -100,7 +100,7 @@ def best_iou(a, b, angle, points):
 
 
 def twin_line(a, b, points):
-    """A line of the list, or None where the two are no twins."""
+    """A line of the list, or None if the two are no twins."""
     both = np.fft.irfft((np.conj(a.spectrum) * b.spectrum).sum(axis=0), n=360)
     shift = int(both.argmax())
     coarse = both[shift] / (a.ring_area + b.ring_area - both[shift])
