@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""scripts/readability.py [COMMIT]: words in a sentence of the documents and of the comments over declarations; how many sentences are
-longer than 25 words, and how many comments begin in the middle. A hint for who writes, not a gate."""
+"""scripts/readability.py [COMMIT]: measures the documents and the comments over declarations: words in a sentence, sentences longer
+than 25 words, and comments that begin in the middle. It is a hint for writers, not a gate."""
 
 import os
 import re
@@ -8,7 +8,7 @@ import subprocess
 import sys
 
 LONG_SENTENCE = 25
-# A comment that begins so has no subject: "Of the pieces of a window, as they change."
+# A comment that begins with such a word has no subject: "Of the pieces of a window, as they change."
 FRAGMENT = re.compile(r"(Of|By|That|Those|Which|What|Where|How|As|In|On|For|From|With|Without|To be|Nothing|None|Or|Also|The same)\b")
 GROUPS = {
     "README.md": r"README\.md$",
@@ -22,7 +22,7 @@ GROUPS = {
 
 
 def files(commit):
-    """(path, text) of all files, of a commit or of the working tree."""
+    """The pairs (path, text) of all files in a commit or in the working tree."""
     if commit:
         names = subprocess.run(["git", "ls-tree", "-r", "--name-only", commit], capture_output=True, text=True, check=True).stdout
         wanted = [name for name in names.split("\n") if any(re.match(p, name) for p in GROUPS.values())]

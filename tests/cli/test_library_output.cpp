@@ -1,4 +1,4 @@
-// What the library commands print: the progress line and the table at the end.
+// The output of the library commands: the progress line and the final table.
 #include <gtest/gtest.h>
 
 #include "cli/library/build_summary.h"
@@ -25,7 +25,7 @@ TEST(TimeLeft, FollowsFromThePace) {
   EXPECT_EQ(time_left_s(0, 0, 10), std::nullopt);
 }
 
-/// The time left is what a user looks for: the bar gives way first.
+/// The bar shrinks first, because users look for the time left.
 TEST(ProgressText, FitsTheTerminal) {
   const std::string note = "231 pieces, 93.3 % covered, trial 50 of 150";
   EXPECT_EQ(progress_text("collage", 500, 1000, note, 100, 90),

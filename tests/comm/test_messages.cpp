@@ -1,4 +1,4 @@
-// Whatever goes through a message comes out bit for bit, not-a-number and negative zero included.
+// Every value comes out of a message bit for bit, also not-a-number and negative zero.
 #include "comm/messages.h"
 
 #include <gtest/gtest.h>
@@ -59,7 +59,7 @@ DistanceHistogram any_histogram() {
   return histogram;
 }
 
-/// Bit equality: operator== calls -0 and 0 equal and no NaN equal to itself. Only for types without padding.
+/// Compares bits: operator== calls -0 and 0 equal and no NaN equal to itself. It is only for types without padding.
 template <class T>
 bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
   static_assert(sizeof(T) % sizeof(float) == 0);
@@ -220,7 +220,7 @@ TEST(Messages, TheSmallOnes) {
 }
 
 TEST(Messages, VectorsTravelInOneCopy) {
-  // A field costs its own bytes and a few more: nothing for each number.
+  // A field costs its own bytes and a few more, but none for each number.
   const FieldPatch patch{{0, 0, 100, 100}, std::vector<float>(10000, 1.f)};
   EXPECT_LT(encode(patch).size(), 40000u + 64u);
   ReplacementWindow window;
@@ -229,7 +229,7 @@ TEST(Messages, VectorsTravelInOneCopy) {
   EXPECT_LT(encode(std::vector<TargetSample>(100)).size(), 100 * sizeof(TargetSample) + 64);
 }
 
-/// Whether reading throws what a user can mend, and no other exception.
+/// Returns whether reading throws an EnvironmentError and no other exception.
 template <class T>
 bool is_refused(const Bytes& bytes) {
   try {
@@ -262,7 +262,7 @@ TEST(Messages, one_with_more_than_its_values_is_refused) {
   EXPECT_TRUE(is_refused<Failure>(bytes));
 }
 
-/// Whatever bytes arrive, reading ends with a value or with the one error.
+/// Any bytes end in a value or in the one kind of error.
 TEST(Messages, any_bytes_are_read_or_refused) {
   EXPECT_TRUE(rc::check([] {
     const auto bytes = *rc::gen::arbitrary<Bytes>();
@@ -277,7 +277,7 @@ TEST(Messages, any_bytes_are_read_or_refused) {
   }));
 }
 
-/// Memory for what a message claims to hold would be out of reach.
+/// A message may claim more elements than it holds. The reader allocates no memory for such a claim.
 TEST(Messages, numbers_beyond_the_message_take_no_memory) {
   const auto claim = [](auto... numbers) {
     Bytes bytes;

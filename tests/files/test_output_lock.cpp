@@ -1,4 +1,4 @@
-// One output, one run: whoever comes second is told whose it is; what a dead process left is taken over.
+// One run at a time writes an output. A second run learns which run holds it; the output of a dead process is taken over.
 #include "files/output_lock.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ class OutputLockTest : public testing::Test {
     return "";
   }
 
-  /// A process that holds the lock until it is killed, and a child of its own if asked for.
+  /// Starts a process that holds the lock until it is killed, with a child of its own if asked for.
   pid_t start_holder(bool with_child) const {
     int ends[2];
     EXPECT_EQ(pipe(ends), 0);

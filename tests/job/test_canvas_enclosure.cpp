@@ -1,4 +1,4 @@
-// Which canvases are an outline alone.
+// Detects canvases that consist only of an outline.
 #include "job/canvas/canvas_enclosure.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ std::string ring(double radius, double width) {
 }
 
 TEST_F(CanvasEnclosure, IsTheAreaOfARingInPartsOfItsDisc) {
-  for (const int side_px : {100, 300, 2300}) {  // searched on a coarser grid, too
+  for (const int side_px : {100, 300, 2300}) {  // large canvases are searched on a coarser grid
     EXPECT_NEAR(covered(ring(40, 8), side_px), 1 - 36. * 36 / (44 * 44), 0.02) << side_px;
     EXPECT_NEAR(covered(ring(40, 2), side_px), 1 - 39. * 39 / (41 * 41), 0.02) << side_px;
   }

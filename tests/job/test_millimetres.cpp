@@ -1,4 +1,4 @@
-// Lengths in mm: which keys take them, what they become in px, and every kind of mistake.
+// Lengths in mm: the keys that take them, their values in px, and every kind of mistake.
 #include "job/millimetres.h"
 
 #include "job_file_fixture.h"
@@ -19,7 +19,7 @@ class Millimetres : public JobFile {
 };
 
 struct Length {
-  std::string key;  // without its unit, behind what must stand before it
+  std::string key;  // without its unit, after the text that must precede it
   std::string in_mm, in_px;
 };
 
@@ -125,7 +125,7 @@ TEST_F(Millimetres, of_the_canvas_have_its_aspect_and_bounds) {
   }
 }
 
-/// Where a result is drawn, too.
+/// The sizes are also known where a result is drawn.
 TEST_F(Millimetres, are_known_of_a_result) {
   Job job = job_from_toml(to_toml(load(poster_)), "job.toml");
   set_drawing_keys(job, {"output.outline_mm=1.5"});

@@ -1,4 +1,4 @@
-// When the loop ends, and why.
+// The end of the loop, and its reason.
 #include "master/loop_end.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ class LoopEndTest : public testing::Test {
     settings_.stop.seconds = 1000;
   }
 
-  /// On 1,000 px².
+  /// The canvas has 1,000 px².
   const Canvas canvas_ = make_rectangle_canvas(40, 25);
   CollageSettings settings_;
   AskedToStop observer_;

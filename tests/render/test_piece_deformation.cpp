@@ -1,4 +1,4 @@
-// From placements to deformed outlines in pieces.geojson, and back from there.
+// From placements to deformed outlines in pieces.geojson, and back.
 #include "render/piece_deformation.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace tessera {
 namespace test_piece_deformation {
 
-/// Disc and ring with a gap of 8 px between them.
+/// A disc and a ring with a gap of 8 px between them.
 struct Deformable : test::SampleCollage {
   Deformable() {
     job.settings.deform.kind = DeformKind::capped;
@@ -63,7 +63,7 @@ TEST(PieceDeformation, ComesBackFromTheFile) {
                        again.report.shapes[i].outline) *
                   scale_px,
               0.1)
-        << i;  // its drawing goes along
+        << i;  // its drawing moves along
     EXPECT_GT(again.report.deformed->warps[i].least_jacobian(), 0.2) << i;
     EXPECT_EQ(sample.report.deformed->shapes[i], again.report.deformed->shapes[i]);
   }
@@ -79,7 +79,7 @@ TEST(PieceDeformation, RefusesPolygonsOfOtherPieces) {
     std::ofstream(folder.path("pieces.geojson")) << bytes;
     return test::message_of([&] { restore_deformed_pieces(folder.path(""), again.report); });
   };
-  std::string one_less = text;  // the first position of the first ring
+  std::string one_less = text;  // removes the first position of the first ring
   const auto at = one_less.find("[[[") + 2;
   one_less.erase(at, one_less.find("],", at) + 2 - at);
   EXPECT_NE(refused(one_less).find("feature 0"), std::string::npos) << refused(one_less);

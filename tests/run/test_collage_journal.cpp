@@ -1,4 +1,4 @@
-// What a run keeps about itself, in the record for the card and in run.log.
+// The records of a run about itself, for the card and in run.log.
 #include "core/base/stop.h"
 #include "run/collage_journal.h"
 

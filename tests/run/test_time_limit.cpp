@@ -1,4 +1,4 @@
-// When a run must be over.
+// The time at which a run must be over.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# first_collage_test.sh TESSERA MPIRUN NEW_FOLDER: tessera collage FOLDER, from drawings to a library, a job and a picture;
-# and what is said of a path that is no job.
+# first_collage_test.sh TESSERA MPIRUN NEW_FOLDER: tessera collage FOLDER, from drawings to a library, a job and a picture.
+# It also checks the message for a path that is no job.
 set -uo pipefail
 tessera=$1
 # shellcheck disable=SC2034 # support/ranks.sh
@@ -30,7 +30,7 @@ cmp out/drawings/pieces.geojson first.geojson || fail "another collage on three 
 draw_svg drawings/house "M10 50 L50 10 L90 50 V90 H10Z"
 run 0 collage drawings "${quick[@]}"
 grep -q '^out/drawings.h5, .* of 6 files: 6 shapes' output || fail "does not see the new drawing"
-# Another folder of the same name, and older: it is its drawings that count.
+# Another, older folder of the same name: the drawings decide, not the name.
 mkdir -p other/drawings && cp -p drawings/star.svg drawings/leaf.svg other/drawings
 touch -d '2001-01-01' other/drawings other/drawings/*
 run 0 collage other/drawings "${quick[@]}"

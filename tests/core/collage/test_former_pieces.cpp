@@ -1,4 +1,4 @@
-// Who may come in for pieces that were taken out of a collage, and what is the same place.
+// The shapes that may replace pieces taken out of a collage, and the places that count as the same.
 #include "core/collage/former_pieces.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ bool others(const CollageSettings& settings, const TakenOut& piece = kFirst,
   return may_be_replaced({piece}, settings, silhouettes, drawings).front();
 }
 
-/// Two classes: the first shape's, and that of the two others.
+/// Settings with two classes: the first shape's, and that of the two others.
 CollageSettings with_classes(const ShapeWish& first, const ShapeWish& others) {
   CollageSettings s;
   s.wishes.classes = {first, others};
@@ -59,7 +59,7 @@ TEST(FormerPieces, NoOthersComeInThatAreUsedUp) {
   EXPECT_TRUE(may_be_replaced({{ShapeId{1}, 0}}, s, kOwn, kOwn).front()) << "the first one may";
 }
 
-/// Its mirror image counts for it.
+/// A piece of the shape's mirror image counts as one of the shape.
 TEST(FormerPieces, NoOthersComeInForWhatMustStandAgain) {
   CollageSettings s;
   s.pieces.least_uses = 1;

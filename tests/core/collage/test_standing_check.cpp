@@ -1,4 +1,4 @@
-// Pieces that somebody put somewhere: which lie outside, in a zone, or on each other.
+// Pieces with given poses: which lie outside, in a zone, or on each other.
 #include "core/collage/standing_check.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ TEST(GivenPieceCheck, AlittleBesideTheEdgeOrOnOthersIsAsPiecesLie) {
   EXPECT_EQ(found.overlapping, Places{});
 }
 
-/// Of a small piece that is more than a twentieth: 2 of 20 px.
+/// For a small piece the allowed overlap is more than a twentieth: 2 of 20 px.
 TEST(GivenPieceCheck, TheOverlapThatTheJobAllowsIsNotTold) {
   const Canvas canvas = make_rectangle_canvas(200, 100);
   const std::vector<GivenPiece> pieces = {piece(20, {8, 50}), piece(20, {26, 50}), piece(20, {-4, 20})};

@@ -1,4 +1,4 @@
-// All that is filled anew where pieces were taken out.
+// The room that is filled again where pieces were taken out.
 #include "core/field/room.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace tessera {
 namespace test_room {
 
-/// From -0.5 to 0.5 both ways.
+/// A square from -0.5 to 0.5 both ways.
 const Outline& square() {
   static const Outline outline{{{{-0.5f, -0.5f}, {0.5f, -0.5f}, {0.5f, 0.5f}, {-0.5f, 0.5f}}}};
   return outline;
@@ -52,7 +52,7 @@ TEST(Room, GoesAcrossASeam) {
   EXPECT_LT(at(room, {60.5f, 75.5f}), 0);
 }
 
-/// Each is filled for itself as before.
+/// Each region is filled by itself, as before.
 TEST(Room, IsTakenOfEachRegion) {
   Canvas canvas = make_rectangle_canvas(200, 150);
   CanvasField left = canvas.distance, right = canvas.distance;
@@ -79,7 +79,7 @@ TEST(Room, OfNeighboursIsOne) {
   EXPECT_LT(at(canvas.regions[0].distance, {200.5f, 70.5f}), 0);
 }
 
-/// With one cell a px.
+/// The canvas has one cell per px.
 TEST(Room, MayBeAsLargeAsTheCanvas) {
   Canvas canvas = make_rectangle_canvas(3000, 100);
   limit_regions_to_room({square_at(1500, 50, 4000)}, 8, canvas);

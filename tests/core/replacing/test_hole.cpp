@@ -1,4 +1,4 @@
-// A hole between pieces, and which shapes fit into it.
+// A hole between pieces, and the shapes that fit into it.
 #include "core/replacing/hole.h"
 
 #include <gtest/gtest.h>
@@ -19,14 +19,14 @@ using relaxed_pieces::kDisc;
 using relaxed_pieces::kDiscRadius;
 using relaxed_pieces::pose;
 
-/// Nobody helps.
+/// The best candidates, computed on one thread.
 std::vector<HoleCandidate> best(const Hole& hole, float reach_px, const std::vector<CandidateShape>& guests,
                                 float softness, Draws& draws) {
   TaskPool alone(1);
   return best_candidates(hole, reach_px, guests, softness, draws, alone);
 }
 
-/// A corner of a canvas with two discs, and what is known of it by heart.
+/// A corner of a canvas with two discs, whose distances are known exactly.
 class HoleInACorner : public testing::Test {
  protected:
   static constexpr float kHalf_px = 70;
@@ -44,7 +44,7 @@ class HoleInACorner : public testing::Test {
     return distance;
   }
 
-  /// Where the gradient jumps.
+  /// Returns whether a node is near; there the gradient jumps.
   static bool nodes_near(float at_px, float centre_px) {
     const float nodes = (at_px - centre_px + kHalf_px) / kCell_px;
     return std::abs(nodes - std::round(nodes)) < 0.05f;
@@ -61,9 +61,9 @@ TEST_F(HoleInACorner, DistancesAreThoseToDiscsAndEdge) {
   for (float y = -3; y < 128; y += 3.7f) {
     for (float x = -3; x < 118; x += 3.3f) {
       const float expected = std::min(kFar_px, free_px({x, y}));
-      if (std::max(x, y) < 3 || expected < -20) continue;  // beyond two edges at a time, or at the middle of a disc
+      if (std::max(x, y) < 3 || expected < -20) continue;  // beyond two edges, or near the middle of a disc
       EXPECT_LT(hole_.at({x, y}).value, expected + 0.8f) << x << ", " << y;
-      // The field of a shape goes no farther than that; beyond it there is at least so much.
+      // A shape's field ends at this distance. Beyond it the distance is a lower bound.
       constexpr float kOfAField_px = 0.15f * kRadius_px / 0.564f;
       const float least = expected < kOfAField_px ? expected - 0.8f : 0.6f * expected;
       EXPECT_GT(hole_.at({x, y}).value, least) << x << ", " << y;
@@ -134,7 +134,7 @@ TEST_F(HoleInACorner, TheRoomOfARimPointGoesToTheOtherSide) {
   for (const RimPoint& r : hole_.rim(kReach_px)) {
     float room_px = 3;
     while (room_px <= 2 * kReach_px && free_px(r.at + r.inward * room_px) > 0) room_px += 0.1f;
-    // Where it passes another piece at a slant, a px of distance is several of the way.
+    // Where the path passes another piece at a slant, one px of distance is several px of the path.
     if (free_px(r.at + r.inward * (room_px + 4)) > -2 || room_px > 2 * kReach_px - 4) continue;
     EXPECT_NEAR(r.room_px, room_px, 4) << r.at.x << ", " << r.at.y;
     ++bounded;
@@ -163,7 +163,7 @@ std::vector<CandidateShape> all_guests(const PoseRange& poses) {
 constexpr float kReach_px = 40;
 constexpr float kSoftness = 1.5f;
 
-/// A hole in an else full plane that has the outline of a shape.
+/// A hole with the outline of a shape in an otherwise covered plane.
 class HoleOfAShape {
  public:
   HoleOfAShape(std::size_t shape, const Similarity& where)
@@ -192,7 +192,7 @@ class HoleOfAShape {
   Hole hole;
 };
 
-/// Those of every hole, whoever is asked.
+/// Checks that hold for the candidates of every hole.
 void check_candidates(const std::vector<HoleCandidate>& found, const std::vector<CandidateShape>& guests) {
   for (std::size_t k = 0; k < found.size(); ++k) {
     const HoleCandidate& c = found[k];
@@ -219,7 +219,7 @@ TEST(HoleCandidates, AHoleGetsItsShapeBack) {
     const HoleCandidate& best = found.front();
     RC_ASSERT(best.incoming == shape);
     RC_ASSERT(best.score_px2 > 0.9f * 40 * 40);
-    RC_ASSERT(std::abs(best.canvas_from_shape.scale() - 40) < 4);  // neighbours make room
+    RC_ASSERT(std::abs(best.canvas_from_shape.scale() - 40) < 4);  // the neighbours make room
     RC_ASSERT(norm(best.canvas_from_shape.translation() - kMiddle) < 2);
   }));
 }
@@ -238,7 +238,7 @@ TEST(HoleCandidates, KeepToScalesAndRotations) {
   }));
 }
 
-/// Much fits there, and nothing as well as all others.
+/// Many shapes fit into an open place, and none fits it all round.
 TEST(HoleCandidates, OfAnOpenPlaceAreTheBestFirst) {
   const FreeField free = relaxed_pieces::rectangle(kCanvas_px);
   const EdgeDistance edge(free);
@@ -253,7 +253,7 @@ TEST(HoleCandidates, OfAnOpenPlaceAreTheBestFirst) {
   }));
 }
 
-/// Few of all dockings would be turned by little more than may be.
+/// Without adjustment few dockings would have a turn that is allowed.
 TEST(HoleCandidates, AShapeThatMayNotTurnFindsItsPlace) {
   for (const float was_rad : {0.f, 2.f}) {
     const HoleOfAShape hole(1, pose(40, was_rad, kMiddle));
@@ -286,7 +286,7 @@ TEST(HoleCandidates, WhatWeighsNothingIsNeverDrawn) {
   EXPECT_TRUE(hole.candidates(guests).empty());
 }
 
-/// Dockings are shared out by weight: of a shape that is seldom drawn hardly one lies well.
+/// Dockings are divided by weight, so a shape of little weight gets few, and hardly any fits well.
 TEST(HoleCandidates, WhatWeighsLittleIsSeldomAmongTheBest) {
   const HoleOfAShape hole(1, pose(40, 0, kMiddle));
   const auto times_found = [&](float weight) {
@@ -312,7 +312,7 @@ TEST(HoleCandidates, WorthDecidesAmongThem) {
   EXPECT_TRUE(hole.candidates(guests).empty()) << "worth nothing";
 }
 
-/// Neighbours will make some room: the softer they are, the more of it is taken.
+/// Neighbours make some room. The softer they are, the more of it candidates use.
 TEST(HoleCandidates, SofterNeighboursAreCoveredMore) {
   const HoleOfAShape hole(0, pose(40, 0, kMiddle));
   const std::vector<CandidateShape> guests = {guest(2, {42, 60, {}})};
@@ -355,7 +355,7 @@ TEST(HoleShape, DocksLieOnTheOutlineAndLookThroughTheShape) {
       EXPECT_NEAR(norm(dock.inward), 1, 1e-4f);
       EXPECT_LT(test::signed_distance(outline, dock.at + dock.inward * 0.03f), 0.005f);
       EXPECT_GE(dock.thickness, 0.05f);
-      // On the other side, or through the whole of it.
+      // The way through the shape ends on the outline again, at the other side.
       EXPECT_NEAR(test::signed_distance(outline, dock.at + dock.inward * dock.thickness), 0, 0.05f) << shape;
     }
   }
@@ -363,7 +363,7 @@ TEST(HoleShape, DocksLieOnTheOutlineAndLookThroughTheShape) {
   for (const DockPoint& dock : hole_shapes()[kDisc].docks) EXPECT_NEAR(dock.thickness, 2 * kDiscRadius, 0.03f);
 }
 
-/// An area of 1, but for a seam along its boundary.
+/// The points cover an area of 1, except for a seam along the boundary.
 TEST(HoleShape, InteriorPointsAreEvenInside) {
   for (std::size_t shape = 0; shape < hole_shapes().size(); ++shape) {
     const HoleShape& made = hole_shapes()[shape];

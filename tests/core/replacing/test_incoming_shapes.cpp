@@ -1,4 +1,4 @@
-// Which shapes may come into a replacement window.
+// The shapes that may come into a replacement window.
 #include "core/replacing/incoming_shapes.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ std::vector<ShapeId> ids_of(const std::vector<IncomingShape>& incoming) {
 
 const Box kWindow{{100, 100}, {300, 300}};
 
-/// What is let into the window after pieces of 60 px, of this shape, were taken out at this place.
+/// The shapes that may come in after pieces of 60 px of the given shapes were taken out at this place.
 std::vector<ShapeId> let_in(std::vector<std::uint32_t> taken_out, Vec2 at, const Period& period = {}) {
   test::VectorShapes shapes(library());
   std::vector<FormerPiece> not_back;
