@@ -32,8 +32,8 @@ inline const HoleShapes& shapes_by_id() {
   return all;
 }
 
-inline LaidPiece laid(std::size_t shape, const Similarity& where) {
-  LaidPiece piece;
+inline ContactPiece laid(std::size_t shape, const Similarity& where) {
+  ContactPiece piece;
   piece.lay(hole_shapes()[shape].contact, where);
   return piece;
 }
