@@ -14,6 +14,9 @@ namespace tessera {
 /// come in lower case, device indices as "0,2" whichever way they were written; paths are not touched.
 std::optional<JobValue> read_job_value(const JobKey& key, const toml::node& node);
 
+/// "0 to 500": the least and the greatest number that the key takes, without the unit. Both are allowed.
+std::string range_text(const JobKey& key);
+
 /// What the key takes, for messages and the documentation: "a number from 0 to 500 px".
 std::string allowed_values(const JobKey& key);
 

@@ -7,17 +7,22 @@
 
 namespace tessera {
 
-/// Columns are as wide as their widest cell; the first is aligned to the left, the others to the right. Cells may hold
-/// names from files: they are escaped (printable_utf8).
+/// Columns are as wide as their widest cell; the first is aligned to the left, the others to the right where they hold
+/// numbers, to the left where they hold words. Cells may hold names from files: they are escaped (printable_utf8).
 class TextTable {
  public:
-  explicit TextTable(std::vector<std::string> header) : rows_{std::move(header)} {}
+  enum class Cells { numbers, words };
+
+  explicit TextTable(std::vector<std::string> header, Cells cells = Cells::numbers)
+      : rows_{std::move(header)},
+        cells_(cells) {}
   /// `row` has as many cells as the header.
   void add(std::vector<std::string> row);
   std::string text() const;
 
  private:
   std::vector<std::vector<std::string>> rows_;
+  Cells cells_;
 };
 
 }  // namespace tessera

@@ -74,7 +74,7 @@ def faults_of(page, program, keys):
                     yield f"the link {target}: no such heading"
     if page.startswith("docs/concepts/") and not re.search(r"^!\[.+\]\(.+\)$", text, re.M):
         yield "a page of the concepts without a figure"
-    if not page.startswith(("README", "docs/guide")):
+    if not page.startswith(("README", "docs/guide", "docs/reference")):
         return
     for block in re.findall(r"^```\n(.*?)^```$", text, re.M | re.S):
         for line in block.replace("\\\n", " ").split("\n"):
