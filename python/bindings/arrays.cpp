@@ -20,8 +20,8 @@ Array array_or_error(const py::handle& object, const std::string& name, const st
   return array;
 }
 
-/// Whether the object has rows, as a table or a list of lists has. Lists of different lengths have rows, too: NumPy refuses them
-/// with a ValueError, but points_of() then names the curve.
+/// Whether the object has rows, like a table or a list of lists. NumPy refuses lists of different lengths with a
+/// ValueError; these count as rows here, because points_of() then names the curve.
 bool has_rows(const py::object& object) {
   try {
     return py::module_::import("numpy").attr("ndim")(object).cast<int>() >= 2;

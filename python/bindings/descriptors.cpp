@@ -47,7 +47,7 @@ class PythonDescriptor : public Descriptor {
   }
 };
 
-/// Without the interpreter's lock; a descriptor that is written in Python takes the lock again.
+/// Describes an outline without the interpreter's lock. A descriptor that is written in Python takes the lock again.
 Array described(const Descriptor& descriptor, const Outline& outline) {
   Description description;
   {

@@ -11,9 +11,8 @@ using matching::Library;
 using matching::Outline;
 using matching::Recognised;
 
-// HDF5 serves one thread at a time, and other modules (h5py) call it while they hold the interpreter's lock. So a library is
-// read with the lock held. KnownOutlines(Library) indexes each lot of shapes where it reads the lot, so that it holds the lock
-// until it is done.
+// HDF5 serves one thread at a time, and other modules (h5py) call it while they hold the interpreter's lock. So the lock is
+// held while a library is read. KnownOutlines(Library) reads and indexes lot by lot, so it holds the lock until it is done.
 void bind_libraries(py::module_& module) {
   py::class_<Library>(module, "Library", R"(A library of shapes, as `tessera library build` makes it.
 

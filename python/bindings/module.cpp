@@ -5,7 +5,7 @@
 PYBIND11_MODULE(_tessera, module) {
   using namespace tessera::python;
   module.doc() = "The compiled part of the module tessera.";
-  // Classes and signatures are shown by their public names: tessera.Outline.
+  // Classes and signatures show their public names: tessera.Outline.
   const pybind11::object own_name = module.attr("__name__");
   module.attr("__name__") = "tessera";
   pybind11::register_exception<tessera::matching::Error>(module, "Error", PyExc_ValueError).attr("__doc__") =

@@ -1,4 +1,4 @@
-// The parts of the module, each in a file of its own.
+// The parts of the module; each has a file of its own.
 #pragma once
 
 #include <pybind11/pybind11.h>

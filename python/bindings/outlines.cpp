@@ -46,7 +46,7 @@ OutlineState state_of(const Outline& outline) {
   return {py::cast(arrays_of(outline)), closed_of(outline), outline.smoothing};
 }
 
-/// The curves run as they did, which those of make_outline() may not.
+/// Restores the curves in their saved direction, which make_outline() might change.
 Outline outline_of_state(const OutlineState& state) {
   const auto& [curves, closed, smoothing] = state;
   if (curves.size() != closed.size()) {
@@ -78,7 +78,7 @@ std::string outline_text(const Outline& outline) {
          ">";
 }
 
-/// One point, or an array of the shape (N, 2); the result has the same shape.
+/// Applies a transform to one point, or to an array of the shape (N, 2); the result has the same shape.
 Array applied(const Similarity& similarity, const py::object& object) {
   const Array given = Array::ensure(object);
   if (given && given.ndim() == 1 && given.size() == 2) {

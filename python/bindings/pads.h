@@ -10,7 +10,7 @@ struct Pads {
   int levels;
 
   Array positions() const;
-  /// Rows of levels; a level that is missing is not a number.
+  /// A row of levels for each PAD; a missing level is NaN.
   Array arclengths(std::vector<double> matching::Pad::*side) const;
 
   template <class Value>

@@ -18,10 +18,10 @@ class Piece:
 
     index: int  # 0, 1, 2, ... in order of placement
     shape: str  # name in the library
-    canvas_from_shape: Similarity  # from the shape's frame (Library.outline) to the canvas; mirrored first, where it is
+    canvas_from_shape: Similarity  # from the shape's frame (Library.outline) to the canvas; a mirrored piece is mirrored first
     mirrored: bool
     polygon: list[numpy.ndarray]  # of the shape (N, 2): the outer ring, then the holes; the first point is not repeated
-    properties: dict = field(repr=False)  # all that pieces.geojson says of it
+    properties: dict = field(repr=False)  # all properties that pieces.geojson has for it
 
     @property
     def scale_px(self) -> float:
@@ -31,7 +31,7 @@ class Piece:
 
 @dataclass(frozen=True)
 class Result:
-    """What a result's folder holds, but its pictures."""
+    """The files of a result's folder, without its pictures."""
 
     folder: str
     pieces: list[Piece] = field(repr=False)

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 9> kExtensions = {".svg",  ".svgz", ".png", ".webp", ".tif",
                                                          ".tiff", ".bmp",  ".jpg", ".jpeg"};
 
-/// Of pictures that one may expect to be read.
+/// Extensions of pictures that a user may expect to be read.
 constexpr std::array<std::string_view, 22> kOtherExtensions = {
     ".gif", ".pdf",  ".eps",  ".ps",   ".ai",  ".cdr", ".emf", ".wmf", ".odg", ".dxf", ".psd",
     ".xcf", ".heic", ".heif", ".avif", ".jxl", ".jp2", ".ico", ".tga", ".pbm", ".pgm", ".ppm"};
@@ -36,7 +36,7 @@ bool contains(const std::array<std::string_view, N>& extensions, const std::stri
   return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
-/// A file that was named is judged by its content, when it is read.
+/// Takes a file that was named. Its content is judged when it is read.
 void take_named(const fs::path& file, ArtworkFiles& found) {
   std::error_code error;
   if (fs::is_regular_file(file, error)) {
@@ -57,7 +57,7 @@ bool is_artwork(const fs::path& file) {
   return contains(kExtensions, extension) || contains(kOtherExtensions, extension);
 }
 
-/// Adds all files in the folder and its folders to `files`.
+/// Adds all files in the folder and in its subfolders to `files`.
 void search_folder(const fs::path& folder, std::vector<fs::path>& files, ArtworkFiles& found) {
   std::error_code error;
   for (fs::directory_iterator at(folder, error); !error && at != fs::directory_iterator(); at.increment(error)) {
@@ -74,14 +74,14 @@ void search_folder(const fs::path& folder, std::vector<fs::path>& files, Artwork
   if (error) found.left_out.push_back({folder, "a folder that cannot be read"});
 }
 
-/// Those that the pattern is of, by the rule of NameIndex: where files have the pattern itself as their name, these.
+/// Takes the files that match the pattern, by the rule of NameIndex: files whose name is the pattern itself come first.
 void take_matching(const std::vector<fs::path>& files, const std::string& glob, ArtworkFiles& found) {
   std::vector<std::string> names;
   for (const fs::path& file : files) names.push_back(file.filename());
   for (const std::uint32_t place : NameIndex(std::move(names)).matching(glob)) take_found(files[place], found);
 }
 
-/// Where several paths lead to one file, the file's own path stays, or the first of the links.
+/// Where several paths lead to one file, keeps the file's own path, or the first of the links.
 void remove_repeated(std::vector<std::string>& paths) {
   std::sort(paths.begin(), paths.end());
   std::map<fs::path, std::string> path_of_file;
@@ -97,7 +97,7 @@ void remove_repeated(std::vector<std::string>& paths) {
   std::sort(paths.begin(), paths.end());
 }
 
-/// Each once: a folder may be given twice.
+/// Sorts the files and keeps each once, because a folder may be given twice.
 void sort_by_path(std::vector<UnusedFile>& files) {
   std::sort(files.begin(), files.end(), [](const UnusedFile& a, const UnusedFile& b) { return a.path < b.path; });
   const auto same_path = [](const UnusedFile& a, const UnusedFile& b) { return a.path == b.path; };

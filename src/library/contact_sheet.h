@@ -1,4 +1,4 @@
-// A picture of what is in a library: thumbnails in rows, with names.
+// Draws the shapes of a library: thumbnails in rows, with names.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@ namespace tessera {
 
 inline constexpr std::size_t kMaxSheetShapes = 400;
 
-/// Writes a PNG. Of a larger library it shows kMaxSheetShapes evenly chosen shapes. Returns how many are shown. Throws
-/// InputError where the library is damaged, EnvironmentError where `path` cannot be written.
+/// Writes a PNG. From a larger library it shows kMaxSheetShapes shapes, evenly chosen. Returns the number of shapes shown.
+/// Throws InputError where the library is damaged, EnvironmentError where `path` cannot be written.
 std::size_t write_contact_sheet(const LibraryFile& library, const std::string& path);
 
 }  // namespace tessera

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Paths and reasons with control characters, tabs among them, would break the columns.
+/// One line of the list. Control characters in paths and reasons, such as tabs, would break the columns.
 std::string line(const char* what, const std::string& path, const std::string& why) {
   return std::string(what) + "\t" + printable_utf8(path) + "\t" + printable_utf8(why) + "\n";
 }
@@ -65,7 +65,8 @@ void check_left_out_list(const std::string& library) {
   const std::string path = left_out_path(library);
   std::error_code error;
   if (fs::is_regular_file(path, error) && !begins_as_list(path))
-    throw InputError(path + ": is there and is no list of what a library left out; give the library another name");
+    throw InputError(path +
+                     ": exists and is not the list of a library's left-out files; give the library another name");
   check_can_be_written(path);
 }
 

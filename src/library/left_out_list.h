@@ -1,5 +1,4 @@
-// The list beside a library of what its artwork did not bring into it: NAME.left_out.txt beside NAME.h5
-// (docs/library-format.md).
+// The list of artwork that did not come into a library: NAME.left_out.txt beside NAME.h5 (docs/library-format.md).
 #pragma once
 
 #include <string>
@@ -8,18 +7,19 @@
 
 namespace tessera {
 
-/// "animals.h5" has "animals.left_out.txt".
+/// The path of the list: "animals.left_out.txt" for "animals.h5".
 std::string left_out_path(const std::string& library);
 
-/// A line for each file: what happened, the path, why, with tabs between them. Empty where nothing was left out.
+/// The text of the list: a line for each file with what happened, the path and the reason, separated by tabs. Empty where
+/// nothing was left out.
 std::string left_out_list(const LibraryBuildReport& report);
 
-/// Before time is spent: throws InputError where another file than such a list has its name, EnvironmentError where it
-/// cannot be written.
+/// To be called before the build. Throws InputError where another file has the name of the list, EnvironmentError where the
+/// list cannot be written.
 void check_left_out_list(const std::string& library);
 
-/// Writes the list of the build of `library` that just ended, with a library or without. Where it is empty, the list of
-/// the build before is removed. Throws EnvironmentError.
+/// Writes the list after a build of `library`, whether it wrote a library or not. Where nothing was left out, removes the
+/// list of an earlier build. Throws EnvironmentError.
 void write_left_out_list(const std::string& library, const LibraryBuildReport& report);
 
 }  // namespace tessera

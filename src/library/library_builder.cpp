@@ -56,7 +56,7 @@ Loaded loaded(const ShapeLoader& loader, const std::string& path) {
   }
 }
 
-/// Messages begin with the file's name, which the table shows beside the reason.
+/// The message without the file's name at its beginning, because the table shows the name beside it.
 std::string without_path(const std::string& message, const std::string& path) {
   const std::string prefix = path + ": ";
   return message.starts_with(prefix) ? message.substr(prefix.size()) : message;
@@ -106,7 +106,7 @@ class Builder {
     }
   }
 
-  /// False where the library has the shape already.
+  /// Adds the shape. False where the library has it already.
   bool add(const std::string& path, Shape shape, const StyleFeatures& style) {
     std::vector<Variant>& variants = variants_of_silhouette_[silhouette_hash(shape.outline)];
     const auto same = std::find_if(variants.begin(), variants.end(),

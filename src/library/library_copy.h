@@ -1,4 +1,4 @@
-// Writes the shapes of libraries as a library file of their own: nothing is traced again.
+// Copies shapes of libraries into a new library file, without tracing them again.
 #pragma once
 
 #include <functional>
@@ -8,9 +8,9 @@
 
 namespace tessera {
 
-/// The new file has the content digest of `library`. One shape at a time is in memory. `done` is called with the number
-/// of shapes written. Throws InputError where a shape is damaged, EnvironmentError where the file cannot be written:
-/// then there is no new file, and an older one stays.
+/// Writes the new file, which has the content digest of `library`. Only one shape at a time is in memory. Calls `done` with
+/// the number of shapes written. Throws InputError where a shape is damaged, EnvironmentError where the file cannot be
+/// written; an older file then stays as it was.
 void copy_library(const ShapeLibrary& library, const std::string& output, const std::function<void(std::size_t)>& done);
 
 }  // namespace tessera

@@ -8,7 +8,7 @@
 namespace tessera {
 namespace {
 
-constexpr std::size_t kMaxStemBytes = 160;  // with folder and number below layout::kNameBytes
+constexpr std::size_t kMaxStemBytes = 160;  // with folder and number less than layout::kNameBytes
 constexpr std::size_t kMaxFolderBytes = 60;
 
 }  // namespace

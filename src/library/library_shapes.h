@@ -1,4 +1,4 @@
-// Shapes for who places them or tries where they fit, read from the library file as they are needed.
+// Shapes read from the library file as they are needed, for code that places them or tries where they fit.
 #pragma once
 
 #include <cstdint>

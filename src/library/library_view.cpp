@@ -50,7 +50,7 @@ void for_each_head(const Library& library, Take take) {
   }
 }
 
-/// Of all shapes of the files, one after the other.
+/// The names of all shapes of the files, one file after the other.
 std::vector<std::string> names_of(const std::vector<LibraryFile>& files) {
   std::vector<std::string> names;
   for (const LibraryFile& file : files)
@@ -70,10 +70,10 @@ std::vector<bool> chosen_shapes(const std::vector<LibraryFile>& files, const std
 float difference_of(const LibraryFile& file, const Shape& shape, const std::vector<Lab>& palette) {
   if (shape.colour_grid.known()) return palette_difference(shape.colour_grid, palette);
   throw InputError(file.path() + " does not know the colours of " + shape.name +
-                   "'s parts, as libraries of older versions; build it again");
+                   "'s parts, because an older version built it; build it again");
 }
 
-/// Takes from what is chosen the drawings of other colours.
+/// Removes drawings of other colours from the choice.
 void keep_colours(const std::vector<LibraryFile>& files, const ColourChoice& choice, std::vector<bool>& chosen) {
   if (choice.palette.empty()) return;
   float nearest = std::numeric_limits<float>::infinity();
@@ -107,7 +107,7 @@ std::vector<StylePlace> known_styles(const std::vector<LibraryFile>& files, std:
   return places;
 }
 
-/// Takes from what is chosen the drawings of other styles. The nearest come first, of equal ones the first.
+/// Removes drawings of other styles from the choice. The nearest are kept; of equally near ones the first.
 void keep_style(const std::vector<LibraryFile>& files, const StyleChoice& choice, std::vector<bool>& chosen) {
   if (choice.like.empty()) return;
   std::vector<std::string> names;
@@ -127,7 +127,7 @@ void keep_style(const std::vector<LibraryFile>& files, const StyleChoice& choice
                    fixed(double(by_distance.front().first), 2));
 }
 
-/// Of each name what the last rule that has it says.
+/// How each name may be mirrored: the last rule that matches it.
 std::vector<Mirroring> mirroring_of(const NameIndex& names, const std::vector<MirroringRule>& rules) {
   std::vector<Mirroring> mirroring(names.names().size(), Mirroring::never);
   for (const MirroringRule& rule : rules) {
@@ -140,7 +140,7 @@ std::vector<Mirroring> mirroring_of(const NameIndex& names, const std::vector<Mi
 
 }  // namespace
 
-/// Gathers the entries one by one.
+/// Gathers the entries of a view one by one.
 class LibraryView::Gathering {
  public:
   explicit Gathering(LibraryView& view) : view_(view) {}
@@ -162,7 +162,7 @@ class LibraryView::Gathering {
   }
 
  private:
-  /// Shapes of one outline.
+  /// A shape of a family; a family has one outline.
   struct Member {
     std::uint32_t entry;
     std::array<float, 3> mean_lab;
@@ -171,7 +171,7 @@ class LibraryView::Gathering {
 
   bool several_files() const { return view_.files_.size() > 1; }
 
-  /// Within a file by what it says, across files by equal outlines.
+  /// The family of the shape: within a file the one that the file tells, across files the one with the same outline.
   std::size_t family_of(std::uint32_t file, const ShapeHead& head) {
     const std::pair source(file, head.variant_of);
     std::size_t family = families_.size();
@@ -297,7 +297,7 @@ std::vector<std::uint32_t> LibraryView::drawings() const {
   return drawings;
 }
 
-/// The end of the entries from `begin` on that follow each other in one file, `end` at most.
+/// The end of the consecutive entries of one file that begin at `begin`; at most `end`.
 std::size_t LibraryView::run_end(std::size_t begin, std::size_t end) const {
   std::size_t at = begin + 1;
   while (at < end && entries_[at].file == entries_[begin].file &&

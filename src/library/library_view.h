@@ -1,4 +1,4 @@
-// Several library files as one library, or a choice of their shapes: nothing is copied.
+// Several library files as one library, or a choice of their shapes, without copying anything.
 #pragma once
 
 #include <cstddef>
@@ -20,43 +20,44 @@ struct NoSuchColours : InputError {
   using InputError::InputError;
 };
 
-/// Drawings that are so near to a palette.
+/// Chooses drawings whose colours are near to a palette.
 struct ColourChoice {
   std::vector<Lab> palette;    // empty: all drawings
   float most_difference = 15;  // CIEDE2000 (core/colour/palette_difference.h)
 };
 
-/// Drawings of a style. All of them where no name is given.
+/// Chooses drawings of a style. Without a name in `like` it chooses all.
 struct StyleChoice {
-  std::vector<std::string> like = {};       // style_reference.h, by the names in the files
-  std::optional<std::size_t> closest = {};  // so many, 1 at least
-  std::optional<float> within = {};         // a distance (core/style/style_features.h)
+  std::vector<std::string> like = {};       // names in the files that tell the style (style_reference.h)
+  std::optional<std::size_t> closest = {};  // the number of drawings, at least 1
+  std::optional<float> within = {};         // the largest distance (core/style/style_features.h)
 };
 
 struct LibraryChoice {
-  std::vector<std::string> files;             // one at least
-  NameGlobs names;                            // as they are in the files
-  std::vector<MirroringRule> mirroring = {};  // by the names of the view; of several the last one holds; none: never
-  bool drawn_sizes = false;                   // content_digest() tells libraries apart whose drawings' sizes differ
+  std::vector<std::string> files;  // one at least
+  NameGlobs names;                 // names in the files
+  // by names in the view; the last rule for a name holds; without rules no shape is mirrored
+  std::vector<MirroringRule> mirroring = {};
+  bool drawn_sizes = false;  // content_digest() depends on the sizes of drawings
   ColourChoice colours = {};
-  bool styles = false;  // content_digest() tells libraries apart whose drawings' styles differ
+  bool styles = false;  // content_digest() depends on the styles of drawings
   StyleChoice style = {};
 };
 
-/// The shapes come in the order of the files, and in a file's order, then mirror images under the names of their
-/// shapes. A shape that may stand mirrored only is its mirror image from the start. Of several files those shapes are
-/// left out that have outline and colour of an earlier one, as `tessera library build` does; shapes of one outline in
-/// other colours are variants of the first. A name that was there already gets the folder of the artwork, and a number.
+/// Shapes come in the order of the files, and of their place in a file; mirror images follow, under the names of their
+/// shapes. A shape that may only stand mirrored is replaced by its mirror image. Of several files, a shape with outline and
+/// colour of an earlier shape is left out, as `tessera library build` does. Shapes of one outline in other colours are
+/// variants of the first. A repeated name gets the folder of the artwork, and a number.
 class LibraryView : public ShapeLibrary {
  public:
   struct Twin {
-    std::string path;  // of the file
-    std::string name;  // in it
-    std::string kept;  // the name of the shape that stands for it
+    std::string path;  // path of the file
+    std::string name;  // name in that file
+    std::string kept;  // name of the shape that is used instead
   };
 
-  /// Throws InputError as LibraryFile does; where the files were built with different parameters; where the choice is
-  /// empty (NoSuchColours where by colours); and where a file does not know its drawings' colours and they are asked for.
+  /// Throws InputError like LibraryFile. Also throws it where files were built with different parameters, where the choice
+  /// is empty (NoSuchColours, if because of colours), and where colours are asked for that a file does not know.
   explicit LibraryView(const LibraryChoice& choice);
 
   const std::string& path() const override { return path_; }
@@ -67,26 +68,26 @@ class LibraryView : public ShapeLibrary {
   std::vector<StyleFeatures> styles() const override;
   std::vector<std::uint32_t> drawings() const override;
   std::vector<Shape> read(std::size_t begin, std::size_t end, const LibraryParts& parts) const override;
-  /// Of one file as a whole.
+  /// The stored models, if the view is one whole file.
   std::shared_ptr<const ModelSource> stored_models(const MatchingContext& context) const override;
 
-  /// Of the shapes [begin, end).
+  /// The heads of the shapes [begin, end).
   std::vector<ShapeHead> heads(std::size_t begin, std::size_t end) const;
 
-  /// The names in the files, of all their shapes, chosen or not.
+  /// The names of all shapes in the files, chosen or not.
   std::vector<std::string> names_in_files() const;
 
-  /// What was left out for being there already.
+  /// The shapes that were left out because an earlier one is the same.
   const std::vector<Twin>& twins() const { return twins_; }
 
  private:
   struct Entry {
     std::uint32_t file;
-    std::uint32_t index;  // in the file
+    std::uint32_t index;  // number in the file
     std::uint32_t variant_of;
-    std::string new_name;  // empty: as in the file
+    std::string new_name;  // empty: the name in the file
     bool mirrored = false;
-    std::uint32_t drawing = 0;  // the entry that it is the mirror image of, mostly itself
+    std::uint32_t drawing = 0;  // the entry whose mirror image it is, mostly itself
   };
   class Gathering;
 
@@ -100,7 +101,7 @@ class LibraryView : public ShapeLibrary {
 
   std::vector<LibraryFile> files_;
   std::string path_;
-  std::vector<Entry> entries_;  // empty: all of the only file
+  std::vector<Entry> entries_;  // empty: all shapes of the only file
   bool drawn_sizes_;
   bool styles_;
   std::vector<Twin> twins_;

@@ -1,4 +1,4 @@
-// Which shapes of a library may stand as their mirror images.
+// The rules by which shapes of a library may stand as their mirror images.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ inline const std::vector<std::string>& mirroring_words() {
   return words;
 }
 
-/// Of the shapes with such names (patterns as in name_globs.h).
+/// A rule about mirroring for shapes with such names (patterns as in name_globs.h).
 struct MirroringRule {
   std::vector<std::string> names;
   Mirroring mirroring = Mirroring::never;

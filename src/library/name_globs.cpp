@@ -16,9 +16,9 @@ namespace tessera {
 namespace {
 
 constexpr std::size_t kNearNames = 5;
-constexpr std::size_t kLongestCompared = 100;  // of a pattern; nobody mistypes a longer one by a letter
+constexpr std::size_t kLongestCompared = 100;  // of a pattern; a longer one is hardly mistyped by single letters
 
-/// What a pattern asks of a name, one after the other: a letter, or one of these.
+/// The parts of a pattern: a letter, any letter, or any number of letters.
 constexpr int kAnyLetter = -1, kAnyLetters = -2;
 
 std::vector<int> parts_of(const std::string& glob) {
@@ -37,7 +37,7 @@ std::vector<int> parts_of(const std::string& glob) {
   return parts;
 }
 
-/// How many letters of the pattern or of the name are too many, missing or others.
+/// The number of letters in the name that are missing, superfluous or different from the pattern.
 std::size_t mistakes(const std::vector<int>& parts, const std::string& name) {
   std::vector<std::size_t> row(name.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t(0));
@@ -54,7 +54,8 @@ std::size_t mistakes(const std::vector<int>& parts, const std::string& name) {
   return row.back();
 }
 
-/// How far a name is from what the pattern may have meant: its letters in another case, a part of the name, misspelt.
+/// How far a name is from what the pattern may have meant: 0 where the letters differ only in case or the pattern is a part
+/// of the name.
 std::size_t distance(const std::string& glob, const std::vector<int>& parts, const std::string& name) {
   if (::fnmatch(("*" + glob + "*").c_str(), name.c_str(), FNM_CASEFOLD) == 0) return 0;
   return 1 + mistakes(parts, name.substr(0, kLongestCompared));
@@ -80,7 +81,7 @@ Places all_places(const NameIndex& names) {
   return places;
 }
 
-/// Ascending, each once. `missing` is told of patterns that match no name.
+/// The places of matching names, ascending, each once. Calls `missing` for patterns that match no name.
 Places places_of(const std::vector<std::string>& globs, const NameIndex& names,
                  const std::function<void(const std::string& glob)>& missing) {
   Places places;

@@ -1,4 +1,4 @@
-// A choice of shapes by their names.
+// Chooses shapes by their names.
 #pragma once
 
 #include <cstdint>
@@ -10,32 +10,32 @@
 
 namespace tessera {
 
-/// Patterns as the shell knows them: * any characters, ? one, [abc] one of these, \ the next as it is. They tell case
-/// and are compared with the whole name. A name that is the pattern letter by letter wins over the names that the
-/// pattern is of (NameIndex::matching).
+/// Patterns like those of a shell: * is any number of characters, ? one, [abc] one of these, \ takes the next character as
+/// it is. They are case-sensitive and match the whole name. Where a name is identical with the pattern, the pattern means
+/// this name alone (NameIndex::matching).
 struct NameGlobs {
   std::vector<std::string> include;  // empty: all names
-  std::vector<std::string> exclude;  // of the included ones
+  std::vector<std::string> exclude;  // patterns to take out of the included names
 
   bool empty() const { return include.empty() && exclude.empty(); }
 };
 
-/// "include: ..." or "exclude: ..."; who knows where the patterns come from says so.
+/// The message is "include: ..." or "exclude: ...". Callers that know where the patterns come from name that place.
 class NamesNotFound : public InputError {
  public:
   NamesNotFound(const std::string& list, const std::string& reason)
       : InputError(list + ": " + reason),
         reason_(reason) {}
 
-  /// Without the list's name.
+  /// The reason without the list's name.
   const std::string& reason() const { return reason_; }
 
  private:
   std::string reason_;
 };
 
-/// The places, ascending, of the names of `library` that are chosen. Throws NamesNotFound where a pattern of `include`
-/// matches no name, and tells names that are near it, or where nothing is left.
+/// The places of the chosen names, ascending. Throws NamesNotFound where a pattern of `include` matches no name (it
+/// suggests similar names), or where nothing is left. `library`: for messages.
 std::vector<std::uint32_t> chosen_names(const NameIndex& names, const NameGlobs& globs, const std::string& library);
 
 }  // namespace tessera

@@ -16,7 +16,7 @@ constexpr LibraryParts kOneColourParts{
 
 using LabColour = std::array<float, 3>;
 
-/// Of the shapes that have one colour each.
+/// The colours of the shapes that have one colour each.
 std::vector<LabColour> single_colours(const ShapeLibrary& library) {
   std::vector<LabColour> colours;
   for (std::size_t at = 0; at < library.size(); at += kColouredAtATime) {

@@ -1,12 +1,12 @@
-// Whether a library is one of silhouettes: cut of one colour, which says nothing about them.
+// Recognises a library of silhouettes, drawn in one colour that tells nothing about them.
 #pragma once
 
 #include "library/storage/shape_library.h"
 
 namespace tessera {
 
-/// Nearly all shapes are of one colour each, and all of these of the same. What libraries of older versions do not know
-/// counts as no. Throws as ShapeLibrary::read().
+/// Whether nearly all shapes have one colour each, and all the same one. False for libraries of older versions, which do
+/// not know. Throws as ShapeLibrary::read().
 bool is_of_one_colour(const ShapeLibrary& library);
 
 }  // namespace tessera

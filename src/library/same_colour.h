@@ -1,4 +1,4 @@
-// When two drawings of one silhouette are one shape.
+// Decides whether two drawings of one silhouette become one shape.
 #pragma once
 
 #include <array>
@@ -6,9 +6,9 @@
 
 namespace tessera {
 
-/// They are kept both where their mean colours differ by more than this distance in CIELAB: a clear difference beside
-/// each other (a just noticeable one is about 2.3). The edge of a drawing that was exported in another size changes it
-/// by less than 1.
+/// Both drawings are kept where their mean colours differ by more than this distance in CIELAB: side by side that is a
+/// clear difference (about 2.3 is just noticeable). Exporting a drawing in another size changes its edge, and the mean by
+/// less than 1.
 inline constexpr float kLeastColourDifference = 5;
 
 inline bool same_colour(const std::array<float, 3>& lab_a, const std::array<float, 3>& lab_b) {

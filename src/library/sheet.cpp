@@ -30,7 +30,7 @@ double text_width(cairo_t* cairo, const std::string& text) {
   return extents.x_advance;
 }
 
-/// The longest beginning of a UTF-8 text that fits, with an ellipsis where something is missing.
+/// The longest beginning of a UTF-8 text that fits, with an ellipsis where something was cut.
 std::string fitted(cairo_t* cairo, std::string text, double width_px) {
   if (text_width(cairo, text) <= width_px) return text;
   while (!text.empty() && text_width(cairo, text + "…") > width_px) {

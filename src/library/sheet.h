@@ -1,4 +1,4 @@
-// A sheet of pictures with captions below them and a title above: what contact sheets have in common.
+// A sheet of pictures with captions below them and a title above; contact sheets use it.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@
 
 namespace tessera {
 
-/// Where the cells of a sheet lie: rows of equal pictures, a little wider than high as a whole.
+/// The places of the cells of a sheet: rows of equal pictures. The whole is a little wider than high.
 struct SheetLayout {
   int cell_width_px;
-  int cell_height_px;  // of the picture; the caption stands below it
+  int cell_height_px;  // of the picture; the caption is below it
   int caption_px;      // height of all its lines
   int columns;
   int rows;
@@ -23,7 +23,7 @@ struct SheetLayout {
   int y_px(std::size_t cell) const;
 };
 
-/// `pictures` >= 1 in `max_columns` columns or fewer.
+/// A layout for `pictures` >= 1 in at most `max_columns` columns.
 SheetLayout make_sheet_layout(std::size_t pictures, int cell_width_px, int cell_height_px, int caption_px,
                               int max_columns);
 
@@ -35,15 +35,15 @@ class Sheet {
   cairo_t* cairo() const { return cairo_.get(); }
   const SheetLayout& layout() const { return layout_; }
 
-  /// One line of text in the middle below the cell's picture, cut to its width. Lines count from 0.
+  /// Writes one line of text, centred below the cell's picture and cut to its width. Lines count from 0.
   void caption(std::size_t cell, int line, const std::string& text) const;
-  /// Throws EnvironmentError where cairo cannot; `path` only names it.
+  /// The sheet as a PNG. Throws EnvironmentError where cairo fails; `path` is only for the message.
   std::vector<std::uint8_t> png(const std::string& path) const;
 
  private:
   SheetLayout layout_;
   CairoSurface surface_;
-  CairoContext cairo_;  // refers to the surface, so it goes first
+  CairoContext cairo_;  // refers to the surface, so it is destroyed first
 };
 
 }  // namespace tessera

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kMaxThumbnailSide_px = 1024;
 
-/// A PNG says its size at a fixed place.
+/// Checks the size that the PNG states at a fixed place.
 bool has_sane_size(std::span<const std::uint8_t> png) {
   if (png.size() < 24) return false;
   const auto side = [&](std::size_t at) {
@@ -25,8 +25,8 @@ bool has_sane_size(std::span<const std::uint8_t> png) {
   return std::min(side(16), side(20)) >= 1 && std::max(side(16), side(20)) <= kMaxThumbnailSide_px;
 }
 
-/// Premultiplied BGRA, which is cairo's ARGB32; empty where the thumbnail is damaged: the cell then shows the outline
-/// only.
+/// The thumbnail in premultiplied BGRA, which is cairo's ARGB32. Empty where it is damaged: the cell then shows only the
+/// outline.
 cv::Mat decoded(Drawers& drawers, std::span<const std::uint8_t> png) {
   if (!has_sane_size(png)) return {};
   try {
@@ -59,7 +59,7 @@ struct CellBox {
   double side() const { return std::max(most.x - least.x, most.y - least.y); }
 };
 
-/// In the artwork frame, cut to the cell around it: pages often hold more than the shape.
+/// Draws the thumbnail, placed by the artwork frame and cut to the cell, because pages often hold more than the shape.
 void draw_thumbnail(cairo_t* cairo, const Artwork& artwork, cv::Mat bgra) {
   if (bgra.empty()) return;
   const CairoSurface image(

@@ -1,4 +1,4 @@
-// A shape of a library as sheets of its drawings show it.
+// Draws a shape of a library into a cell of a sheet.
 #pragma once
 
 #include <string>
@@ -14,17 +14,17 @@ struct SheetCell {
   double x_px;
   double y_px;
   double side_px;
-  bool outlined;  // the outline is drawn over the drawing: where they disagree, the tracing went wrong
+  bool outlined;  // draws the outline over the drawing: where they differ, tracing went wrong
 };
 
-/// The library's name and how much of it is shown, UTF-8.
+/// The library's name and how many of its shapes are shown, UTF-8.
 std::string sheet_title(const LibraryFile& library, std::size_t shown);
 
-/// With outline and thumbnail. Throws InputError where the library is damaged.
+/// Reads a shape with outline and thumbnail. Throws InputError where the library is damaged.
 Shape shape_for_sheet(const LibraryFile& library, std::size_t index);
 
-/// The thumbnail in the artwork frame, cut to the cell around it: pages often hold more than the shape. Where it is
-/// damaged, the outline alone.
+/// Draws the thumbnail, placed by the artwork frame and cut to the cell, because pages often hold more than the shape.
+/// Where the thumbnail is damaged, draws only the outline.
 void draw_on_sheet(cairo_t* cairo, Drawers& drawers, const Shape& shape, const SheetCell& cell);
 
 }  // namespace tessera

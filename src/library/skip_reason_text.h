@@ -1,4 +1,4 @@
-// Why a file gives no shape, in words for its owner.
+// Says in words why a file gives no shape.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace tessera {
 
-/// Says for messages and tables what the reason is, and what the user can do about it.
+/// The reason, and what the user can do about it, for messages and tables.
 std::string skip_reason_text(SkipReason reason);
 
 }  // namespace tessera

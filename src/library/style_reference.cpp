@@ -32,7 +32,7 @@ StylePlace style_reference(const NameIndex& names, const std::vector<StylePlace>
 }
 
 std::string unknown_style_text(const std::string& library, const std::string& shape) {
-  return library + " does not know the style of " + shape + ", as libraries of older versions; build it again";
+  return library + " does not know the style of " + shape + ", because an older version built it; build it again";
 }
 
 }  // namespace tessera

@@ -12,14 +12,14 @@ namespace tessera {
 namespace {
 
 constexpr int kStyleCell_px = 108;
-constexpr int kCaption_px = 34;  // the name, and below the first of a group what group it is
+constexpr int kCaption_px = 34;  // the name, and for the first of a group a line about the group
 constexpr std::size_t kColumns = 16;
-constexpr std::size_t kMostRows = 2;  // of a group
+constexpr std::size_t kMostRows = 2;  // of one group
 
 struct Cell {
-  std::size_t place;  // on the sheet
+  std::size_t place;  // its place on the sheet
   std::uint32_t shape;
-  std::string group;  // of the first of a group
+  std::string group;  // only for the first of a group
 };
 
 std::vector<Cell> cells_of(const std::vector<StyleGroup>& groups) {

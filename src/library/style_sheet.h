@@ -1,4 +1,4 @@
-// A picture of a library in groups of like style.
+// Draws a library in groups of similar style.
 #pragma once
 
 #include <string>
@@ -9,8 +9,9 @@
 
 namespace tessera {
 
-/// Writes a PNG: a group after the other, each in rows of its own, from the typical drawing to the outermost; of a larger
-/// group evenly chosen ones. Returns how many drawings are shown. Throws as write_contact_sheet.
+/// Writes a PNG with one group after the other, each in rows of its own, from the typical drawing to the most different
+/// one. Of a large group it shows evenly chosen drawings. Returns the number of drawings shown. Throws as
+/// write_contact_sheet().
 std::size_t write_style_sheet(const LibraryFile& library, const std::vector<StyleGroup>& groups,
                               const std::string& path);
 

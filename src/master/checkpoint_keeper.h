@@ -1,4 +1,5 @@
-// Where the loop's state is kept for a restart, and when: injected, so that the loop knows neither files nor clocks.
+// Keeps the loop's state for a restart, and decides when. The caller injects it, so that the loop knows neither files nor
+// clocks.
 #pragma once
 
 #include "core/collage/checkpoint_state.h"
@@ -8,9 +9,9 @@ namespace tessera::master {
 class CheckpointKeeper {
  public:
   virtual ~CheckpointKeeper() = default;
-  /// Asked after every round and trial, whether the state is to be kept now.
+  /// Whether the loop shall keep its state now. The loop asks after every round and every trial.
   virtual bool due() = 0;
-  /// Does not throw where the state cannot be kept: the loop goes on without.
+  /// Keeps the state. Does not throw where that fails: the loop goes on without a checkpoint.
   virtual void keep(const CheckpointState& state) = 0;
 };
 

@@ -20,13 +20,13 @@ double area_px2(const Placement& p) {
   return double(scale) * scale;
 }
 
-/// Else the piece would reach its own image.
+/// Whether the piece fits into one period. A longer piece would reach its own image.
 bool fits_into(const Period& period, const Extent& piece) {
   const Vec2 size = piece.high - piece.low;
   return (period.x_px == 0 || size.x <= float(period.x_px)) && (period.y_px == 0 || size.y <= float(period.y_px));
 }
 
-/// The image whose centre lies in the first period stands for all.
+/// Moves the candidate to the image whose centre lies in the first period; it stands for all images.
 void bring_into_one_period(Candidate& candidate, const Period& period) {
   const Vec2 found = candidate.canvas_from_shape.translation();
   candidate.canvas_from_shape = period.wrapped(candidate.canvas_from_shape);
@@ -37,7 +37,7 @@ void bring_into_one_period(Candidate& candidate, const Period& period) {
   window = {window.x0 + dx, window.y0 + dy, window.x1 + dx, window.y1 + dy};
 }
 
-/// Those that are in one of the two lists alone.
+/// The symmetric difference of both lists.
 std::vector<Placement> difference(std::vector<Placement> a, std::vector<Placement> b) {
   const auto before = [](const Placement& p, const Placement& q) {
     const auto key = [](const Placement& x) {
@@ -93,13 +93,13 @@ void Collage::begin(std::vector<Placement> standing, std::size_t given, std::uin
   schedule_.mark(free_.field().value.bounds());
 }
 
-/// By the distances that pieces keep from their like.
+/// The shapes that find no place, because of the distances that pieces keep from their like.
 std::vector<ShapeId> Collage::shut_out_shapes() const {
   if (!apart_.matters()) return {};
   return apart_.shut_out(context().library_shapes, [this](const auto& holds) { return curve_.any_position(holds); });
 }
 
-/// The open shapes follow from the placements: whatever came and went, the same may stand.
+/// Updates the open shapes, which follow from the placements alone, and drops candidates that may no longer stand.
 void Collage::update_open_shapes() {
   if (!scoring_.limits_uses() && !apart_.matters()) return;
   if (!open_shapes_.update(shut_out_shapes(), double(free_.free_256ths_px2()) / 256)) return;
@@ -187,7 +187,7 @@ Window Collage::replace_placements(std::vector<Placement> placements) {
   return window;
 }
 
-/// The free field anew in the windows of the pieces that come and go.
+/// Computes the free field again in the windows of pieces that come and go.
 Window Collage::restamp(const std::vector<Placement>& changed) {
   Window window;
   for (const Placement& p : changed) window = free_.grid().united(window, stamp_window(p));
@@ -234,7 +234,7 @@ void Collage::drop_what_is_too_near_to(const Placement& placement) {
   for (const SampleId id : ids) review(id, may_stay);
 }
 
-/// Target samples that may have candidates whose windows overlap an image of `changed`.
+/// The target samples that may have candidates whose windows overlap an image of `changed`.
 std::vector<SampleId> Collage::pooled_near(const Window& changed) const {
   const PeriodicGrid& grid = free_.grid();
   if (!grid.period().repeats()) return pool_.reached_by(changed);
@@ -280,7 +280,8 @@ void Collage::rescore(const Window& changed, const std::vector<DockingTerms>& te
   }
 }
 
-/// A target sample that loses most of its candidates is matched again where there were more.
+/// Drops the candidates of a sample that `keep` refuses. Where few are left and matching had found more, the sample is
+/// matched again.
 template <class Keep>
 void Collage::review(SampleId id, Keep keep) {
   const bool lost = pool_.review(id, keep);

@@ -33,68 +33,69 @@ namespace tessera::master {
 
 class Collage {
  public:
-  /// `context`: at size factor 1. `settings` have their sizes times `size_factor`.
+  /// `context`: at size factor 1. The sizes in `settings` are already multiplied by `size_factor`.
   Collage(const Canvas& canvas, const CollageSettings& settings, const MatchingContext& context, ShapeSource& shapes,
           float size_factor = 1);
   Collage(const Collage&) = delete;  // its parts refer to each other
   Collage& operator=(const Collage&) = delete;
 
-  /// From begin() on pieces dock where this says.
+  /// Makes pieces dock as `growth` says. To be called before begin().
   void grow_by(OutwardGrowth growth) { growth_ = std::move(growth); }
-  /// Begins with these pieces, of which the first `given` stand to the end, in this region of the canvas.
+  /// Begins the region number `region` of the canvas with these pieces. The first `given` of them stay to the end.
   void begin(std::vector<Placement> standing, std::size_t given, std::uint32_t region);
 
-  /// Which shapes may come in for the moment; it follows from the placements.
+  /// The shapes that may be placed at the moment; they follow from the placements.
   const OpenShapes& open_shapes() const { return open_shapes_; }
-  /// Which target samples are to be matched.
+  /// The target samples that are to be matched.
   SampleSchedule& schedule() { return schedule_; }
 
-  /// The nodes of the free field that changed since the last call; all of them at first. On a seamless canvas this
-  /// window, like all those below, stands for all of its images (PeriodicGrid).
+  /// The nodes of the free field that changed since the last call; at first these are all nodes. On a seamless canvas this
+  /// window, like all windows below, stands for all of its images (PeriodicGrid).
   Window take_changed_nodes();
 
-  /// What was found for these samples enters the pool, as far as it may stand.
+  /// Puts the candidates that were found for these samples into the pool, as far as they may stand.
   void add_candidates(const std::vector<TargetSample>& samples, const MatchRound& round);
 
-  /// Checks those candidates exactly that would be finalists now, while the workers match. Never changes what choose()
-  /// finds, only how long that takes.
+  /// Checks exactly the candidates that would be finalists now, while the workers match. It changes how long choose()
+  /// takes, never what choose() finds.
   void check_ahead();
 
-  /// Whether a gap round these nodes is as wide as some shape that encloses much, and may stand, with all that it encloses.
+  /// Whether a gap at these nodes is wide enough for some shape that hardly docks (HullRoom) and may stand, with all that
+  /// the shape encloses.
   bool leaves_wide_gap(const Window& window);
-  /// Finds a piece for such a gap by going through its nodes and rotations, where dockings find none; its size is the
-  /// smallest, and what it grows. False where it finds none.
+  /// Looks for a piece for such a gap where docking finds none: it tries nodes and rotations, at the smallest size, and
+  /// lets the piece grow. False where it finds none.
   bool choose_in_gap(Candidate& best, const Window& window, const StopCheck& check_stop);
 
-  /// Finds the candidate of the pool that is worth most after the finalists were checked exactly, made clear of their
-  /// neighbours and grown. False where the pool is dry. `check_stop` is called again and again and may throw: what has
-  /// changed then would have changed anyway, and the next call finds what this one would have found.
+  /// Finds the best candidate of the pool, after it has checked the finalists exactly, moved them clear of their neighbours
+  /// and grown them. False where no candidate of the pool fits. It calls `check_stop` often, which may throw: the pool is
+  /// then in a state from which the next call finds the same candidate.
   bool choose(Candidate& best, const StopCheck& check_stop = never_stop);
 
-  /// Merge: takes the piece out of the free region and brings the target curve up to date. Returns the nodes within
-  /// which candidates have to be measured anew.
+  /// Merges the candidate: places it, takes it out of the free region and updates the target curve. Returns the nodes
+  /// within which candidates have to be measured again.
   Window place(const Candidate& candidate);
   /// The candidates whose windows overlap `changed`.
   std::vector<Docking> touched_by(const Window& changed) const;
-  /// The terms of such candidates by the master's own computation, for where the matcher does not answer any more. It
-  /// agrees with the matcher's to the bit.
+  /// The terms of these candidates, computed by the master where the matcher no longer answers. They agree with the
+  /// matcher's to the bit.
   std::vector<DockingTerms> measure(const std::vector<Docking>& dockings);
-  /// Gives those candidates the terms that they have now, in the order of touched_by(changed).
+  /// Gives the candidates of touched_by(changed) their new terms, which come in the same order.
   void rescore(const Window& changed, const std::vector<DockingTerms>& terms);
 
-  /// Makes the collage one of `placements`: of the present ones some may be missing, others be new. Pool and stale
-  /// samples are forgotten but for what the change renewed: what comes next follows from the placements before and
-  /// after, not from how they came about. Returns where pieces came or went.
+  /// Makes the collage one of `placements`, which may lack some of the present pieces and hold new ones. Forgets the pool
+  /// and the samples that wait for matching, but for samples that the change renewed: so what comes next follows from the
+  /// placements before and after alone. Returns the window in which pieces came or went.
   Window replace_placements(std::vector<Placement> placements);
 
-  /// Adds all that the collage keeps beside settings, canvas and library.
+  /// Adds the collage's state, but for settings, canvas and library.
   void save(CheckpointState& state) const;
   /// Restores the state into a collage without placements. Throws InputError where the state does not belong to canvas
-  /// and library, or where what is rebuilt from it is not what was saved.
+  /// and library, or where the parts rebuilt from it differ from the saved ones.
   void restore(const CheckpointState& state);
 
-  /// The distance from the piece to the point, or to its image that is nearest to the piece's centre, px, negative
-  /// inside.
+  /// The distance from the piece to the point, px, negative inside. On a seamless canvas it takes the point's image that is
+  /// nearest to the piece's centre.
   float distance_px(const Placement& placement, Vec2 point_px);
 
   const FreeField& free() const { return free_; }
@@ -103,7 +104,7 @@ class Collage {
   std::size_t open_samples() const { return curve_.sample_count(); }
 
  private:
-  /// A copy of a candidate, which the pool does not know as it is here.
+  /// A copy of a pooled candidate; what is found out about it reaches the pool by keep_checks().
   struct Finalist {
     Pool::Ranked ranked;
     Candidate candidate;
@@ -145,7 +146,7 @@ class Collage {
   ExactChecks checks_;
   std::vector<Placement> placements_;
   PlacedOutlines outlines_;            // of the placements
-  std::map<ShapeId, HullRoom> rooms_;  // of shapes that were looked at
+  std::map<ShapeId, HullRoom> rooms_;  // only of shapes that were asked for
   Scoring scoring_;
   OpenShapes open_shapes_;
   KeptApart apart_;

@@ -1,4 +1,4 @@
-// Collage: its state out and in.
+// Saves and restores the state of a Collage.
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +9,7 @@
 namespace tessera::master {
 namespace {
 
-constexpr float kScaleSlack = 2;     // pieces leave the allowed scales by a rounding at most
+constexpr float kScaleSlack = 2;     // rounding may take pieces out of the allowed scales by far less
 constexpr float kFarAway_px = 1e6f;  // beyond any canvas
 constexpr float kLongestContour = 1e4f;
 constexpr float kLeastScale_px = 1e-3f;  // no job allows less; below, squares vanish
@@ -20,7 +20,7 @@ constexpr double kMostCovered = 4;       // times the canvas
                    "; --restart removes it and starts again");
 }
 
-/// A piece that was given may be of any size, locked or not.
+/// Whether a pose is possible at all. A given piece may have any size, locked or not.
 bool sane(const Similarity& pose) {
   const auto near = [](float at_px) { return std::abs(at_px) < kFarAway_px; };  // not NaN either
   return near(pose.tx) && near(pose.ty) && near(pose.scale()) && pose.scale() > kLeastScale_px;
@@ -31,12 +31,12 @@ bool sane(const Similarity& pose, const PieceSettings& pieces) {
          pose.scale() <= kScaleSlack * pieces.max_scale_px;
 }
 
-/// Of a shape of area 1: no disc has less of either.
+/// Whether perimeter and radius are possible for a shape of area 1: no shape has less of either than a disc.
 bool sane(float perimeter, float radius) {
   return perimeter >= 3.4f && perimeter <= kLongestContour && radius >= 0.55f && radius <= kLongestContour;
 }
 
-/// No larger than the canvas and as much again on each side: the pool looks at all tiles of the largest window.
+/// Whether the window reaches at most one canvas size beyond the canvas. The pool looks at all tiles of the largest window.
 bool sane(const Window& window, const Window& canvas) {
   const Window most = canvas.grown(std::max(canvas.width(), canvas.height()));
   return window.intersected(most) == window && !window.empty();
@@ -81,45 +81,46 @@ class StateChecks {
     if (index_of(shape) >= shapes) {
       fail(state_, "shape " + std::to_string(index_of(shape)) + " of " + std::to_string(shapes));
     }
-    if (!(any_size ? sane(pose) : sane(pose, settings_.pieces))) fail(state_, "a piece out of all proportion");
+    if (!(any_size ? sane(pose) : sane(pose, settings_.pieces)))
+      fail(state_, "a piece with an impossible size or place");
   }
 
   void check_candidate(const Candidate& c) const {
     check_piece(c.shape, c.canvas_from_shape, false);
-    if (c.stance >= open_shapes_.stances().stances().size())
-      fail(state_, "a way of standing that the job does not know");
+    if (c.stance >= open_shapes_.stances().stances().size()) fail(state_, "a stance that the job does not have");
     if (!sane(c.window, free_.field().value.bounds()) || !sane(c.perimeter, c.radius)) {
-      fail(state_, "a candidate out of all proportion");
+      fail(state_, "a candidate with an impossible size or place");
     }
   }
 
-  /// The pieces that job or region gave are the first, and where they were; the others cover the canvas about once.
+  /// Checks the pieces of a replacement phase: the given ones come first and have not moved, the others cover the canvas
+  /// about once.
   void check_moving() const {
     const std::vector<Placement>& moving = state_.loop.moving;
     if (moving.empty()) return;
     const std::size_t given = open_shapes_.given();
     if (state_.loop.phase != LoopPhase::replacing || moving.size() < given ||
         !std::equal(moving.begin(), moving.begin() + std::ptrdiff_t(given), state_.placements.begin())) {
-      fail(state_, "pieces move that may not");
+      fail(state_, "its replacement phase moves pieces that must stay");
     }
     for (std::size_t i = 0; i < moving.size(); ++i) {
       check_piece(moving[i].shape, moving[i].canvas_from_shape, i < given || frees_given_pieces_);
     }
-    check_cover(moving, "more pieces move than have room");
+    check_cover(moving, "its replacement phase has far more pieces than fit");
   }
 
-  /// Of an attempt at other sizes: the pieces that are given are the first there, too.
+  /// Checks the pieces of the best attempt at sizes; the given pieces come first there, too.
   void check_best() const {
     const std::vector<Placement>& best = state_.best.placements;
     for (const Placement& p : best) {
       if (index_of(p.shape) >= open_shapes_.context().library_shapes || !sane(p.canvas_from_shape)) {
-        fail(state_, "a piece of an attempt out of all proportion");
+        fail(state_, "a piece of its best attempt with an impossible size or place");
       }
     }
-    if (!best.empty()) check_cover(best, "more pieces of an attempt than have room");
+    if (!best.empty()) check_cover(best, "its best attempt has far more pieces than fit");
   }
 
-  /// Without the pieces that are given.
+  /// Checks that the pieces, without the given ones, do not cover far more than the canvas.
   void check_cover(const std::vector<Placement>& pieces, const char* what) const {
     double area_px2 = 0;
     for (std::size_t i = open_shapes_.given(); i < pieces.size(); ++i) {
@@ -156,7 +157,7 @@ void Collage::restore(const CheckpointState& state) {
   replace_placements(state.placements);
   checks.check_samples(curve_);
   if (rebuilt_digest() != state.rebuilt_digest) {
-    fail(state, "its pieces do not give the free region that it was written for");
+    fail(state, "its pieces leave another free region than the saved one");
   }
   for (const PooledSample& sample : state.pool) pool_.put_back(sample.id, sample.candidates, sample.truncated);
   schedule_.restore(state);

@@ -1,4 +1,4 @@
-// Collage: which candidate becomes the next piece.
+// Collage: chooses the candidate that becomes the next piece.
 #include <algorithm>
 #include <set>
 
@@ -12,8 +12,8 @@ namespace tessera::master {
 namespace {
 
 constexpr std::uint32_t kShapesLookedAt = 64;
-constexpr std::size_t kGapShapes = 8;                // looked at when a wide gap is searched
-constexpr int kGapAttempts = 64;                     // poses that are settled then
+constexpr std::size_t kGapShapes = 8;                // shapes that are tried in a wide gap
+constexpr int kGapAttempts = 64;                     // poses that are settled in a wide gap
 constexpr std::uint64_t kFirstPiece = 0x6669727374;  // keeps these random numbers apart from those of the dockings
 
 }  // namespace
@@ -53,7 +53,7 @@ void Collage::check_ahead() {
   }
 }
 
-/// Makes a piece of the candidate, which may change what it is worth: that is measured again. False: it is given up.
+/// Makes a piece of the candidate and measures it again, as settling may change what it is worth.
 Collage::Settled Collage::settle(Candidate& candidate) {
   const Stance& stance = context().stances[candidate.stance];
   const PoseRange poses = sized_at(context(), stance, candidate.canvas_from_shape.translation()).poses;
@@ -72,8 +72,8 @@ const HullRoom& Collage::room_of(ShapeId shape) {
   return found != rooms_.end() ? found->second : rooms_.emplace(shape, hull_room(shapes_.shape(shape))).first->second;
 }
 
-/// Those that hardly dock, of the shapes that stand and may do so again and of some others that may stand, which are
-/// other ones each time; and for which such a gap is wide enough.
+/// The shapes that hardly dock and for which a gap of this width is enough. They come from the shapes that stand and may do
+/// so again, and from some other open shapes, which differ from call to call.
 std::vector<ShapeId> Collage::shapes_for_gap(float gap_px) {
   const StanceTable& stances = context().stances;
   std::set<ShapeId> shapes;
@@ -99,13 +99,13 @@ std::vector<ShapeId> Collage::shapes_for_gap_in(const Window& window) {
 
 bool Collage::leaves_wide_gap(const Window& window) { return !shapes_for_gap_in(window).empty(); }
 
-/// Of a few shapes, other ones each time, the first that is found to fit and touches as much as any piece must. Where
-/// there is none the one that touches most: tips of rays are too small a part of their boundary.
+/// Tries a few shapes, which differ from call to call, and takes the first that fits and touches as much as any piece must.
+/// Where there is none it takes the one that touches most: tips of rays are too small a part of a boundary.
 bool Collage::choose_in_gap(Candidate& best, const Window& window, const StopCheck& check_stop) {
   if (growth_) return false;
   const std::vector<ShapeId> shapes = shapes_for_gap_in(window);
   int attempts = kGapAttempts;
-  float most_matched = -1;  // of its perimeter, by `best`
+  float most_matched = -1;  // part of its perimeter that `best` touches
   for (std::size_t k = 0; k < std::min(shapes.size(), kGapShapes); ++k) {
     const ShapeId id = shapes[(placements_.size() + k) % shapes.size()];
     const HullRoom& room = room_of(id);
@@ -135,15 +135,15 @@ bool Collage::choose_in_gap(Candidate& best, const Window& window, const StopChe
   return most_matched >= 0;
 }
 
-/// Where the canvas repeats both ways there is no boundary until something stands, and what grows outward docks to
-/// none.
+/// Whether the first piece has to be chosen without docking. A canvas that repeats both ways has no boundary until
+/// something stands, and pieces that grow outward do not dock to the canvas' edge.
 bool Collage::needs_first_piece() const {
   if (placements_.size() != open_shapes_.given() || !(growth_ || free_.grid().period().repeats_both_ways()))
     return false;
   return !schedule_.any_may_dock();
 }
 
-/// Any shape, large and as upright as it may be, in the middle.
+/// Chooses a random shape for the middle, as large and as upright as it may be.
 bool Collage::choose_first(Candidate& first, const StopCheck& check_stop) {
   const Window& nodes = free_.grid().one_period();
   Vec2 middle_px = free_.field().origin + Vec2{0.5f * float(nodes.x0 + nodes.x1), 0.5f * float(nodes.y0 + nodes.y1)};
@@ -166,7 +166,7 @@ bool Collage::choose_first(Candidate& first, const StopCheck& check_stop) {
   return false;
 }
 
-/// Best first.
+/// The finalists with exact scores, best first.
 std::vector<Collage::Finalist> Collage::checked_finalists(const StopCheck& check_stop) {
   std::vector<Finalist> checked;
   for (const Pool::Ranked& ranked : finalists()) {
@@ -180,7 +180,8 @@ std::vector<Collage::Finalist> Collage::checked_finalists(const StopCheck& check
   return checked;
 }
 
-/// Settling may cost a candidate its place: it is the best only if no other is worth more before its own.
+/// Settles finalists until none of the rest can be worth more than the best settled one: settling may lower what a
+/// candidate is worth.
 bool Collage::settle_best(std::vector<Finalist>& finalists, Candidate& best, const StopCheck& check_stop) {
   float best_value = -1;
   for (Finalist& finalist : finalists) {
@@ -199,7 +200,7 @@ bool Collage::settle_best(std::vector<Finalist>& finalists, Candidate& best, con
   return best_value >= 0;
 }
 
-/// What was found out about the finalists, for the pool.
+/// Writes what was found out about the finalists into the pool.
 void Collage::keep_checks(std::vector<Finalist>& finalists) {
   for (Finalist& finalist : finalists) {
     Candidate& pooled = pool_.at(finalist.ranked);
@@ -212,8 +213,8 @@ void Collage::keep_checks(std::vector<Finalist>& finalists) {
   }
 }
 
-/// Where nothing fits any more all of the pool is given up, eight at a time. The pool changes only where eight are
-/// through: from there on a run that goes on does the same.
+/// Takes finalists from the pool, eight at a time, until one fits or the pool is empty. The pool changes only after all
+/// eight are judged, so a run that goes on after an interruption does the same.
 bool Collage::choose(Candidate& best, const StopCheck& check_stop) {
   if (needs_first_piece()) return choose_first(best, check_stop);
   for (;;) {

@@ -23,7 +23,7 @@ void fill_region(LoopRun& run) {
   }
 }
 
-/// Goes beyond the greedy paper: trials replace pieces or move all of them, and what covers more is kept.
+/// Goes beyond the greedy paper: trials replace pieces or move all of them, and lower the loss.
 void improve_region(LoopRun& run) { run.improve(); }
 
 }  // namespace

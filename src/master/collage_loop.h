@@ -17,21 +17,23 @@ namespace tessera::master {
 struct CollageResult {
   std::vector<Placement> placements;
   RunStatistics statistics;
-  bool unfinished = false;  // the observer asked to stop, or the matcher threw Interrupted, and there was more to do
-  RunStatistics own_work;   // of this call alone, trials included: times, rounds and target samples
+  bool unfinished = false;        // the observer asked to stop or the matcher threw Interrupted, before all was done
+  RunStatistics own_work;         // times, rounds and target samples of this call alone, trials included
   bool gave_up_question = false;  // the matcher threw Interrupted: it must not be asked again
 };
 
-/// Where the loop starts, and where its state is kept.
+/// The state from which the loop starts, and the keeper of its checkpoints.
 struct Checkpoints {
-  const CheckpointState* from = nullptr;  // null: from an empty canvas
-  CheckpointKeeper* keeper = nullptr;     // null: nowhere; the loop ends with a checkpoint, finished or not
+  const CheckpointState* from = nullptr;  // null: starts with an empty canvas
+  // Null: keeps nothing. Otherwise the loop ends with a checkpoint, finished or not.
+  CheckpointKeeper* keeper = nullptr;
 };
 
-/// `matcher` covers the whole library. Where it throws Interrupted, the loop ends within a round as if the observer had
-/// asked it to stop, and the state that is kept is that before the question. A loop that was interrupted and goes on
-/// `from` its checkpoint, with the same canvas, settings and library, places what it would have placed without the
-/// interruption. `replacer`, of the same library: who runs replacement trials; null: this thread. Throws InputError where `from` belongs to another canvas or library.
+/// Runs the loop. `matcher` covers the whole library, and so does `replacer`, which runs replacement trials (null: this
+/// thread runs them). Where the matcher throws Interrupted, the loop ends within a round, as if the observer had asked it
+/// to stop, and keeps the state before the question. A run that goes on `from` this checkpoint, with the same canvas,
+/// settings and library, places the same pieces as a run without the interruption. Throws InputError where `from` belongs
+/// to another canvas or library.
 CollageResult make_collage(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher, ShapeSource& shapes,
                            Observer& observer, const Checkpoints& checkpoints = {}, Replacer* replacer = nullptr);
 

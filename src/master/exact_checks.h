@@ -1,4 +1,4 @@
-// Exact areas of candidates on the free field as it is, some of them computed before they are asked for.
+// Exact areas of candidates on the present free field. Some of them are computed before somebody asks for them.
 #pragma once
 
 #include <map>
@@ -20,16 +20,16 @@ class ExactChecks {
         pieces_(pieces) {}
 
   ExactAreas areas(const Candidate& candidate);
-  /// Never changes what areas() says, only how long that takes.
+  /// Computes the areas before they are needed. It changes how long areas() takes, never what areas() says.
   void compute_ahead(const Candidate& candidate);
-  /// Forgets what depends on the fields within this window, where they have changed.
+  /// Forgets the areas that depend on field nodes within this window, because these have changed.
   void forget(const Window& changed);
   void forget_all() { ahead_.clear(); }
 
  private:
   using Key = std::tuple<ShapeId, float, float, float, float>;  // shape and pose
   struct Known {
-    Window window;  // of the nodes that the areas depend on
+    Window window;  // nodes that the areas depend on
     ExactAreas areas;
   };
   static Key key_of(const Candidate& candidate);

@@ -1,4 +1,4 @@
-// Rounds: place_one() comes first, then its steps match, choose and merge.
+// Rounds: place_one() comes first, then its steps: match, choose and merge.
 #include "master/filling.h"
 
 #include <utility>
@@ -11,9 +11,9 @@
 namespace tessera::master {
 namespace {
 
-/// Where a wide gap is left the first of the empty passes is one more than kEmptyPasses. In it each sample keeps the
-/// dockings that were drawn first: early reject takes points on lines for contact, so that by its key those dockings of
-/// line art come first that cross lines, and none of these can be refined into a piece.
+/// Extra empty passes while a wide gap is left. In the first of all empty passes each sample then keeps the dockings that
+/// were drawn first. Early reject counts points on lines as contact: sorted by key, dockings of line art come first that
+/// cross lines, and none of them can be refined into a piece.
 constexpr int kFirstDrawnPasses = 1;
 
 }  // namespace
@@ -26,7 +26,8 @@ bool Filling::place_one() {
   return true;
 }
 
-/// All samples are matched again where nothing can be chosen. What comes after a piece in a gap need not be.
+/// Chooses the best candidate. Where there is none, it matches all samples of the region again. A piece found by
+/// choose_in_gap() does not set the empty passes back to 0.
 bool Filling::find(Candidate& best) {
   for (;;) {
     match_samples();
@@ -63,7 +64,8 @@ bool Filling::choose(Candidate& best) {
   return found;
 }
 
-/// Where the matcher was interrupted the piece stands already: the round ends before the interruption goes on.
+/// Merges the piece. Where the matcher is interrupted the piece stands already: the round ends before the interruption is
+/// thrown on.
 void Filling::merge(const Candidate& best) {
   const Window changed = place(best);
   const Remeasured now = measure(changed);
@@ -79,7 +81,7 @@ Window Filling::place(const Candidate& best) {
   return changed;
 }
 
-/// Measures the candidates that the new piece touches. Where the matcher is interrupted the master does so by itself.
+/// Measures the candidates that the new piece touches. Where the matcher is interrupted, the master measures them.
 Filling::Remeasured Filling::measure(const Window& changed) {
   Stopwatch watch;
   Remeasured now;
@@ -132,7 +134,7 @@ bool Filling::restore_empty_passes(int passes) {
 
 bool Filling::may_match_again() {
   if (empty_passes_ == most_empty_passes_) return false;
-  return empty_passes_ < kEmptyPasses || collage_.leaves_wide_gap(region_);  // which no empty pass changes
+  return empty_passes_ < kEmptyPasses || collage_.leaves_wide_gap(region_);  // an empty pass does not change this
 }
 
 MatchPlan Filling::plan() {

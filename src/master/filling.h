@@ -1,4 +1,5 @@
-// Filling the free region greedily: match what is stale, place the best candidate, again (paper section 4, Fig. 15).
+// Fills the free region greedily: matches the samples that wait, places the best candidate, and begins again (paper section
+// 4, Fig. 15).
 #pragma once
 
 #include <cstdint>
@@ -13,35 +14,35 @@ namespace tessera::master {
 
 class Filling {
  public:
-  /// Begins a new field in the matcher, which tells all workers (Matcher::start_field). Adds to the counters and times
-  /// of `statistics`. `check_stop` is called while the master computes by itself, and may
-  /// throw what it likes to end that.
+  /// Begins a new field in the matcher, which tells all workers (Matcher::start_field). Adds to the counters and times of
+  /// `statistics`. Calls `check_stop` while the master computes by itself; `check_stop` may throw to end that.
   Filling(Collage& collage, const MatchingContext& context, const CollageSettings& settings, Matcher& matcher,
           RunStatistics& statistics, StopCheck check_stop = never_stop);
 
-  /// Pieces are wanted at these nodes from now on; at first that is the whole canvas.
+  /// Pieces are wanted at these nodes from now on. Before the first call that is the whole canvas.
   void start(const Window& region);
 
-  /// Places the best piece. Where the pool is dry, the region's samples are matched again with other random dockings,
-  /// where a gap is left that is wide enough for a piece with whichever come first, and such gaps are searched for a pose
-  /// that holds a piece of the smallest size; false when that finds nothing either. Throws Interrupted where the matcher does: the question is undone or its
-  /// piece is placed to the end, so that the collage can be saved. So it can where `check_stop` throws.
+  /// Places the best piece. Where no candidate of the pool fits, it matches the region's samples again with other random
+  /// dockings. Where a wide gap is left, one of these passes keeps the dockings that were drawn first. At last it searches
+  /// wide gaps for a pose that holds a piece of the smallest size. False when that finds nothing either. Throws Interrupted
+  /// where the matcher or `check_stop` does. It then undoes the question, or ends the round of the piece that stands
+  /// already, so that the collage can be saved.
   bool place_one();
 
-  /// How often the region's samples were matched again since the last piece. Saved and restored with the collage: an
-  /// interruption may come in between.
+  /// The number of times the region's samples were matched again since the last piece. The collage's checkpoint holds it, because an
+  /// interruption may come between two such passes.
   int empty_passes() const { return empty_passes_; }
-  /// Returns false where there are never so many.
+  /// Sets it. Returns false where there are never so many passes.
   bool restore_empty_passes(int passes);
 
-  /// From now on adds to these statistics.
+  /// Adds to these statistics from now on.
   void count_into(RunStatistics& statistics) { statistics_ = &statistics; }
 
  private:
   /// The terms of the candidates that a new piece touches, in the order of Collage::touched_by.
   struct Remeasured {
     std::vector<DockingTerms> terms;
-    std::optional<Interrupted> interrupted = {};  // while the matcher was asked
+    std::optional<Interrupted> interrupted = {};  // thrown while the matcher was asked
   };
 
   bool find(Candidate& best);
@@ -63,8 +64,8 @@ class Filling {
   StopCheck check_stop_;
   std::uint64_t library_pads_ = 0;
   MatchPlan usual_plan_;
-  int most_empty_passes_;           // none without tangent dockings: PADs alone would give what they gave before
-  std::uint64_t sent_version_ = 0;  // of the limits that the matcher knows; it may still know those of another collage
+  int most_empty_passes_;           // 0 without tangent dockings: PADs alone give the same again
+  std::uint64_t sent_version_ = 0;  // of the limits that the matcher knows; 0: perhaps those of another collage
   Window region_;
   int empty_passes_ = 0;
 };

@@ -19,10 +19,10 @@ namespace {
 
 constexpr std::uint64_t kRuin = 0x7275696e;  // keeps these random numbers apart from those of the dockings
 constexpr std::uint32_t kPassesPerTrial = 4;
-constexpr double kLeastDwarfs = 5;  // times so much is still less than the largest size
+constexpr double kLeastDwarfs = 5;  // a dwarf is smaller than the largest size divided by this
 
-/// Of the lowest sixth of sizes, by their logarithm, as dwarfs_below_px (size_balance.h) has it; here without one. Where
-/// sizes are much alike nobody takes the smallest for dwarfs.
+/// Whether the size belongs to the lowest sixth of sizes, by their logarithm, like dwarfs_below_px (size_balance.h) but
+/// without a logarithm. Where sizes differ by less than kLeastDwarfs there are no dwarfs.
 bool is_dwarf(double scale_px, const PieceSettings& pieces) {
   const double by_smallest = scale_px / double(pieces.min_scale_px);
   const double squared = by_smallest * by_smallest;
@@ -30,7 +30,7 @@ bool is_dwarf(double scale_px, const PieceSettings& pieces) {
          scale_px * kLeastDwarfs < double(pieces.max_scale_px);
 }
 
-/// In whole numbers: the same in any order of the pieces.
+/// The area of the pieces, in whole numbers, so that their order does not matter.
 std::int64_t area_256ths_px2(const std::vector<Placement>& placements) {
   std::int64_t sum = 0;
   for (const Placement& p : placements) {
@@ -40,7 +40,7 @@ std::int64_t area_256ths_px2(const std::vector<Placement>& placements) {
   return sum;
 }
 
-/// A point in a gap; every free px is as likely. False where there is hardly any.
+/// A point in a gap; every free px is as likely. False where there is hardly any free area.
 bool find_gap(const FreeField& free, std::uint64_t random, Vec2& gap) {
   const CanvasField& field = free.field();
   const Window& nodes = free.grid().one_period();
@@ -77,7 +77,7 @@ Improving::Improving(Collage& collage, Filling& filling, const CollageSettings& 
                                              : kRuinedScale * settings.pieces.min_scale_px),
       most_pieces_(settings.stop.pieces > 0 ? std::size_t(settings.stop.pieces) : SIZE_MAX) {}
 
-/// The pieces that are small enough and nearest to a gap by a disc of their area, nearest first.
+/// The pieces that are small enough and nearest to a gap, nearest first. Each counts as a disc of its area.
 std::vector<std::size_t> Improving::pieces_near(Vec2 gap_px) const {
   constexpr float kDiscRadius = 0.5642f;  // of area 1
   std::vector<std::pair<float, std::size_t>> nearest;
@@ -120,8 +120,8 @@ void Improving::fill(const StopCheck& check_stop) {
   while (collage_.placements().size() < most_pieces_ && filling_.place_one());
 }
 
-/// What is free, what is covered twice, some of what dwarfs cover, and what it costs that drawings repeat
-/// themselves and that pieces have other colours than what they cover.
+/// What a trial is judged by: free area, area covered twice, part of the area of dwarfs, the cost of repeated drawings and
+/// the cost of wrong colours.
 std::int64_t Improving::loss_256ths_px2() {
   const std::int64_t free = collage_.free().free_256ths_px2();
   const std::int64_t loss = relax_ ? 2 * free + area_256ths_px2(collage_.placements()) : free;

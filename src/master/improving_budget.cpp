@@ -7,9 +7,9 @@
 namespace tessera::master {
 namespace {
 
-constexpr std::uint64_t kExpectedPerPiece = 60;  // replacements, before anything is known of the time that they take
+constexpr std::uint64_t kExpectedPerPiece = 60;  // replacements a piece, before their time is known
 constexpr double kMostReplacements = 1e15;
-/// All pieces move before the phase, and come to rest after it.
+/// Two trials relax all pieces: one before the replacement phase and one after it.
 constexpr std::uint64_t kTrialsAroundPhase = 2;
 
 }  // namespace
@@ -39,7 +39,8 @@ std::uint64_t ImprovingBudget::replacements(std::uint32_t region, std::size_t pi
   return std::uint64_t(in_time < kMostReplacements ? std::max(0., in_time) : kMostReplacements);
 }
 
-/// By area; but each region with any has one, where there are as many: with it all its pieces move.
+/// The trials of all regions before `end`, shared out by area. Each region that has any area gets one trial at least, if
+/// there are enough: it relaxes all pieces of the region.
 std::uint64_t ImprovingBudget::trials_below(std::uint32_t end) const {
   const auto has_area = [](const CanvasRegion& region) { return region.area_px2 > 0; };
   auto left = std::uint64_t(std::count_if(canvas_.regions.begin(), canvas_.regions.end(), has_area));
@@ -57,7 +58,7 @@ std::uint64_t ImprovingBudget::share_below(std::uint32_t end) const {
   return std::uint64_t(double(settings_.improve.trials) * part_below(end));
 }
 
-/// Of the regions' area.
+/// The part (0..1) of the regions' area that lies in the regions before `end`.
 double ImprovingBudget::part_below(std::uint32_t end) const {
   if (end == 0) return 0;
   double before_px2 = 0;

@@ -1,4 +1,4 @@
-// How many trials improving has, or how much time: of the canvas' regions each its part by area.
+// The budget of improving in trials or in time. Each region of the canvas gets its part by area.
 #pragma once
 
 #include <cstddef>
@@ -11,23 +11,23 @@ namespace tessera::master {
 
 class ImprovingBudget {
  public:
-  /// Both outlive it.
+  /// Both arguments outlive it.
   ImprovingBudget(const Canvas& canvas, const CollageSettings& settings) : canvas_(canvas), settings_(settings) {}
 
   double area_px2(std::uint32_t region) const;
   /// The number of the region's first trial.
   std::uint64_t first_trial(std::uint32_t region) const { return trials_below(region); }
-  /// Whether there may be another trial in this region after so many, and so long, in all of them.
+  /// Whether the region may have another trial, after `trials` trials and `improve_s` seconds in all regions together.
   bool may_go_on(std::uint32_t region, std::uint64_t trials, double improve_s) const;
 
-  /// Of a phase of replacement trials, what it has done so far.
+  /// The progress of a phase of replacement trials.
   struct Replaced {
     std::uint64_t trials = 0;
-    double improve_s = 0;  // that improving took until now
-    double total_s = 0;    // that the run took until now
+    double improve_s = 0;  // seconds of improving until now
+    double total_s = 0;    // seconds of the run until now
   };
-  /// How many replacement trials the region's phase has in all. Where only time is limited that is as many as their part
-  /// of the time is enough for, as far as is known by now; `pieces`: those that may be replaced.
+  /// The number of replacement trials that the region's phase has in all. Where only time is limited, it estimates how many fit into
+  /// their part of the time, from the trials so far. `pieces`: the number of pieces that may be replaced.
   std::uint64_t replacements(std::uint32_t region, std::size_t pieces, const Replaced& so_far) const;
 
  private:

@@ -8,7 +8,7 @@
 namespace tessera::master {
 namespace {
 
-/// The first trial lets all pieces move.
+/// Trials before replacements begin; the first trial relaxes all pieces.
 constexpr std::uint32_t kTrialsBeforeReplacing = 1;
 
 }  // namespace
@@ -34,7 +34,8 @@ void ImprovingPhase::run() {
   }
 }
 
-/// Pieces that were replaced come to rest, whatever limit was reached, and also if that was interrupted.
+/// Whether there is another step. Replaced pieces are always relaxed at the end, also when a limit is reached or after an
+/// interruption.
 bool ImprovingPhase::goes_on() { return state_.phase == LoopPhase::replacing || (may_improve() && !reached_limit()); }
 
 void ImprovingPhase::step() {
@@ -54,13 +55,13 @@ void ImprovingPhase::try_once() {
       std::uint32_t(state_.trials), [this] { parts_.end.check_stop(); }, first_trial_));
 }
 
-/// Each piece is to be replaced once at least.
+/// Begins the replacement phase, if there is time to replace each piece once at least.
 void ImprovingPhase::begin_replacing() {
   state_.replaced = 0;
   if (pays_to_replace(parts_.region.sized) && replacements() >= free_pieces()) state_.replace_in(collage_.placements());
 }
 
-/// As many as the phase has in all; no more than there were where time is over.
+/// The number of replacements of the phase. When trials or time are used up, the number of those already done.
 std::uint64_t ImprovingPhase::replacements() {
   if (state_.phase == LoopPhase::replacing && (!may_improve() || reached_limit())) return state_.replaced;
   return budget_.replacements(state_.region, free_pieces(), {state_.replaced, state_.improve_s, parts_.end.run_s()});
@@ -81,7 +82,7 @@ void ImprovingPhase::replace(std::uint64_t all) {
   parts_.after_step();
 }
 
-/// The pieces come to rest, and are kept or put back.
+/// Relaxes the replaced pieces until they are clear of each other, and keeps them or puts the former pieces back.
 void ImprovingPhase::come_to_rest() {
   const Trial trial =
       improving_.come_to_rest(state_.moving, std::uint32_t(state_.trials), [this] { parts_.end.check_stop(); });

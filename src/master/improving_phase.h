@@ -1,5 +1,4 @@
-// What follows where a region is full: trials that improve it, and among them a phase in which single pieces are
-// replaced (ours; the paper is greedy).
+// Improves a full region by trials. Among them is a phase in which single pieces are replaced (ours; the paper is greedy).
 #pragma once
 
 #include <cstddef>
@@ -23,8 +22,7 @@ namespace tessera::master {
 
 class ImprovingPhase {
  public:
-  /// What the phase works with, and leaves as it is when it ends or throws Interrupted: at the beginning of the next
-  /// trial or batch.
+  /// The objects that the phase works with. When the phase ends or throws Interrupted, all of it stands before the next trial or batch.
   struct Parts {
     const Canvas& canvas;
     const CollageSettings& settings;
@@ -62,7 +60,7 @@ class ImprovingPhase {
   ImprovingBudget budget_;
   std::uint32_t first_trial_;
   double area_px2_;
-  double earlier_s_;  // of improving, before this phase
+  double earlier_s_;  // seconds of improving before this phase
   Stopwatch watch_;
   Improving improving_;
 };

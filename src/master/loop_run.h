@@ -12,7 +12,7 @@ namespace tessera::master {
 
 class LoopRun {
  public:
-  /// The arguments of make_collage, which outlive the run. It begins the first region, or where a checkpoint left off.
+  /// Takes the arguments of make_collage, which outlive the run. Begins the first region, or goes on from the checkpoint.
   LoopRun(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher, ShapeSource& shapes,
           Observer& observer, const Checkpoints& checkpoints, Replacer* replacer);
   LoopRun(const LoopRun&) = delete;  // its parts refer to each other
@@ -23,23 +23,23 @@ class LoopRun {
   LoopEnd& end() { return end_; }
   bool place_one() { return regions_.current().filling.place_one(); }
 
-  /// Whether an earlier result gave as many pieces as the job wants: they are to be improved alone.
+  /// Whether an earlier result gave as many pieces as the job wants. Then they are only improved.
   bool moves_given_pieces_only() const;
-  /// Whether other sizes may be tried, and there is nothing more to learn of the present ones: all wanted pieces stand,
-  /// or the canvas is covered.
+  /// Whether an attempt at sizes has nothing more to show: all wanted pieces stand, or the canvas is covered. False where
+  /// no other sizes may be tried.
   bool attempt_is_decided() const;
   bool end_at_limit_of_filling();
-  /// The region is full: improving begins, where the job wants it.
+  /// Ends the filling of the region: improving begins where the job wants it.
   void end_filling();
-  /// Improves the full region until the trials of the job are used up (improving_phase.h). A run that goes on from a
-  /// checkpoint may begin here: why the region is full is found out again.
+  /// Improves the full region until the trials of the job are used up (improving_phase.h). A run from a checkpoint may
+  /// begin here; it then finds out again why the region is full.
   void improve();
-  /// Begins the next region, if there is one and the loop is not over.
+  /// Begins the next region. False where there is none or the loop is over.
   bool begin_next_region();
 
   /// Reports the progress, and keeps a checkpoint where one is due.
   void after_step();
-  /// Keeps the last checkpoint.
+  /// Keeps the last checkpoint and returns the result.
   CollageResult finish();
 
  private:
@@ -47,14 +47,14 @@ class LoopRun {
   StopReason why_full() const;
   CheckpointState checkpoint();
 
-  LoopStatistics statistics_;  // first: the set-up begins with it
+  LoopStatistics statistics_;  // the first member: the time of set-up begins with it
   const Canvas& canvas_;
   const CollageSettings& settings_;
   ShapeSource& shapes_;
   Observer& observer_;
   CheckpointKeeper* keeper_;
   LoopState state_;
-  Regions regions_;  // before the loop's clock, which its set-up is no part of
+  Regions regions_;  // before end_, whose clock must not count the set-up
   LoopEnd end_;
   OwnReplacer own_replacer_;
   Replacer& replacer_;

@@ -1,4 +1,4 @@
-// What a run counted and how long its stages took. Nothing is decided by it.
+// The counters of a run, and the times of its stages. No decision depends on it.
 #pragma once
 
 #include "core/base/processor_time.h"
@@ -9,19 +9,19 @@ namespace tessera::master {
 
 class LoopStatistics {
  public:
-  /// Of the greedy part of the run, what came before an interruption included; and the number of trials kept.
+  /// Statistics of the greedy part of the run, with the part before an interruption; and the number of trials kept.
   RunStatistics filling;
-  /// Of the trials of this call.
+  /// Statistics of the trials of this call.
   RunStatistics improving;
 
-  /// The set-up, which began with the constructor, has ended: the loop begins.
+  /// Notes that the set-up, which began with the constructor, has ended: the loop begins.
   void end_set_up() { set_up_processor_s_ = processor_time_s() - begin_processor_s_; }
-  /// The run counted so much before it was interrupted.
+  /// Sets what the run counted before it was interrupted.
   void go_on_after(const RunStatistics& earlier) { filling = earlier_ = earlier; }
 
-  /// Of the run as a whole.
+  /// Statistics of the whole run.
   RunStatistics of_run(const LoopState& state) const;
-  /// Times, rounds and target samples of this call, which took `own_s`, trials included.
+  /// Times, rounds and target samples of this call, trials included. The call took `own_s` seconds.
   RunStatistics of_this_call(double own_s) const;
 
  private:

@@ -1,4 +1,4 @@
-// The cost of wrong colours: improving adds it to what is free, so that it does not buy coverage with colours.
+// The cost of wrong colours. Improving adds it to the free area, so that it does not buy coverage with wrong colours.
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@ class OffColour {
   /// `shapes` outlives it.
   OffColour(const ColourWish& wish, ShapeSource& shapes) : wish_(wish), shapes_(shapes) {}
 
-  /// The sum over the pieces of area times difference, in px² of free canvas that cost as much; 0 without a wish. In
-  /// whole numbers: the same in any order of the pieces.
+  /// The sum of area times colour difference over the pieces, in 256ths of px² of free canvas that cost as much. 0 without
+  /// a wish for colours. It is a whole number, so the order of the pieces does not matter.
   std::int64_t loss_256ths_px2(const std::vector<Placement>& placements);
 
  private:
@@ -27,7 +27,7 @@ class OffColour {
 
   ColourWish wish_;
   ShapeSource& shapes_;
-  std::map<Lying, std::int64_t> losses_;  // of the pieces that were asked for last: most of them stay
+  std::map<Lying, std::int64_t> losses_;  // of the pieces of the last call, most of which stay
 };
 
 }  // namespace tessera::master

@@ -51,7 +51,7 @@ void Regions::begin(std::uint32_t region, StandingPieces standing, const SizeAtt
 
 void Regions::begin_first() { begin(0, given_.at_first(), sizes_); }
 
-/// What stands is given to the next region, but for what may move there.
+/// Gives all pieces that stand to the next region as fixed ones, but for the pieces that may move there.
 bool Regions::begin_next() {
   const std::uint32_t next = region() + 1;
   if (next >= canvas_.regions.size()) return false;
@@ -59,15 +59,15 @@ bool Regions::begin_next() {
   return true;
 }
 
-/// Begins with what stood when the region was begun: of `placements` the first `given`, and in the first region all that
-/// the job gives.
+/// Begins the region with the pieces that stood when it was begun: the first `given` of `placements`. In the first region
+/// these are all pieces that the job gives.
 void Regions::begin_again(std::uint32_t region, std::vector<Placement> placements, std::size_t given,
                           const SizeAttempts& sizes) {
   placements.resize(given);
   begin(region, region == 0 ? given_.at_first() : given_.when_begun_with(region, std::move(placements)), sizes);
 }
 
-/// Where the matcher interrupts it, nothing has changed yet, here and in the next two functions.
+/// Where the matcher interrupts this function or one of the next two, nothing has changed yet.
 bool Regions::begin_other_sizes() {
   if (sizes_.over()) return false;
   const Collage& collage = current_->collage;
@@ -86,7 +86,7 @@ void Regions::keep_best() {
   go_back_to_best(std::move(ended));
 }
 
-/// Lays the best attempt again. False where that is the last one. No other sizes are tried from then on.
+/// Places the pieces of the best attempt again. False where that is the last attempt. No other sizes are tried afterwards.
 bool Regions::go_back_to_best(SizeAttempts sizes) {
   const std::optional<std::vector<Placement>> best = sizes.take_best();
   if (best) {

@@ -1,5 +1,5 @@
-// The regions of the canvas, begun one after another. With fit = "all" each is filled in several attempts, at other
-// sizes each time, until every wanted piece finds a place.
+// The regions of the canvas, filled one after another. With fit = "all" each region is filled in several attempts at
+// different sizes, until every wanted piece finds a place.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,7 @@ struct RegionFill {
   RegionFill(const Canvas& region, const CollageSettings& settings, const MatchingContext& context, float size_factor,
              Matcher& matcher, ShapeSource& shapes, RunStatistics& statistics, StopCheck check_stop);
 
-  CollageSettings sized;  // with the sizes of this attempt
+  CollageSettings sized;  // settings with the sizes of this attempt
   Collage collage;
   Filling filling;
 };
@@ -38,26 +38,26 @@ class Regions {
   Regions(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher, ShapeSource& shapes,
           RunStatistics& statistics, StopCheck check_stop);
 
-  /// The attempt under way, from begin_first() or restore() on.
+  /// The present attempt. Call begin_first() or restore() before.
   RegionFill& current() const { return *current_; }
-  /// The attempt at sizes that is under way, from 1. All regions share the attempts.
+  /// The number of the present attempt, from 1. All regions share the attempts.
   int attempt_number() const { return sizes_.number(); }
   const GivenPieces& given() const { return given_; }
 
   void begin_first();
-  /// Begins the next region with all that stands, where there is one. Whether it did so.
+  /// Begins the next region with all pieces that stand. False where there is no other region.
   bool begin_next();
-  /// Ends the attempt under way and begins one at other sizes, or goes back to the best attempt. False where neither is
-  /// to be done: the region stays as it is filled.
+  /// Ends the present attempt and begins one at other sizes, or goes back to the best attempt. False where it does neither:
+  /// the region stays as it is.
   bool begin_other_sizes();
-  /// A limit of the job ends all attempts: goes back to the best one.
+  /// Goes back to the best attempt, because a limit of the job ends all attempts.
   void keep_best();
   /// Whether other sizes may be tried.
   bool may_try_other_sizes() const { return !sizes_.over(); }
 
-  /// What the loop keeps of collage and attempts.
+  /// Adds the state of the collage and of the attempts.
   void save(CheckpointState& state) const;
-  /// Begins where the state was saved. Throws InputError where it belongs to another job, canvas or library.
+  /// Goes on from the saved state. Throws InputError where it belongs to another job, canvas or library.
   void restore(const CheckpointState& from);
 
  private:

@@ -1,4 +1,4 @@
-// Regions: what a checkpoint keeps of them, and whose checkpoint it must be.
+// Regions: what a checkpoint keeps of them, and how it is known to belong to the job.
 #include <algorithm>
 #include <bit>
 #include <string>
@@ -49,11 +49,12 @@ void Regions::check_belongs(const CheckpointState& from) const {
   const bool as_many =
       from.loop.region > 0 ? from.given >= settings_.wishes.locked() : from.given == given_.at_first().given;
   if (as_many && from.begun_with == begun_with()) return;
-  throw InputError(from.name + ": begun with other pieces than [[given]] and start.pieces have now; give what they " +
-                   "were then, or --restart, which removes it and starts again");
+  throw InputError(from.name +
+                   ": the pieces of [[given]] or start.pieces have changed since it was written; give the " +
+                   "old ones, or --restart, which removes it and starts again");
 }
 
-/// A digest of all pieces that the job gives: improving may have taken some of them out since.
+/// A digest of all pieces that the job gives; improving may have taken out some of them since.
 std::uint64_t Regions::begun_with() const {
   Digest digest;
   for (const GivenPiece& piece : settings_.wishes.given) {

@@ -15,7 +15,7 @@
 namespace tessera::master {
 namespace {
 
-/// Pieces of fixed sizes would cover no more, and what moves opens gaps.
+/// Whether any piece may grow. Pieces of fixed sizes would cover no more, and moving them opens gaps.
 bool any_may_grow(const CollageSettings& s) {
   const StanceTable table(s, std::uint32_t(s.wishes.class_of_shape.size()));
   return std::any_of(table.stances().begin(), table.stances().end(),
@@ -50,7 +50,7 @@ Relaxing::Relaxing(const FreeField& free, const CollageSettings& settings, Shape
 
 std::vector<Placement> Relaxing::relaxed(const std::vector<Placement>& placements, std::size_t given,
                                          std::span<const RelaxationSchedule> schedules, const StopCheck& check_stop) {
-  std::map<ShapeId, ContactShape> contact_shapes;  // 80 KB each: of those that stand, and not kept
+  std::map<ShapeId, ContactShape> contact_shapes;  // 80 KB each, so only of shapes that stand, and only for this call
   std::vector<RelaxedPiece> pieces;
   for (const Placement& p : placements) {
     check_stop();

@@ -1,5 +1,5 @@
-// All pieces that stand move, turn and grow together into the gaps between them (core/relax), and come to lie where
-// pieces may stand.
+// Relaxes all pieces of a collage: they move, turn and grow together into the gaps between them (core/relax). Then it
+// brings them to poses where their outlines are clear of each other.
 #pragma once
 
 #include <cstddef>
@@ -23,30 +23,31 @@ namespace tessera::master {
 inline constexpr float kMostRelaxedSizeRatio = 5;
 
 enum class NoRelaxing {
-  not_wanted,        // by the job
-  sizes_by_place,    // they would not hold where a piece moved to
-  colours_by_place,  // nor would these
+  not_wanted,        // the job switches it off
+  sizes_by_place,    // sizes depend on the place: a piece that moves would have a wrong one
+  colours_by_place,  // colours depend on the place, too
   sizes_differ,      // more than kMostRelaxedSizeRatio
   sizes_fixed,       // no piece may grow
 };
 
-/// Nothing where relaxing pays.
+/// Why relaxing does not pay. Empty where it does.
 std::optional<NoRelaxing> why_not_relaxed(const CollageSettings& settings);
 bool pays_to_relax(const CollageSettings& settings);
 
-/// About as many as there are pieces on so large a canvas, as it takes as much longer.
+/// Relaxing is due once in so many trials. The number is about the number of pieces on the canvas, because relaxing takes
+/// so much longer than another trial.
 std::uint32_t trials_per_relaxation(double area_px2, const PieceSettings& pieces);
 
 class Relaxing {
  public:
   using PosesOf = std::function<PoseRange(const Placement&)>;
 
-  /// On the canvas of `free`, whatever lies in it. `poses_of`: what the pose of a piece may be. All but the settings
-  /// outlive it.
+  /// Relaxes pieces on the canvas of `free`; the pieces that lie in `free` do not matter. `poses_of`: the poses that a
+  /// piece may have. All arguments but the settings outlive this object.
   Relaxing(const FreeField& free, const CollageSettings& settings, ShapeSource& shapes, PosesOf poses_of);
 
-  /// `placements` after all but the first `given` have moved, without those that found no place or came too near to
-  /// their like. What `check_stop` throws leaves nothing changed.
+  /// `placements` after all but the first `given` have moved. Pieces that found no place, or came too near to their like,
+  /// are left out. Where `check_stop` throws, nothing has changed.
   std::vector<Placement> relaxed(const std::vector<Placement>& placements, std::size_t given,
                                  std::span<const RelaxationSchedule> schedules, const StopCheck& check_stop);
 

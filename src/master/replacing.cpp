@@ -16,10 +16,10 @@ namespace tessera::master {
 namespace {
 
 constexpr std::uint64_t kReplace = 0x7265706c;  // keeps these random numbers apart from others
-constexpr float kTrialsPerPiece = 2;            // of a batch
-constexpr float kFirstTemperature = 0.03f;      // of the product of least and most scale
+constexpr float kTrialsPerPiece = 2;            // in one batch
+constexpr float kFirstTemperature = 0.03f;      // times least scale times most scale, px²
 
-/// What each drawing covers, of the whole canvas.
+/// The area that each drawing covers on the whole canvas.
 std::map<ShapeId, double> covered_px2(const std::vector<PosedPiece>& all) {
   std::map<ShapeId, double> px2;
   for (const PosedPiece& posed : all) {
@@ -29,7 +29,7 @@ std::map<ShapeId, double> covered_px2(const std::vector<PosedPiece>& all) {
   return px2;
 }
 
-/// The drawings that move in the window or may come in, ascending, with what each covers of the whole canvas.
+/// The drawings that move in the window or may come in, ascending, with the area that each covers on the whole canvas.
 std::vector<DrawingArea> drawn_in(const ReplacementWindow& window, const std::map<ShapeId, double>& all_px2) {
   std::set<ShapeId> drawings;
   for (const IncomingShape& in : window.incoming) drawings.insert(in.drawing);
@@ -82,7 +82,7 @@ std::vector<Placement> Replacing::batch(const std::vector<Placement>& placements
   return joined(placements, cuts, outcomes);
 }
 
-/// Sets how many trials each window has, together no more than are left, and how hot it is.
+/// Sets each window's number of trials and its temperatures. All windows together have no more trials than are left.
 void Replacing::plan(std::vector<CutWindow>& cuts, ReplacementProgress& progress) const {
   for (CutWindow& c : cuts) c.window.trials = std::uint32_t(std::ceil(kTrialsPerPiece * float(c.moving.size())));
   const std::uint64_t left = progress.all - progress.done;
@@ -99,11 +99,12 @@ void Replacing::plan(std::vector<CutWindow>& cuts, ReplacementProgress& progress
     c.window.first_temperature_px2 = temperature_px2(progress.done);
     c.window.last_temperature_px2 = temperature_px2(done);
   }
-  // A batch that shared out nothing, or in which nothing may move, is the last one.
+  // A batch that has no trials to share out, or in which no piece may move, is the last one.
   progress.done = done > progress.done ? done : progress.all;
 }
 
-/// A few windows for each that is worked on at a time: no question lasts long, or needs the memory of all windows.
+/// Asks for a few windows at a time for each core that works on them, so that no question is long or holds the memory of
+/// all windows.
 std::vector<ReplacementOutcome> Replacing::asked(std::vector<CutWindow>& cuts, const std::vector<PosedPiece>& all,
                                                  const std::vector<IncomingShape>& incoming,
                                                  const StopCheck& check_stop) {
@@ -126,7 +127,7 @@ std::vector<ReplacementOutcome> Replacing::asked(std::vector<CutWindow>& cuts, c
   return outcomes;
 }
 
-/// The pieces of no window, then those of each.
+/// The pieces that lie in no window, then those of each window.
 std::vector<Placement> Replacing::joined(const std::vector<Placement>& placements, const std::vector<CutWindow>& cuts,
                                          const std::vector<ReplacementOutcome>& outcomes) const {
   std::vector<bool> taken(placements.size(), false);

@@ -1,5 +1,5 @@
-// Batches of replacement trials (core/replacing): pieces are replaced while their neighbours make room, in many windows
-// of the canvas at a time. All ranks work on one batch; the next one begins where it ended.
+// Batches of replacement trials (core/replacing): in many windows of the canvas at a time, single pieces are replaced while
+// their neighbours make room. All ranks work on one batch. The next batch begins with the pieces of the last one.
 #pragma once
 
 #include <cstddef>
@@ -18,17 +18,19 @@
 
 namespace tessera::master {
 
-/// Where pieces move together, and no exchange decides over others: by uses or distances that are kept, by colours of
-/// neighbours, by the number of pieces, or by growth outward.
+/// Whether replacement trials are of use: pieces are relaxed, and an exchange in one window does not affect others. It
+/// would where the job limits uses, distances between pieces or the number of pieces, where it wishes for colours of
+/// neighbours, and where it grows outward.
 bool pays_to_replace(const CollageSettings& settings);
 
-/// Of all trials of improving this part are replacements, so many for one: they take about as long, on two cores.
+/// The part of improving that is given to replacement trials. kReplacementsPerTrial of them count as one trial: they take
+/// about as long on two cores.
 inline constexpr double kPartReplaced = 5.0 / 6;
-/// Of a question, for each that works on them: enough to share them out evenly.
+/// Windows in one question, for each core that works on it: enough to share them out evenly.
 inline constexpr std::size_t kWindowsAtATime = 8;
 inline constexpr std::uint64_t kReplacementsPerTrial = 8;
 
-/// Of how many a phase consists, as it cools down.
+/// The progress of a phase of replacement trials. Its temperature falls from the first trial to the last.
 struct ReplacementProgress {
   std::uint64_t done = 0;  // trials
   std::uint64_t all = 0;
@@ -36,14 +38,14 @@ struct ReplacementProgress {
 
 class Replacing {
  public:
-  /// On the canvas of `free`, whatever lies in it. `stances`: of what may come in; `area_px2`: of what is to be filled.
-  /// All but the settings outlive it.
+  /// Replaces pieces on the canvas of `free`; the pieces that lie in `free` do not matter. `stances`: the stances of shapes
+  /// that may come in. `area_px2`: the area to be filled. All arguments but the settings outlive this object.
   Replacing(const FreeField& free, const StanceTable& stances, const CollageSettings& settings, double area_px2,
             ShapeSource& shapes, PosesOf poses_of, Replacer& replacer);
 
-  /// `placements` after one more batch of trials, about two for each piece; all but the first `given` may be gone. Adds
-  /// to `progress.done`. What follows from the arguments and the settings is the same whoever works on it.
-  /// `check_stop` is called now and then while this rank computes; what it throws leaves nothing changed.
+  /// `placements` after one more batch, of about two trials a piece. The first `given` stay; any other may have been
+  /// replaced. Adds to `progress.done`. The outcome depends on the arguments and the settings alone, on any ranks. Calls
+  /// `check_stop` regularly while this rank computes; where it throws, nothing has changed.
   std::vector<Placement> batch(const std::vector<Placement>& placements, std::size_t given,
                                ReplacementProgress& progress, const StopCheck& check_stop = never_stop);
 

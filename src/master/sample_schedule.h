@@ -1,4 +1,4 @@
-// Which target samples are to be matched, and with which random dockings.
+// Decides which target samples are matched, and with which random dockings.
 #pragma once
 
 #include <cstdint>
@@ -16,28 +16,28 @@ namespace tessera::master {
 
 class SampleSchedule {
  public:
-  /// The samples of `curve`, which bounds `free`. Where there is a `growth`, only samples count at which pieces may
-  /// dock. All arguments outlive the schedule.
+  /// Schedules the samples of `curve`, which bounds `free`. With a `growth` only samples count at which pieces may dock.
+  /// All arguments outlive the schedule.
   SampleSchedule(const FreeField& free, const TargetCurve& curve, const std::optional<OutwardGrowth>& growth)
       : free_(free),
         curve_(curve),
         growth_(growth) {}
 
-  /// The samples to be matched (again), ascending, which count as matched from now on. Their random dockings are those
-  /// of TargetSample::pass: one pass more each time.
+  /// Gives the samples to be matched (again), ascending, and counts them as matched from now on. Each time a sample gets
+  /// the random dockings of its next pass (TargetSample::pass).
   std::vector<TargetSample> take();
-  /// Undoes take(), which gave these samples, where they were not matched after all.
+  /// Undoes the take() that gave these samples, because they were not matched after all.
   void put_back(const std::vector<TargetSample>& samples);
 
-  /// The sample is to be matched again.
+  /// Marks the sample to be matched again.
   void mark(SampleId id) { stale_.insert(id); }
-  /// The samples in the window and its images are to be matched again.
+  /// Marks the samples in the window and its images to be matched again.
   void mark(const Window& window);
-  /// The curve has changed: removed samples are not matched any more, renewed samples are matched again.
+  /// Follows a change of the curve: forgets removed samples, and marks renewed samples to be matched again.
   void follow(const TargetCurve::Change& change);
-  /// No sample is to be matched, and none has been matched.
+  /// Forgets everything: no sample is to be matched, and none has been matched.
   void clear();
-  /// The number of the pass in which a sample is matched for the first time.
+  /// Sets the number of the pass in which a sample is matched for the first time.
   void set_first_pass(std::uint32_t pass) { first_pass_ = pass; }
 
   /// Whether pieces may dock at any sample.

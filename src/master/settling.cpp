@@ -27,7 +27,7 @@ float Settling::hard_depth_of(const Shape& shape, float scale_px) const {
   return most_depth_px(context_.hard_depth_px, line_radius(shape.field, shape.perimeter) * scale_px);
 }
 
-/// By the free field, as in the refinement.
+/// Pushes the pose by the free field, as refinement does.
 bool Settling::push_clear(const ShapeModel& model, const PoseRange& poses, float most_px, Similarity& pose) const {
   const FieldView field = free_.view();
   for (int step = 0; depth_px(pose, model, field) > most_px; ++step) {
@@ -40,7 +40,7 @@ bool Settling::push_clear(const ShapeModel& model, const PoseRange& poses, float
   return true;
 }
 
-/// By the outlines themselves: corrects what fields and boundary points did not see.
+/// Corrects the pose by the outlines themselves, which see what fields and boundary points do not.
 bool Settling::fit_exactly(const Shape& shape, const PoseRange& poses, Similarity& pose) const {
   for (int step = 0; step < kExactSteps; ++step) {
     const std::vector<Vec2> ways = outlines_.conflicts(shape, pose);

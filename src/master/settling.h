@@ -1,5 +1,5 @@
-// How a candidate becomes a piece: made clear of what was placed since it was refined, grown, and held against its
-// neighbours' outlines.
+// Makes a piece of a candidate: moves it clear of what was placed since it was refined, grows it, and checks it against the
+// outlines of its neighbours.
 #pragma once
 
 #include "core/collage/placed_outlines.h"
@@ -19,11 +19,11 @@ class Settling {
         outlines_(outlines),
         context_(context) {}
 
-  /// Moves the pose to where the shape may stand, near by and within `poses`. False where it may not stand.
+  /// Moves the pose to a near one within `poses` where the shape may stand. False where it finds none.
   bool settle(ShapeId shape, const PoseRange& poses, Similarity& canvas_from_shape);
 
  private:
-  /// How deep its boundary points may lie in other pieces.
+  /// The depth, px, to which boundary points of the shape may lie in other pieces.
   float hard_depth_of(const Shape& shape, float scale_px) const;
   bool push_clear(const ShapeModel& model, const PoseRange& poses, float most_px, Similarity& pose) const;
   bool fit_exactly(const Shape& shape, const PoseRange& poses, Similarity& pose) const;

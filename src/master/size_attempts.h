@@ -1,4 +1,4 @@
-// Attempts to give every wanted piece a place (fit = "all"), each at other sizes, and the best of them so far.
+// Attempts to give every wanted piece a place (fit = "all"), each at other sizes, and the best attempt so far.
 #pragma once
 
 #include <optional>
@@ -13,22 +13,22 @@ namespace tessera::master {
 
 class SizeAttempts {
  public:
-  /// Without fit = "all" the first attempt is the only one.
+  /// Begins the first attempt, which is the only one without fit = "all".
   explicit SizeAttempts(const PieceSettings& pieces);
 
-  /// By what all sizes are multiplied in this attempt.
+  /// The factor that multiplies all sizes in the present attempt.
   float factor() const { return search_.factor(); }
-  /// From 1.
+  /// The number of the present attempt, from 1.
   int number() const { return int(search_.state().attempt) + 1; }
-  /// No attempt follows this one.
+  /// Whether no other attempt follows.
   bool over() const { return search_.over(); }
 
-  /// The attempt under way has ended so. Another one has begun then, or all are over.
+  /// Ends the present attempt with this outcome. Then another attempt has begun, or over() is true.
   void end_attempt(const Shortage& shortage, const std::vector<Placement>& placements);
-  /// The attempt under way has ended so, and no other one is made.
+  /// Ends the present attempt with this outcome, and all attempts with it.
   void give_up(const Shortage& shortage, const std::vector<Placement>& placements);
-  /// When all are over: the placements of the best attempt where it is not the last one. factor() is that of the best
-  /// attempt from then on.
+  /// The placements of the best attempt, where it is not the last one; to be called when over() is true. From then on
+  /// factor() is that of the best attempt.
   std::optional<std::vector<Placement>> take_best();
 
   void save(CheckpointState& state) const;

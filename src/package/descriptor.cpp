@@ -8,7 +8,7 @@
 namespace tessera::matching {
 namespace {
 
-/// The largest distance of two PADs: what cannot be compared is as unlike as can be.
+/// The largest distance of two PADs; PADs that cannot be compared get it, too.
 constexpr double kLargestDistance = 2;
 
 /// PADs as rows of numbers: levels on the left, on the right, convexity, lengths on the left, on the right.
@@ -42,7 +42,7 @@ class PadDescriptor : public Descriptor {
   }
 
  private:
-  /// Throws Error where the numbers are not of describe().
+  /// The PADs of a description. Throws Error where the numbers were not made by describe().
   static std::vector<Pad> pads_in(const Description& description) {
     std::vector<Pad> pads;
     auto at = description.begin();
@@ -88,7 +88,7 @@ Descriptor::~Descriptor() = default;
 
 std::unique_ptr<Descriptor> make_pad_descriptor(const PadSettings& settings) {
   PadSettings without_unit = settings;
-  without_unit.smoothing = 0;  // that of each outline is looked at when it is described
+  without_unit.smoothing = 0;  // the smoothing of each outline is checked when it is described
   smoothing_of(without_unit, 1);
   return std::make_unique<PadDescriptor>(settings);
 }

@@ -26,7 +26,7 @@ fs::path folder_of_library() {
 }  // namespace
 
 std::string drawer_of_package() {
-  // TESSERA_DRAWER_FROM_LIBRARY: the drawer, seen from the library's folder, as both are installed.
+  // TESSERA_DRAWER_FROM_LIBRARY: the path of the installed drawer, relative to the library's folder.
   return drawer_program_among({(folder_of_library() / TESSERA_DRAWER_FROM_LIBRARY).lexically_normal().string()});
 }
 

@@ -5,8 +5,8 @@
 
 namespace tessera::matching {
 
-/// The file that TESSERA_DRAWER names, else the one that was installed with this library: its place is known from that
-/// of the library, so that an installation can be moved. Throws EnvironmentError where there is none.
+/// The path of the drawer: the file that TESSERA_DRAWER names, else the one installed with this library. It is found from
+/// the place of the library, so that an installation can be moved. Throws EnvironmentError where there is none.
 std::string drawer_of_package();
 
 }  // namespace tessera::matching

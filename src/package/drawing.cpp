@@ -7,7 +7,7 @@
 namespace tessera::matching {
 namespace {
 
-/// The narrowest smoothing, in pixels, as of tessera match: of silhouettes, and of thinned lines, which are rougher.
+/// The narrowest smoothing, in pixels, as in tessera match: for silhouettes, and for thinned lines, which are rougher.
 constexpr double kOutlineSigma_px = 1.5;
 constexpr double kCentreLineSigma_px = 2;
 

@@ -19,7 +19,7 @@ namespace {
 constexpr double kLongestBox = kLongest;
 constexpr double kLongestBoundary = 100;
 
-/// The outer curve, then its holes.
+/// The outer curve, then the holes within it.
 tessera::Outline outer_and_holes(const std::vector<tessera::Curve>& curves) {
   const tessera::Curve* outer = nullptr;
   double largest = 0;
@@ -60,7 +60,8 @@ void check_compact(const tessera::Outline& outline) {
 TracedOutline traced(const tessera::Outline& outline, double sigma) {
   TracedOutline result;
   for (const std::vector<Vec2>& curve : outline.curves) {
-    const double widest = double(closed_length(curve)) / 24;  // of small holes: wider, and nothing is left of them
+    // of small holes; wider smoothing would leave nothing of them
+    const double widest = double(closed_length(curve)) / 24;
     result.curves.push_back(smoothing_spline(curve, std::min(std::max<double>(sigma, kSmoothing_px), widest)));
   }
   return result;

@@ -1,4 +1,4 @@
-// A known outline as recognition needs it: a shape of a library that lies in no file.
+// A known outline in the form that recognition needs: like a shape of a library, but in no file.
 #pragma once
 
 #include "core/geometry/polygon.h"
@@ -13,7 +13,7 @@ struct KnownShape {
   Similarity shape_from_own;
 };
 
-/// The closed curve with the largest area, with the holes within it. Throws Error as KnownOutlines does.
+/// Makes the shape of the closed curve with the largest area and the holes within it. Throws Error as KnownOutlines does.
 KnownShape make_known_shape(const Outline& outline);
 
 }  // namespace tessera::matching

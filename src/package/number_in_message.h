@@ -1,4 +1,4 @@
-// Numbers that a message tells of.
+// Numbers as texts in messages.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace tessera::matching {
 
-/// Six digits that count; also "nan" and "inf", in every locale.
+/// The number with six significant digits, the same in every locale; "nan" and "inf" are possible.
 inline std::string number_in_message(double number) {
   if (std::isnan(number)) return "nan";  // it may have a sign, which says nothing
   std::array<char, 32> text{};

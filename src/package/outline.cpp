@@ -12,11 +12,12 @@ namespace tessera::matching {
 namespace {
 
 constexpr double kFarthest = 1e15;
-/// A curve, in parts of the box round all; the box, in parts of its distance from the origin, and at all.
+/// Limits: a curve's length as a part of the bounding box of all curves; that box as a part of its distance from the
+/// origin; and the box itself.
 constexpr double kShortestCurve = 1e-6;
 constexpr double kSmallestBox = 1e-11;
 constexpr double kSmallestExtent = 1e-100;
-/// The smoothing, in parts of the length: wider, and no curve has a shape left.
+/// The smoothing as a part of the length: with wider smoothing no curve keeps its shape.
 constexpr double kWidestSmoothing = 1.0 / 24;
 
 std::string points_text(std::size_t count) { return std::to_string(count) + (count == 1 ? " point" : " points"); }
@@ -31,7 +32,7 @@ double length_of(const Curve& curve) {
          std::hypot(curve.points.front().x - curve.points.back().x, curve.points.front().y - curve.points.back().y);
 }
 
-/// Shoelace area, counted from the first point: far from the origin products of coordinates have lost their decimals.
+/// The shoelace area, relative to the first point: far from the origin products of coordinates lose their decimals.
 double signed_area(const std::vector<Point>& polygon) {
   if (polygon.empty()) return 0;
   const Point origin = polygon.front();
@@ -44,7 +45,7 @@ double signed_area(const std::vector<Point>& polygon) {
   return twice / 2;
 }
 
-/// Even-odd rule.
+/// Whether the point lies in the polygon, by the even-odd rule.
 bool contains(const std::vector<Point>& polygon, Point p) {
   bool inside = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -98,7 +99,7 @@ void check(const Outline& outline) {
   }
   const OutlineBox box = box_of(outline);
   if (!(box.extent() > std::max(kSmallestExtent, kSmallestBox * farthest(box)))) {
-    throw Error("an outline whose points are all one, or lie too close together for their distance from the origin");
+    throw Error("an outline whose points are all equal, or too close together for their distance from the origin");
   }
   double total = 0;
   for (std::size_t c = 0; c < outline.curves.size(); ++c) {

@@ -1,4 +1,4 @@
-// The box round an outline.
+// The bounding box of an outline.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ struct OutlineBox {
   Point middle() const { return {low.x + (high.x - low.x) / 2, low.y + (high.y - low.y) / 2}; }
 };
 
-/// Round all curves.
+/// The bounding box of all curves.
 inline OutlineBox box_of(const Outline& outline) {
   OutlineBox box;
   for (const Curve& curve : outline.curves) box.add(curve);

@@ -1,4 +1,4 @@
-// Pyramids of the core as the package's PADs.
+// Turns pyramids of the core into the package's PADs.
 #pragma once
 
 #include "core/recognition/partial_pyramid.h"

@@ -13,10 +13,10 @@
 namespace tessera::matching {
 namespace {
 
-/// A curve is smoothed with so many points a width.
+/// Points of a curve for each width of the smoothing.
 constexpr double kPointsOfWidth = 4;
 constexpr int kLeastPoints = 48;
-/// A shorter curve has lost its shape.
+/// A curve of fewer widths has lost its shape.
 constexpr double kShortestWidths = 6;
 
 std::vector<Pad> pads_of_curve(const PreparedCurves& prepared, std::size_t curve, int samples, double sigma,
@@ -40,7 +40,8 @@ std::vector<Pad> pads_of_curve(const PreparedCurves& prepared, std::size_t curve
   return pads;
 }
 
-/// The largest difference of a side's elements: each is 2^-i times an arclength, over the longest that both sides have.
+/// The largest difference of the elements of one side. An element is 2^-i times an arclength, divided by the longest
+/// arclength of that side that both PADs have.
 double side_difference(const std::vector<double>& p, const std::vector<double>& q, std::size_t levels, double sign) {
   double largest = 0;
   double weight = 1;

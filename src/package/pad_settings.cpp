@@ -9,7 +9,8 @@ namespace tessera::matching {
 namespace {
 
 constexpr double kDefaultPart = 1.0 / 100;
-/// Limits of the smoothing, in parts of the curve's length. Narrower smoothing takes more points than a curve of a picture has.
+/// Limits of the smoothing, as parts of the curve's length. Narrower smoothing would take more points than a curve of a
+/// picture has.
 constexpr double kNarrowestPart = 1.0 / 5000;
 constexpr double kWidestPart = 1.0 / 12;
 

@@ -21,7 +21,7 @@ PreparedCurves prepared_curves(const Outline& outline) {
       const Point p = prepared_from_own.apply(own);
       prepared.points.push_back({float(p.x), float(p.y)});
     }
-    // Points that differ in double may be one in float.
+    // Points that differ as doubles may be equal as floats.
     const std::string fault = curve_fault(prepared);
     if (!fault.empty()) throw Error("curve " + std::to_string(result.curves.size() - 1) + ": " + fault);
   }

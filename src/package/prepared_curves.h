@@ -1,5 +1,5 @@
-// Curves as the core computes with them. Its numbers are floats, and its limits are those of pixels: curves of any unit
-// come in a frame of their own, in which they are as large as on a drawn page.
+// Brings curves into a frame for the core, whose numbers are floats and whose limits are those of pixels. Curves of any
+// unit are scaled there to the size of a drawn page.
 #pragma once
 
 #include <vector>
@@ -10,11 +10,11 @@
 
 namespace tessera::matching {
 
-/// Longer side of the box round all curves in their prepared frame, as that of read_drawn_curves().
+/// Longer side of the bounding box of all curves in the prepared frame, the same as that of read_drawn_curves().
 inline constexpr double kPreparedExtent = 1024;
-/// The narrowest smoothing in the prepared frame where the outline names none: of a clean silhouette's pixels.
+/// Narrowest smoothing in the prepared frame where the outline gives none: right for the pixels of a clean silhouette.
 inline constexpr double kDefaultSigma = 1.5;
-/// Narrower ones change nothing, and cost time.
+/// Narrower smoothing changes nothing and costs time.
 inline constexpr double kLeastSigma = 1e-3;
 
 struct PreparedCurves {
@@ -26,7 +26,7 @@ struct PreparedCurves {
   double prepared(double own_length) const { return own_length / own_from_prepared.a; }
 };
 
-/// Throws Error as check() does.
+/// Brings the curves into the prepared frame. Throws Error as check() does.
 PreparedCurves prepared_curves(const Outline& outline);
 
 inline Similarity to_public(const tessera::Similarity& s) { return {s.a, s.b, s.tx, s.ty}; }

@@ -23,17 +23,17 @@ struct KnownOutlines::State {
   std::vector<KnownShapes> lots;           // lots_of() the outlines
   std::vector<tessera::Outline> outlines;  // shape frames
   std::vector<Similarity> shape_from_own;
-  /// The unit in which the core's floats count the known outlines' sizes: 1 px of a library's drawings, or the middle of the
-  /// outlines' sizes.
+  /// The unit in which the core's floats count the sizes of known outlines: 1 px of a library's drawings, or the geometric
+  /// middle of the outlines' sizes.
   double unit = 1;
   std::string no_scale;  // why no scale may be given; empty where one may
 };
 
 namespace {
 
-/// Sizes of outlines are 1e-100 to 1e15.
+/// Limit of a query's scale, by the sizes of outlines (1e-100 to 1e15).
 constexpr double kLargestScale = 1e120;
-/// Known outlines of which the sizes differ by a larger factor have no unit of length that suits floats.
+/// Known outlines whose sizes differ by a larger factor have no unit of length that suits floats.
 constexpr double kMostSizeRatio = 1e20;
 /// Prepared units for one unit of the known outlines. Beyond these limits an outline of 1e-10 to 1e10 units is much smaller
 /// than a point of the query, or much larger than the query.
@@ -65,7 +65,7 @@ struct Sizes {
     least = *smallest;
     most = *largest;
   }
-  /// In the middle of the sizes: the factors to the least and to the largest one are the same.
+  /// The geometric middle of the sizes: it has the same factor to the least and to the largest size.
   double unit() const { return std::sqrt(least) * std::sqrt(most); }
 };
 
@@ -83,7 +83,7 @@ std::vector<tessera::Curve> turned_round(std::vector<tessera::Curve> curves) {
   return curves;
 }
 
-/// The query in both directions in which its open curves may run; once, where all are closed.
+/// The query in both directions of its open curves; only one query where all curves are closed.
 std::vector<tessera::Query> prepared_queries(const PreparedCurves& prepared, const PadParameters& pad) {
   const QuerySettings settings{.pad = pad, .least_sigma = prepared.least_sigma, .without_noise = true};
   std::vector<tessera::Query> queries;

@@ -1,4 +1,4 @@
-// The program's exceptions as the package's one.
+// Turns the program's exceptions into the package's one exception.
 #pragma once
 
 #include <exception>
@@ -9,7 +9,7 @@
 
 namespace tessera::matching {
 
-/// Returns what `work` returns. Whatever it throws becomes an Error; a lack of memory stays std::bad_alloc.
+/// Returns the result of `work`. Whatever it throws becomes an Error; only std::bad_alloc stays as it is.
 template <class Work>
 decltype(auto) with_errors_translated(Work&& work) {
   try {

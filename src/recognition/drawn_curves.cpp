@@ -20,12 +20,13 @@ namespace {
 
 /// Longest side of the drawn page.
 constexpr int kDrawnSide_px = 1024;
-/// Outlines round less than this are specks.
+/// Outlines around smaller areas are specks.
 constexpr double kLeastArea_px2 = 16;
-/// The longest ones of a drawing that has more.
+/// A drawing with more curves keeps the longest ones.
 constexpr std::size_t kMostCurves = 200;
 
-/// CV_8U: what is drawn. On an opaque page that is what differs from the colour along its edge, whatever it encloses.
+/// CV_8U: the pixels that are drawn. On an opaque page these are the pixels that differ from the colour along its edge;
+/// holes of that colour are not drawn.
 cv::Mat drawn_places(const cv::Mat& page) {
   cv::Mat drawn;
   if (has_transparency(page)) {
@@ -42,7 +43,7 @@ cv::Mat drawn_places(const cv::Mat& page) {
 }
 
 std::vector<Curve> centre_lines(const cv::Mat& page, float pixel) {
-  // A margin of one pixel keeps lines at the page's edge as wide as they are.
+  // A margin of one pixel keeps the width of lines at the page's edge.
   cv::Mat drawn;
   cv::copyMakeBorder(drawn_places(page), drawn, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
   cv::Mat distance;
@@ -99,7 +100,7 @@ DrawnCurves read_drawn_curves(const std::string& path, TracedAs kind, Drawers& d
   if (result.curves.empty()) throw InputError(path + ": " + lack_of_curves(kind));
   for (const Curve& curve : result.curves) {
     if (const std::string fault = curve_fault(curve); !fault.empty())
-      throw InputError(path + ": a curve of no use: " + fault);
+      throw InputError(path + ": a curve that cannot be used: " + fault);
   }
   return result;
 }

@@ -16,10 +16,10 @@ struct DrawnCurves {
 
 enum class TracedAs { outlines, centre_lines };
 
-/// Curves of an SVG, an image or a mask. It is drawn by `drawers`, and traced in pixels: one way for all formats.
-/// outlines: all contours of its silhouette, holes too, with the interior on the left. centre_lines: what is drawn is
-/// thinned to lines one pixel wide, which are cut where they meet (line_trace.h).
-/// Throws InputError, which names the file, where it is no artwork, shows nothing, or lies beyond what a curve may.
+/// Reads the curves of an SVG, an image or a mask. `drawers` draw it and it is traced in pixels, in the same way for all
+/// formats. outlines: all contours of its silhouette with holes, with the interior on the left. centre_lines: the drawing
+/// is thinned to lines one pixel wide, which are cut where they meet (line_trace.h). Throws InputError that names the file
+/// where it is no artwork, shows nothing, or exceeds the limits of a curve.
 DrawnCurves read_drawn_curves(const std::string& path, TracedAs kind, Drawers& drawers);
 
 }  // namespace tessera

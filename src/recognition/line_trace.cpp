@@ -10,14 +10,14 @@
 namespace tessera {
 namespace {
 
-/// Takes the stairs of pixels out.
+/// Smoothing that removes the stairs of pixels.
 constexpr float kSmoothing_px = 1.5f;
 constexpr float kShortest_px = 3;
 constexpr int kNone = -1;
 
 Vec2 middle_of(Pixel p) { return {float(p.x) + 0.5f, float(p.y) + 0.5f}; }
 
-/// Pixels where lines meet, as one place.
+/// Adjacent pixels where lines meet, as one place.
 struct Junction {
   Vec2 sum;
   int pixels = 0;
@@ -26,7 +26,7 @@ struct Junction {
   Vec2 middle() const { return sum * (1 / float(pixels)); }
 };
 
-/// A line between two junctions, or free ends (kNone).
+/// A line between two junctions; kNone stands for a free end.
 struct Branch {
   std::vector<Vec2> points;
   int from = kNone;
@@ -104,7 +104,7 @@ class LineTrace {
 
   bool is_on_branch(Pixel p) const { return junction_of_(p.x, p.y) == kNone; }
 
-  /// Branches that end somewhere, then those that come back to themselves.
+  /// Finds branches that end somewhere, then lines that return to their start.
   void find_branches() {
     for_each_pixel([&](Pixel p) {
       int on_branch = 0;
@@ -169,7 +169,7 @@ class LineTrace {
     std::erase_if(branches_, [&](const Branch& branch) { return is_spur(branch); });
   }
 
-  /// Where no more than two branches are left at a junction, they are one.
+  /// Joins branches at junctions where only two are left.
   void join_branches() {
     for (int number = 0; number < int(junctions_.size()); ++number) {
       std::vector<std::size_t> ends;

@@ -16,7 +16,7 @@ constexpr float kMargin_px = 16;
 constexpr float kCaption_px = 24;
 constexpr const char* kColourOfA = "#b0b0b0";
 constexpr const char* kColourOfB = "#404040";
-/// Told apart by those who see no red or green (Okabe and Ito 2008).
+/// Colours that people who cannot tell red from green can tell apart (Okabe and Ito 2008).
 constexpr std::array<const char*, 6> kRunColours = {"#d55e00", "#0072b2", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"};
 
 const char* colour_of_run(std::size_t k) { return kRunColours[k % kRunColours.size()]; }
@@ -37,7 +37,7 @@ Similarity panel_from(const Box& box, float left_px, float top_px) {
   return {scale, 0, left_px + kPanel_px / 2 - scale * middle.x, top_px + kPanel_px / 2 - scale * middle.y};
 }
 
-/// `outer` after `inner`.
+/// Applies `inner`, then `outer`.
 Similarity combined(const Similarity& outer, const Similarity& inner) {
   const Vec2 t = outer.apply(inner.translation());
   const Vec2 d = outer.apply_direction({inner.a, inner.b});

@@ -1,4 +1,4 @@
-// The picture of matches: both sets of curves with the parts that follow one another in colour, and B laid onto A.
+// Draws matches: both sets of curves, with matching parts in the same colour, and B laid onto A.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace tessera {
 
-/// An SVG with a row for each match. Parts that belong together have the same colour.
+/// An SVG with a row for each match.
 std::string match_picture(const std::vector<Curve>& a, const std::vector<Curve>& b,
                           const std::vector<CurveMatch>& matches);
 

@@ -10,7 +10,7 @@
 namespace tessera {
 namespace {
 
-/// The eight neighbours as the paper counts them, P2 to P9: from the one above on, clockwise.
+/// The eight neighbours in the paper's order, P2 to P9: clockwise from the one above.
 constexpr std::array<Pixel, 8> kAround{{{0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}}};
 
 std::array<bool, 8> neighbours(const Grid<std::uint8_t>& image, Pixel p) {
@@ -35,14 +35,14 @@ int rises(const std::array<bool, 8>& set) {
   return count;
 }
 
-/// Parts into which the neighbours fall, where corners connect (Yokoi's number of connectivity).
+/// The number of connected parts of the set neighbours; corners connect (Yokoi's connectivity number).
 int connected_parts(const std::array<bool, 8>& set) {
   int parts = 0;
   for (std::size_t k = 0; k < 8; k += 2) parts += !set[k] && (set[(k + 1) % 8] || set[(k + 2) % 8]);
   return parts;
 }
 
-/// Whether the first or the second half of an iteration takes the pixel away.
+/// Whether the first or second half of an iteration takes the pixel away.
 bool is_taken(const std::array<bool, 8>& set, bool first_half) {
   const int count = count_of(set);
   if (count < 2 || count > 6 || rises(set) != 1) return false;
@@ -51,7 +51,7 @@ bool is_taken(const std::array<bool, 8>& set, bool first_half) {
                     : !(up && right && left) && !(up && down && left);
 }
 
-/// The pixels that may be taken: those beside a clear one. All others have eight set neighbours.
+/// The pixels that may be taken, which lie beside a clear one. All others have eight set neighbours.
 class Border {
  public:
   explicit Border(const Grid<std::uint8_t>& image) : listed_(image.width(), image.height(), 0) {
@@ -96,7 +96,8 @@ class Border {
   std::vector<Pixel> pixels_;
 };
 
-/// The method leaves stairs two pixels wide. Taking away one pixel after the other keeps the lines connected.
+/// Removes stairs two pixels wide, which the method leaves. One pixel after the other is taken, so that lines stay
+/// connected.
 void take_stairs(Grid<std::uint8_t>& image, const std::vector<Pixel>& pixels) {
   for (const Pixel p : pixels) {
     const std::array<bool, 8> set = neighbours(image, p);

@@ -1,4 +1,5 @@
-// Lines of pixels made one pixel wide (Zhang and Suen 1984: "A fast parallel algorithm for thinning digital patterns").
+// Thins areas of pixels to lines one pixel wide (Zhang and Suen 1984: "A fast parallel algorithm for thinning digital
+// patterns").
 #pragma once
 
 #include <cstdint>
@@ -7,8 +8,8 @@
 
 namespace tessera {
 
-/// 1 where a thin line is left of what is 1 in `filled`, else 0. The lines are connected as the areas were, over corners
-/// too, and no pixel can be taken away that is not an end. Beyond the grid there is nothing.
+/// 1 where a thin line remains of the pixels that are 1 in `filled`, otherwise 0. The lines are connected like the areas,
+/// also over corners. Only ends could be taken away without cutting a line. The outside of the grid counts as 0.
 Grid<std::uint8_t> thinned(const Grid<std::uint8_t>& filled);
 
 }  // namespace tessera

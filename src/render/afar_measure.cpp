@@ -8,13 +8,13 @@
 namespace tessera {
 namespace {
 
-// Without the picture's path: cards may be handed on.
+// The picture's path is left out, because cards may be passed on.
 constexpr const char* kUnreadable = "colour.image cannot be read any more";
 constexpr const char* kAnother = "colour.image has changed since the collage";
 constexpr const char* kUnknownSizes = "the pieces that the collage began from cannot be read any more";
 constexpr const char* kTransparent = "colour.image is transparent here";
 
-/// Whether pieces that were chosen by this picture cover the colours that the report says.
+/// Whether the picture gives the covered colours in the report, so that it is the one by which pieces were chosen.
 bool is_of_collage(const ColourImage& image, const CollageReport& report) {
   return report.covered.empty() || covered_colours(report.placements, report.shapes, *image.target) == report.covered;
 }

@@ -13,23 +13,23 @@ namespace tessera {
 
 class AfarMeasure {
  public:
-  /// Reads `image` (colour.image) as finely as the run did, which goes by the size of the smallest piece, in px;
-  /// nothing where that is not known any more. The report has the pieces as they were placed, not yet deformed. Where
-  /// the picture cannot be had, or is another than when the collage was made, the note says so: drawing does not need
-  /// it. Throws EnvironmentError where it cannot be decoded for want of processes, DrawingStopped.
+  /// Reads `image` (colour.image) with the resolution of the run, which depends on the size of the smallest piece,
+  /// `smallest_px`; empty: that size is no longer known. The report has the pieces as they were placed, not yet deformed.
+  /// Where the picture cannot be read or has changed since the collage was made, the note says so, because drawing does not
+  /// need it. Throws EnvironmentError where the system has no process left for decoding, and DrawingStopped.
   AfarMeasure(const CollageReport& report, const std::string& image, std::optional<float> smallest_px,
               Drawers& drawers);
 
-  /// Takes the picture's rows, beside the files that are written.
+  /// Takes the picture's rows, like the files that are written.
   PictureFile& rows() { return mosaic_; }
-  /// After the last row.
+  /// The figures; to be called after the last row.
   AfarNote note() const;
 
  private:
   const Canvas& canvas_;
   const std::size_t pieces_;
   MosaicCells mosaic_;
-  Grid<WeightedColour> picture_;  // empty: it is not there
+  Grid<WeightedColour> picture_;  // empty: there is none
   std::string not_measured_;
 };
 

@@ -23,7 +23,7 @@ std::string json_with_drawing(const std::string& dir, const DrawingNotes& notes)
   return card.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-/// What stands above the section that begins with this line; all of it where there is no such section.
+/// The part of the card above the section that begins with this line; all of it where there is no such section.
 std::string above(const std::string& card, const std::string& heading) {
   const std::size_t section = card.find("\n" + heading);
   return card.substr(0, section == std::string::npos ? section : section + 1);
@@ -34,7 +34,7 @@ std::string text_with_drawing(const std::string& dir, const DrawingNotes& notes)
   return (notes.afar ? above(card, kAfarHeading) + afar_text(*notes.afar) : card) + drawing_text(notes);
 }
 
-/// Returns why the card stays as it is; mostly empty.
+/// Rewrites a card. Returns why the card stays as it is; mostly empty.
 template <class Text>
 std::string rewrite(const std::string& dir, const char* name, const DrawingNotes& notes, Text with_drawing) {
   try {

@@ -23,10 +23,10 @@ constexpr int kCaption_px = 34;  // two lines
 constexpr int kMaxColumns = 6;
 
 constexpr std::size_t kMostPictureBytes = std::size_t(512) << 20;
-/// A picture of 20,000 x 20,000 px decoded, and the file.
+/// Enough for a decoded picture of 20,000 x 20,000 px and its file.
 constexpr DrawerSettings kDrawers{.bytes_per_process = std::size_t(2) << 30};
 
-/// The picture shrunk into a cell, as cairo wants it (premultiplied BGRA); empty where there is none.
+/// The picture shrunk into a cell, in cairo's format (premultiplied BGRA); empty where there is none.
 cv::Mat picture(Drawers& drawers, const std::string& folder) {
   const std::string path = fs::path(folder) / "collage.png";
   try {
@@ -43,7 +43,7 @@ std::vector<cv::Mat> pictures_of(const std::vector<RankedResult>& results, std::
   return pictures;
 }
 
-/// As high as the highest picture.
+/// The layout, with cells as high as the highest picture.
 SheetLayout layout_for(const std::vector<cv::Mat>& pictures) {
   int height_px = 1;
   for (const cv::Mat& picture : pictures) height_px = std::max(height_px, picture.rows);
@@ -73,7 +73,7 @@ std::string title(const std::vector<RankedResult>& results, std::size_t shown) {
   return text;
 }
 
-/// "DIR/seed_1/" and "seed_1" alike.
+/// The last name of a path, with or without a slash at its end: "DIR/seed_1/".
 std::string last_name(const std::string& folder) {
   const fs::path path = fs::path(folder).lexically_normal();
   return path.has_filename() ? path.filename().string() : path.parent_path().filename().string();

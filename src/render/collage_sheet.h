@@ -1,4 +1,4 @@
-// ranking.png: the pictures of ranked collages, best first.
+// Draws ranking.png: the pictures of ranked collages, best first.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace tessera {
 
-/// No more than these are shown.
+/// The most collages that the sheet shows.
 inline constexpr std::size_t kMaxSheetCollages = 60;
 
-/// A PNG, for `path`. A result whose collage.png is missing or damaged leaves its place empty. `results` holds at least
-/// one. Throws EnvironmentError where cairo cannot draw it.
+/// Makes the PNG; `path` is for messages. A result whose collage.png is missing or damaged has an empty place. `results`
+/// holds at least one. Throws EnvironmentError where cairo fails.
 std::vector<std::uint8_t> collage_sheet(const std::vector<RankedResult>& results, const std::string& path);
 
 }  // namespace tessera

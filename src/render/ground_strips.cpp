@@ -8,7 +8,7 @@
 namespace tessera {
 namespace {
 
-/// Averaged where the picture shows it smaller; never enlarged.
+/// The page at the size that it has in the picture: averaged where that is smaller, never enlarged.
 cv::Mat as_in_picture(const cv::Mat& page, cv::Size2d tile_px) {
   const auto side = [](double px, int most) { return std::clamp(int(std::ceil(px - 1e-6)), 1, most); };
   const cv::Size size(side(tile_px.width, page.cols), side(tile_px.height, page.rows));
@@ -44,7 +44,7 @@ GroundStrips::Place GroundStrips::place_of(int at, double tile_px, int tile_cell
 
 cv::Mat GroundStrips::rows(int top, int count) const {
   cv::Mat drawn(count, int(columns_.size()), CV_8UC4);
-  std::vector<cv::Vec4i> across(std::size_t(tile_.cols));  // of the tile, between two of its rows, 256 times
+  std::vector<cv::Vec4i> across(std::size_t(tile_.cols));  // of the tile, between two of its rows, times 256
   for (int y = 0; y < count; ++y) {
     const Place row = place_of(top + y, height_px_, tile_.rows);
     const cv::Vec4b* upper = tile_.ptr<cv::Vec4b>(row.first);

@@ -1,4 +1,4 @@
-// The ground of the pieces, or what is laid over them, as pixels, strip by strip.
+// Draws the ground below the pieces, or the overlay above them, as pixels, strip by strip.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -10,18 +10,18 @@ namespace tessera {
 
 class GroundStrips {
  public:
-  /// A px of the canvas has `picture_px` of the picture. Without a tile there is nothing to draw.
+  /// `picture_px`: px of the picture for one px of the canvas. Without a tile there is nothing to draw.
   GroundStrips(const GroundTile& tile, double picture_px, cv::Size picture);
 
   bool empty() const { return tile_.empty(); }
 
-  /// So many rows of the picture from row `top` on, in its full width: premultiplied BGRA, CV_8UC4. A tile that is a
-  /// whole number of px of the picture large, and no larger than its page, is not blurred. Rows do not depend on each
+  /// The rows from `top` on, `count` of them, in the full width of the picture: premultiplied BGRA, CV_8UC4. A tile is not
+  /// blurred where its size is a whole number of px of the picture and not larger than its page. Rows do not depend on each
   /// other.
   cv::Mat rows(int top, int count) const;
 
  private:
-  /// What lies at the middle of a px of the picture: two neighbours in the tile, and how much of 256 the second has.
+  /// The place of a pixel's middle in the tile: two neighbouring px, and the share of the second in 256ths.
   struct Place {
     int first = 0;
     int second = 0;

@@ -15,9 +15,10 @@
 namespace tessera {
 namespace {
 
-constexpr double kLeastChroma = 2;  // of CIELAB: less is seen as grey, and its hue is the rounding of 8 bits
+// of CIELAB: smaller chroma looks grey, and its hue comes from the rounding of 8 bits
+constexpr double kLeastChroma = 2;
 
-/// Of CIELAB, degrees from 0.
+/// The hue in CIELAB, degrees from 0.
 double hue_of(double a, double b) {
   const double hue_deg = std::atan2(b, a) * kDegreesPerRad;
   return hue_deg < 0 ? hue_deg + kHues : hue_deg;
@@ -34,7 +35,7 @@ cv::Vec3b shifted_colour(const CollageReport& report, std::size_t piece) {
   return bgr;
 }
 
-/// `v`: blue, green, red.
+/// The colour `v` (blue, green, red) multiplied by the matrix.
 cv::Vec3b turned(const std::array<std::array<double, 3>, 3>& m, const cv::Vec3b& v, int most) {
   cv::Vec3b result;
   for (std::size_t c = 0; c < 3; ++c) {
@@ -45,11 +46,11 @@ cv::Vec3b turned(const std::array<std::array<double, 3>, 3>& m, const cv::Vec3b&
   return result;
 }
 
-/// 0, 1, -1, 2, -2 .. 180: the least turn comes first.
+/// Turns in the order 0, 1, -1, 2, -2 .. 180: the least turn comes first.
 int turn_at(int place) { return place % 2 == 1 ? (place + 1) / 2 : -place / 2; }
 
-/// A colour turned by turn_at(0), turn_at(1) .. has these hues. They are not the old one and the turn: the wheel that
-/// hueRotate turns is that of red, green and blue.
+/// The hues of a colour that is turned by turn_at(0), turn_at(1) and so on. They are not the old hue plus the turn, because
+/// hueRotate turns the wheel of red, green and blue.
 std::vector<double> hues_turned(const cv::Vec3b& bgr) {
   cv::Mat row(1, kHues, CV_8UC3);
   for (int k = 0; k < kHues; ++k) row.at<cv::Vec3b>(0, k) = turned(hue_rotation(turn_at(k)), bgr, 255);
@@ -59,7 +60,7 @@ std::vector<double> hues_turned(const cv::Vec3b& bgr) {
   return hues;
 }
 
-/// That brings a colour nearest to the hue.
+/// The turn that brings a colour nearest to the hue.
 int turn_to(const cv::Vec3b& bgr, double hue_deg) {
   const std::vector<double> hues = hues_turned(bgr);
   const auto nearest = std::min_element(hues.begin(), hues.end(),
@@ -69,7 +70,7 @@ int turn_to(const cv::Vec3b& bgr, double hue_deg) {
 
 struct PieceHue {
   cv::Vec3b bgr;
-  std::optional<int> hue_deg;  // none: grey
+  std::optional<int> hue_deg;  // empty: grey
   double chroma = 0;
 };
 
@@ -108,7 +109,7 @@ void harmonise(CollageReport& report, const std::string& wanted) {
   HueHistogram weights{};
   for (std::size_t i = 0; i < report.placements.size(); ++i) {
     pieces.push_back(hue_of_piece(report, i));
-    const double scale_px = report.placements[i].canvas_from_shape.scale();  // the area of a piece is its square
+    const double scale_px = report.placements[i].canvas_from_shape.scale();  // its square is the piece's area
     if (pieces[i].hue_deg) weights[std::size_t(*pieces[i].hue_deg)] += scale_px * scale_px * pieces[i].chroma;
   }
   if (std::all_of(weights.begin(), weights.end(), [](double weight) { return weight == 0; })) return;

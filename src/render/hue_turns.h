@@ -1,4 +1,4 @@
-// colour.harmony: the hues of pieces, turned into a harmonic template of the hue wheel of CIELAB's a and b.
+// colour.harmony: turns the hues of pieces into a harmonic template on the hue wheel of CIELAB's a and b.
 #pragma once
 
 #include <array>
@@ -9,16 +9,16 @@
 
 namespace tessera {
 
-/// How a piece's colours are turned: the matrix of SVG's hueRotate on sRGB as it is coded, rows and columns red, green,
-/// blue. Greys stay grey; lightness stays within 4 of 100 in the mean over all colours.
+/// The matrix that turns a piece's colours, the same as SVG's hueRotate on encoded sRGB; rows and columns are red, green,
+/// blue. Greys stay grey. Lightness changes by less than 4 of 100 in the mean over all colours.
 std::array<std::array<double, 3>, 3> hue_rotation(int turn_deg);
 
-/// `bgra`: premultiplied.
+/// Turns the hues of premultiplied pixels.
 void turn_hues(cv::Mat& bgra, int turn_deg);
 
-/// Finds the template (`wanted`: "auto" or its letter; "none": nothing is done) for the mean colours of the pieces as
-/// `report` has them, tones included, and adds to `report.tones` the turns that bring these into it. Where all is grey
-/// there is no harmony.
+/// Finds the template for the mean colours of the pieces, including the tones in `report`, and adds the turns that bring
+/// them into it to `report.tones`. `wanted`: "auto", the letter of a template, or "none" (does nothing). Where all colours
+/// are grey there is no harmony.
 void harmonise(CollageReport& report, const std::string& wanted);
 
 }  // namespace tessera

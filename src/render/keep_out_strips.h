@@ -1,4 +1,4 @@
-// The drawing in canvas.keep_out as pixels, strip by strip.
+// Draws the drawing in canvas.keep_out as pixels, strip by strip.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -11,10 +11,11 @@ namespace tessera {
 
 class KeepOutStrips {
  public:
-  /// `drawing` must outlive it; a px of the canvas has `picture_px` of the picture.
+  /// `drawing` must outlive it. `picture_px`: px of the picture for one px of the canvas.
   KeepOutStrips(const KeepOutDrawing& drawing, double picture_px, cv::Size picture);
 
-  /// Lays it over rows of the picture from row `top` on, a multiple of kStripRows: BGR, or premultiplied BGRA.
+  /// Lays the drawing over rows of the picture (BGR, or premultiplied BGRA). `top`: the first row, a multiple of
+  /// kStripRows.
   void draw(int top, cv::Mat rows) const;
 
  private:

@@ -37,7 +37,7 @@ std::vector<LabelledPiece> labelled_pieces(const CollageReport& report, const Sh
   return pieces;
 }
 
-/// `top`: of the strip, in the picture.
+/// Fills one strip. `top`: its first row in the picture.
 template <class Label>
 void fill_strip(const std::vector<LabelledPiece>& pieces, int top, cv::Mat strip) {
   const Window window{0, top, strip.cols, top + strip.rows};

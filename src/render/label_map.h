@@ -1,4 +1,4 @@
-// Which pixel of a collage's picture belongs to which piece: labels.png.
+// Writes labels.png: which pixel of a collage's picture belongs to which piece.
 #pragma once
 
 #include <cstddef>
@@ -12,17 +12,17 @@
 
 namespace tessera {
 
-/// Grey, as large as collage.png; 8 bits where the pieces' numbers fit into them, else 16. Throws InputError where
-/// there are more pieces than numbers of 16 bits.
+/// The format of the map: grey, as large as collage.png, with 8 bits where the numbers of the pieces fit into them,
+/// otherwise 16. Throws InputError where there are more pieces than numbers of 16 bits.
 PictureFormat label_format(const CollageReport& report);
 
-/// Hands out the map from top to bottom, some rows at a time: 0 where the middle of a pixel lies in no piece, else the
-/// number of the uppermost piece that it lies in, from 1 in the order of pieces.geojson. `artworks` tells how far
+/// Calls `take` with the map from top to bottom, some rows at a time. A pixel is 0 where its middle lies in no piece,
+/// otherwise the number of the uppermost piece there, from 1 in the order of pieces.geojson. `artworks` tells how far
 /// drawings reach.
 void draw_labels(const CollageReport& report, const ShapeArtworks& artworks,
                  const std::function<void(const cv::Mat& rows)>& take);
 
-/// Writes it and finishes the file; `progressed(rows)` tells how many are written. Throws EnvironmentError and
+/// Writes the map and finishes the file. Calls `progressed` with the number of rows written. Throws EnvironmentError and
 /// DrawingStopped.
 void write_labels(const CollageReport& report, const ShapeArtworks& artworks, PictureFile& file,
                   const StopWatcher& stop, const std::function<void(std::size_t rows)>& progressed);

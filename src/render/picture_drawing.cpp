@@ -21,7 +21,7 @@
 namespace tessera {
 namespace {
 
-/// Premultiplied: what is drawn, all of it in this colour.
+/// Gives all drawn pixels of premultiplied BGRA this colour.
 void tint(cv::Mat& bgra, cv::Vec3b colour) {
   for (int y = 0; y < bgra.rows; ++y) {
     cv::Vec4b* row = bgra.ptr<cv::Vec4b>(y);
@@ -31,7 +31,7 @@ void tint(cv::Mat& bgra, cv::Vec3b colour) {
   }
 }
 
-/// Lays over the picture what `bgr_at(x, y)` is there.
+/// Lays the colours `bgr_at(x, y)` over the picture, by the coverage.
 template <class BgrAt>
 void blend(const BgrAt& bgr_at, const cv::Mat& coverage, cv::Mat& bgr) {
   for (int y = 0; y < bgr.rows; ++y) {
@@ -50,7 +50,7 @@ void blend(const cv::Vec3b& colour, const cv::Mat& coverage, cv::Mat& bgr) {
   blend([&](int, int) { return colour; }, coverage, bgr);
 }
 
-/// A part of a piece that is drawn: rows of its box from `top` on.
+/// A drawn part of a piece: rows of its box from `top` on.
 struct Tile {
   int top = 0;
   cv::Mat bgra;
@@ -111,7 +111,7 @@ class PictureBands {
   }
 
  private:
-  /// Along the outlines, px of the picture.
+  /// Width of the line along the outlines, px of the picture.
   double line_px() const { return report_.output.outline_px * picture_px_; }
 
   std::vector<std::size_t> pieces_between(int top, int bottom) const {
@@ -123,8 +123,8 @@ class PictureBands {
     return reaching;
   }
 
-  /// A piece is drawn to its end as long as there is room for what later bands need of it; else as far as this one
-  /// goes.
+  /// Draws the pieces' parts in this band. A piece is drawn to its end if there is room to keep the part for later bands,
+  /// otherwise only to the end of this band.
   void draw_tiles(const std::vector<std::size_t>& reaching, int top, int bottom) {
     std::vector<std::size_t> missing;
     std::vector<int> ends;
@@ -171,7 +171,7 @@ class PictureBands {
     if (!opaque_) straighten(strip);
   }
 
-  /// The colours beneath the pieces fade over one pixel of the picture at the canvas' edge.
+  /// Draws the colours beneath the pieces. They fade over one pixel of the picture at the canvas' edge.
   void draw_canvas(int top, cv::Mat& strip) const {
     const CanvasEdge& edge = report_.canvas_edge;
     strip.setTo(cv::Scalar(background_[0], background_[1], background_[2]));
@@ -191,7 +191,7 @@ class PictureBands {
     blend({255, 255, 255}, outside, strip);
   }
 
-  /// Transparent outside the canvas, and without a ground.
+  /// Draws only the ground: transparent outside the canvas and where there is no ground.
   void draw_ground_alone(int top, cv::Mat& strip) const {
     strip.setTo(cv::Scalar::all(0));
     lay_within_canvas(ground_, top, strip);
@@ -205,7 +205,7 @@ class PictureBands {
     lay_over(rows, strip);
   }
 
-  /// Of each pixel of a strip that begins at row `top`, CV_8U.
+  /// The coverage of each pixel of a strip that begins at row `top`, CV_8U.
   cv::Mat coverage_of(const Curves& curves, int top, const cv::Mat& strip) const {
     return filled_coverage(curves, {float(picture_px_), 0, 0, 0}, {0, top, strip.cols, strip.rows});
   }
@@ -244,7 +244,7 @@ class PictureBands {
 void draw_picture(const CollageReport& report, ShapeArtworks& artworks, const PictureLimits& limits,
                   const std::function<void(const cv::Mat& rows)>& take) {
   PictureBands bands(report, artworks, limits);
-  cv::Mat before;  // the band that is taken while the next one is drawn
+  cv::Mat before;  // the band that is handed out while the next one is drawn
   for (int top = 0; top < bands.rows(); top += bands.rows_in_band()) {
     cv::Mat band;
     run_both([&] { band = bands.band(top); },

@@ -17,7 +17,7 @@
 namespace tessera {
 namespace {
 
-constexpr float kBesideReach = 0.2f;     // of the smaller one's scale: what is nearer is seen as one with it
+constexpr float kBesideReach = 0.2f;     // of the smaller scale of two; a smaller gap looks closed
 constexpr std::size_t kPointStride = 8;  // of the 512 points of an outline
 
 struct Piece {
@@ -40,7 +40,7 @@ bool comes_near(const Piece& piece, const Piece& other, float reach_px) {
                      [&](Vec2 point) { return distance.at(point) < reach_px; });
 }
 
-/// One of them may be long and bend round the other: both are asked.
+/// Whether the pieces are near to each other. One may be long and bend round the other, so both are tested.
 bool are_neighbours(const Piece& a, const Piece& b, float padding_px) {
   const float scale_a = a.canvas_from_shape.scale(), scale_b = b.canvas_from_shape.scale();
   const float reach_px = padding_px + kBesideReach * std::min(scale_a, scale_b);
@@ -49,7 +49,7 @@ bool are_neighbours(const Piece& a, const Piece& b, float padding_px) {
   return dot(apart, apart) < most_px * most_px && (comes_near(a, b, reach_px) || comes_near(b, a, reach_px));
 }
 
-/// The palette in an order of the piece's own.
+/// The palette in a random order that depends on the piece.
 std::vector<std::size_t> drawn_by_lot(const Piece& piece, std::size_t colours) {
   Digest digest;
   digest.add_all(std::span<const char>(std::string_view(piece.shape->name)));
@@ -64,7 +64,7 @@ std::vector<std::size_t> drawn_by_lot(const Piece& piece, std::size_t colours) {
   return order;
 }
 
-/// For the last of the pieces; those before it have chosen.
+/// The colour of the last piece; the pieces before it have chosen theirs.
 std::size_t unlike_neighbours(const std::vector<Piece>& pieces, const std::vector<std::size_t>& chosen,
                               std::size_t colours, float padding_px) {
   const Piece& piece = pieces.back();

@@ -1,4 +1,4 @@
-// Which colour of a palette each piece of a collage gets.
+// Chooses a colour of a palette for each piece of a collage.
 #pragma once
 
 #include <string>
@@ -9,16 +9,15 @@
 
 namespace tessera {
 
-/// Whether pieces are silhouettes in colours of a palette.
+/// Whether pieces are drawn as silhouettes in colours of a palette.
 bool draws_palette(const ColourSpec& colour, const ShapeLibrary& library);
 
-/// A colour for each piece of the report, which lies as `placements` say. Where the pieces show a picture
-/// (report.covered): the one that is nearest to what the piece covers. Else: what the shape and its pose draw by lot
-/// comes first; a colour that an earlier neighbour has is passed over, so that neighbours differ wherever the palette
-/// has a colour left (else it is the one that the fewest of them have). It depends on the piece and on its earlier
-/// neighbours alone: pieces placed later change nothing, and taking one away changes at most those that lay beside it
-/// and came later. The shapes have their fields. Where a result is to be given the same colours by tessera draw, these
-/// must be those of as_written. `padding_px`: the distance that the pieces keep.
+/// A colour for each piece of the report; `placements` are the poses. Where the pieces show a picture (report.covered), it
+/// is the colour nearest to what the piece covers. Otherwise shape and pose decide a random order of the palette, and the
+/// first colour that no earlier neighbour has is taken; where all are taken, the one that the fewest neighbours have. So it
+/// depends on the piece and its earlier neighbours only: later pieces change nothing, and taking one away changes at most
+/// those later pieces that lay beside it. The shapes must have their fields. If tessera draw shall give a result the same
+/// colours, `placements` must be those of as_written(). `padding_px`: the distance that the pieces keep.
 std::vector<std::string> piece_colours(const CollageReport& report, const std::vector<Placement>& placements,
                                        const std::vector<std::string>& palette, float padding_px);
 

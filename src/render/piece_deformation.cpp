@@ -20,17 +20,17 @@
 namespace tessera {
 namespace {
 
-/// A warp that moves nothing by more changes no picture.
+/// A warp that moves nothing by more than this changes no picture.
 constexpr float kSeen_px = 0.01f;
-/// Of a piece's size: what goes farther was not made by deforming.
+/// Part of a piece's size: points that moved farther were not moved by deforming.
 constexpr float kFarthest = 1;
-constexpr float kMostPage = 4;    // shape units from its middle: half a million nodes
-constexpr float kPageRim_px = 2;  // artwork px: for pixels between
+constexpr float kMostPage = 4;    // shape units from its middle, which makes half a million nodes
+constexpr float kPageRim_px = 2;  // artwork px, for interpolation between pixels
 
 const Shape& shape_of(const CollageReport& report, const Placement& placement) { return report.shape(placement.shape); }
 
-/// Pieces that were put where they are for good stay as they are, those that keep a distance from their like, too, and
-/// what has no area, as only a damaged library holds.
+/// Whether a piece is not deformed: locked pieces, pieces that keep a distance from their like, and shapes without area,
+/// which only a damaged library holds.
 bool stays(const CollageReport& report, const CollageSettings& settings, std::size_t piece) {
   const Wishes& wishes = settings.wishes;
   const ShapeId shape = report.placements[piece].shape;
@@ -56,7 +56,7 @@ float farthest(const Warp& warp) {
   return most;
 }
 
-/// The shape that a piece shows, on a page that has room for what was moved beyond its edge.
+/// The shape of a deformed piece, on a page that has room for what moved beyond its edge.
 Shape deformed_shape(const Shape& original, Outline outline, float margin_px) {
   Shape shape;
   shape.name = original.name;
@@ -75,14 +75,14 @@ Shape deformed_shape(const Shape& original, Outline outline, float margin_px) {
   return shape;
 }
 
-/// What is drawn beside the outline goes along, too, as far as pages of usual proportions reach.
+/// Spreads the warp to what is drawn beside the outline, as far as pages of usual proportions reach.
 Warp spread_over_page(const Warp& warp, const Shape& shape) {
   const Box page = bounding_box(artwork_page_outline(shape));
   const auto within = [](float v) { return std::clamp(v, -kMostPage, kMostPage); };
   return spread(warp, {within(page.low.x), within(page.low.y)}, {within(page.high.x), within(page.high.y)});
 }
 
-/// Each piece gets a shape of its own.
+/// Gives each piece a shape of its own.
 void give_shapes(CollageReport& report, std::vector<Outline> outlines, std::vector<Warp> warps,
                  const DeformationFigures& figures) {
   DeformedCollage deformed;
@@ -133,7 +133,7 @@ Quality quality_before(const CollageReport& report) {
                          [&](ShapeId id) -> const Shape& { return report.shape(id); });
 }
 
-/// The outlines in pieces.geojson, canvas px.
+/// Reads the outlines in pieces.geojson, canvas px.
 std::vector<Outline> written_outlines(const std::string& dir) {
   JsonFile file{open_result_file(dir, "pieces.geojson", kMostPiecesBytes)};
   std::vector<Outline> outlines;
@@ -142,7 +142,7 @@ std::vector<Outline> written_outlines(const std::string& dir) {
       Outline outline;
       for (std::vector<Ring>& polygon : feature.polygons) {
         for (Ring& ring : polygon) {
-          ring.pop_back();  // the first again
+          ring.pop_back();  // equal to the first point
           outline.curves.push_back(std::move(ring));
         }
       }
@@ -160,14 +160,14 @@ std::vector<std::size_t> points_of(const Outline& outline) {
   return counts;
 }
 
-/// Where the points of the outline went. Throws InputError where it is another one's.
+/// How the points of the outline moved. Throws InputError where `after` is not the outline of the same shape.
 std::vector<Vec2> displacements(const Outline& before, const Outline& after) {
-  if (points_of(before) != points_of(after)) throw InputError("a polygon that is not that of its shape, deformed");
+  if (points_of(before) != points_of(after)) throw InputError("a polygon that does not belong to its shape");
   std::vector<Vec2> moves;
   for (std::size_t c = 0; c < before.curves.size(); ++c) {
     for (std::size_t i = 0; i < before.curves[c].size(); ++i) {
       moves.push_back(after.curves[c][i] - before.curves[c][i]);
-      if (!(norm(moves.back()) <= kFarthest)) throw InputError("a polygon that lies far from where its shape lies");
+      if (!(norm(moves.back()) <= kFarthest)) throw InputError("a polygon far from the place of its shape");
     }
   }
   return moves;

@@ -1,4 +1,4 @@
-// Deforms the pieces of a finished collage as its job wishes, and takes up again what an earlier run deformed.
+// Deforms the pieces of a finished collage as its job wishes, and restores the deformed pieces of an earlier run.
 #pragma once
 
 #include <functional>
@@ -10,12 +10,12 @@
 
 namespace tessera {
 
-/// Gives each piece the shape that it is deformed to (CollageReport::deformed), as the settings wish. The shapes have
-/// outline and field, and placements are the exact ones.
+/// Gives each piece its deformed shape (CollageReport::deformed) by the settings. The shapes must have outline and field,
+/// and the placements must be the exact ones.
 void deform_pieces(CollageReport& report, const CollageSettings& settings);
 
-/// The same from what pieces.geojson in `dir` says, whose polygons are those of the placements' shapes, point by point.
-/// Throws InputError where they are not. Before each piece `check_stop` is called, from any thread, and may throw.
+/// Restores the deformed pieces from pieces.geojson in `dir`. Its polygons must be those of the placements' shapes, point
+/// by point, or InputError is thrown. Calls `check_stop`, which may throw, before each piece, from any thread.
 void take_up_deformed_pieces(const std::string& dir, CollageReport& report, const StopCheck& check_stop = never_stop);
 
 }  // namespace tessera

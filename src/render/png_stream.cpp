@@ -22,7 +22,7 @@ PngFormat png_format(const PictureFormat& format) {
 
 }  // namespace
 
-/// Null with errno where that cannot be.
+/// Opens a stream; null, with errno set, where that fails.
 PngStream::Stream PngStream::open_stream(const TemporaryFile& file) {
   FileDescriptor own = file.duplicate();
   Stream stream(::fdopen(own.number(), "wb"));

@@ -1,4 +1,4 @@
-// A PNG file that is written row by row.
+// Writes a PNG file row by row.
 #pragma once
 
 #include <cstdio>

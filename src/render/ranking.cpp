@@ -42,7 +42,8 @@ Fraction balance(const ResultCard& card) {
   return q.balance ? q.balance->evenness : 0;
 }
 
-/// A collage without pieces is not to lead for its lack of them: it counts as all dwarfs, as copies that touch.
+/// The dwarfs of a card. A collage without pieces must not lead the ranking because of that: it counts as all dwarfs and
+/// touching copies.
 Fraction dwarfs(const ResultCard& card) {
   const Quality& q = card.quality;
   if (card.age < CardAge::picture) return {};
@@ -82,13 +83,13 @@ double parsed_weight(const std::string& change, const std::string& text) {
   return weight;
 }
 
-/// As few digits as give the same number back: "0.05", "2".
+/// The number with as few digits as give the same number back: "0.05", "2".
 std::string short_text(double value) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
-/// The measures that older cards lack: name, value and decimals, in the order of the columns.
+/// A measure that older cards lack: name, value and decimals, in the order of the columns.
 struct PictureMeasure {
   const char* name;
   std::optional<double> value;
@@ -113,7 +114,7 @@ std::vector<PictureMeasure> picture_measures(const ResultCard& card) {
 
 constexpr const char* kFolderToCome = "";
 
-/// The library for JSON knows no bytes that are no UTF-8, which the name of a folder may have.
+/// Inserts the folders' names, which may have bytes that are not UTF-8; the JSON library cannot write these.
 std::string with_folders(std::string json, const std::vector<RankedResult>& results) {
   const std::string key = R"("folder": )", place = key + R"("")";  // within a text quotes have a backslash before them
   std::size_t at = 0;
@@ -146,7 +147,7 @@ nlohmann::ordered_json result_json(const RankedResult& result) {
   return json;
 }
 
-/// What is in a folder, by name.
+/// The entries of a folder, by name.
 std::vector<std::string> entries_of(const std::string& folder) {
   std::error_code error;
   if (fs::status(folder, error).type() == fs::file_type::not_found) throw InputError(folder + ": no such folder");
@@ -160,8 +161,8 @@ std::vector<std::string> entries_of(const std::string& folder) {
   return paths;
 }
 
-/// Without a manifest it is nothing of ours, or what a run that crashed has left. A folder that cannot be read takes
-/// nothing from the others.
+/// Takes the result in a folder. Without a manifest the folder is not ours, or was left by a run that crashed. A folder
+/// that cannot be read does not affect the others.
 void take(const std::string& folder, FoundResults& found) {
   try {
     if (!is_in_result(folder, kManifestName)) return;
@@ -182,10 +183,10 @@ void take(const std::string& folder, FoundResults& found) {
 
 }  // namespace
 
-// Coverage leads. A hundredth of overlap is seen where it lies, hence costs twice what a hundredth of holes does; so
-// does paint outside the canvas. From seed to seed of one job coverage moves by 0.3 points, shared boundary and variety
-// by 3 or so: with a tenth they speak between collages that cover nearly alike.
-// How sizes and copies should lie is a matter of taste: they count where somebody asks for it.
+// Coverage leads. A hundredth of overlap is visible where it lies, so it costs twice as much as a hundredth of holes; so
+// does paint outside the canvas. Between seeds of one job coverage differs by 0.3 points, shared boundary and variety by
+// about 3: with a weight of a tenth they decide between collages of nearly equal coverage. Sizes and copies are a matter of
+// taste: their weight is 0 unless the user sets it.
 const std::array<RankingTerm, kRankingTerms>& ranking_terms() {
   static constexpr std::array<RankingTerm, kRankingTerms> terms = {{
       {"coverage", 1, coverage},
@@ -312,7 +313,7 @@ FoundResults find_results(const std::string& argument) {
   if (!found.cards.empty() || !found.damages.empty()) return found;
   for (const std::string& path : entries_of(argument)) take(path, found);
   if (!found.cards.empty() || !found.damages.empty()) return found;
-  throw InputError(argument + ": no result of tessera collage, neither itself nor its folders");
+  throw InputError(argument + ": no result of tessera collage, neither in this folder nor in those within it");
 }
 
 }  // namespace tessera

@@ -46,10 +46,10 @@
 namespace tessera {
 namespace {
 
-/// A result's job with what is asked for instead.
+/// A result's job with the changes that the request asks for.
 struct DrawnJob {
   Job job;
-  bool other_colours = false;  // else those of the result
+  bool other_colours = false;  // otherwise those of the result
 };
 
 DrawnJob job_of(const WholeResult& result, const PictureRequest& request) {
@@ -74,16 +74,17 @@ LibraryView opened_library(const Job& job) {
   }
 }
 
-/// What the digests are, and how to come by the right library.
+/// Says how the digests differ, and how to find the right library.
 std::string another_library(const std::string& dir, const ResultManifest& manifest, const LibraryView& library) {
   const bool same_place = manifest.library == library.path();
   const std::string maker = made_by(dir);
-  return library.path() + ": not the library that the collage was made from: the digest of its content is " +
-         digest_text(library.content_digest()) + ", that was " + digest_text(manifest.library_digest) +
+  return library.path() + ": not the library that the collage was made from: its content has the digest " +
+         digest_text(library.content_digest()) + ", that of the collage's library was " +
+         digest_text(manifest.library_digest) +
          (same_place ? ", built or changed since" : ", then in " + printable_utf8(manifest.library)) +
          (maker.empty() ? "" : "; the collage was made by " + maker) +
-         "; --library FILE says where that library is; where it is gone, tessera library build makes it again of the "
-         "same drawings, or tessera collage a collage of this one";
+         "; --library FILE says where that library is; if it is lost, build it again from the "
+         "same drawings (tessera library build), or make a new collage with this library";
 }
 
 LibraryView library_of(const std::string& dir, const Job& job, const ResultManifest& manifest) {
@@ -92,7 +93,7 @@ LibraryView library_of(const std::string& dir, const Job& job, const ResultManif
   throw InputError(another_library(dir, manifest, library));
 }
 
-/// The job's own output on paper, and what is asked for instead.
+/// The output of the job on paper, with the changes of the request.
 OutputSpec output_of(const WholeResult& result, const PictureRequest& request, const CanvasSpec& page,
                      const Canvas& canvas) {
   Job job = result.job;
@@ -103,8 +104,8 @@ OutputSpec output_of(const WholeResult& result, const PictureRequest& request, c
 
 struct DrawnCanvas {
   Canvas canvas;
-  CanvasSpec box;     // on paper the page
-  OutputSpec output;  // goes by the canvas
+  CanvasSpec box;     // on paper: the page
+  OutputSpec output;  // depends on the canvas
   CanvasDrawing drawing;
 };
 
@@ -116,7 +117,7 @@ DrawnCanvas canvas_of(const WholeResult& result, const PictureRequest& request, 
   if (canvas_digest(canvas) != result.manifest.canvas_digest) {
     const CanvasSpec& spec = job.canvas;
     const std::string both = spec.file + (spec.file.empty() || spec.keep_out.empty() ? "" : " or ") + spec.keep_out;
-    throw InputError(both + ": another content than when the collage was made; put the file back to draw it");
+    throw InputError(both + ": its content has changed since the collage was made; put the old file back to draw it");
   }
   CanvasSpec box = job.canvas;
   shrink_box_to_page(box, canvas, drawers);
@@ -149,12 +150,11 @@ std::vector<std::string> distinct(std::vector<std::string> colours) {
 }
 
 InputError no_pdf(const std::string& dir, const std::string& harmony) {
-  return InputError(dir + ": colour.harmony: found \"" + harmony +
-                    "\" with a PDF, which has no means for it; allowed: " + "--set colour.harmony=" + kNoHarmony +
-                    ", or the PNG, TIFF and SVG");
+  return InputError(dir + ": colour.harmony: found \"" + harmony + "\" with a PDF, which cannot turn hues; allowed: " +
+                    "--set colour.harmony=" + kNoHarmony + ", or the PNG, TIFF and SVG");
 }
 
-/// Before anything is drawn.
+/// Finds out, before anything is drawn, whether all files can be written.
 void check_can_be_drawn(const std::string& folder, const PictureRequest& request, const OutputSpec& output) {
   const auto check = [&](bool wanted, const char* name) {
     if (wanted) check_can_be_written(path_in_result(folder, name));
@@ -166,17 +166,17 @@ void check_can_be_drawn(const std::string& folder, const PictureRequest& request
   check(request.png && output.labels, "labels.png");
 }
 
-/// For a document of all drawings together, in which each of them has been drawn before.
+/// Limits for a document of all drawings together, each of which has been drawn before.
 const DrawerSettings kWholeCollage{
     .processes = 1, .seconds_per_drawing = 600, .bytes_per_process = std::size_t(4) << 30};
 
-/// Where the pictures go, and what the manifest of the result says of them.
+/// The folder of the pictures, and whether the manifest of the result describes them.
 struct PictureFolder {
   std::string path;
-  bool is_result = true;  // else there is no manifest in it
+  bool is_result = true;  // otherwise it has no manifest
 };
 
-/// Draws one picture after the other; the manifest always tells which of them are there.
+/// Draws one picture after the other. The manifest always says which of them are there.
 class ResultPictures {
  public:
   ResultPictures(const PictureFolder& folder, const CollageReport& report, const ResultManifest& manifest,
@@ -195,7 +195,7 @@ class ResultPictures {
     end("collage.svg");
   }
 
-  /// Drawn once for both, and for who measures it, if anybody does.
+  /// Draws the pixels once for both files, and for `measure` if it is given.
   void pixels(bool png, bool tiff, AfarMeasure* measure) {
     std::vector<const char*> names;
     if (png) names.push_back("collage.png");
@@ -238,7 +238,7 @@ class ResultPictures {
   DrawingNotes notes() const { return artworks_.notes(); }
 
  private:
-  /// Until the new picture is there, nothing is said about the one before.
+  /// Begins a picture. The manifest says nothing about the old picture until the new one is there.
   void begin(const char* name) {
     stop_.check();
     if (std::erase_if(manifest_.pictures, [&](const DrawnPicture& p) { return p.file == name; }) > 0) tell();
@@ -264,7 +264,7 @@ class ResultPictures {
   }
 
   std::string drawn_svg(const char* picture) {
-    std::mutex mutex;  // shapes are done in several threads
+    std::mutex mutex;  // several threads finish shapes
     std::size_t done = 0;
     std::string svg = collage_svg(report_, artworks_, [&] {
       const std::lock_guard lock(mutex);
@@ -283,7 +283,7 @@ class ResultPictures {
   ShapeArtworks artworks_;
 };
 
-/// A result as it is drawn.
+/// A result that is drawn.
 struct DrawnResult {
   const std::string& folder;
   const WholeResult& result;
@@ -291,7 +291,7 @@ struct DrawnResult {
   const LibraryView& library;
 };
 
-/// The pieces as they were placed, on their canvas, in no other colours than the result's. `canvas` outlives it.
+/// The placed pieces on their canvas, with the result's own colours. `canvas` outlives the report.
 CollageReport report_of(const DrawnResult& result, DrawnCanvas& canvas, const StopWatcher& stop) {
   const Job& job = result.drawn.job;
   const ResultManifest& manifest = result.result.manifest;
@@ -317,7 +317,7 @@ CollageReport report_of(const DrawnResult& result, DrawnCanvas& canvas, const St
   return report;
 }
 
-/// `palette`: of the job, where other colours are asked for than those of the result.
+/// Adds colours. `palette`: the job's, where other colours than the result's are asked for; else empty.
 void add_colours(const DrawnResult& result, const std::vector<std::string>& palette, Drawers& drawers,
                  CollageReport& report) {
   const Job& job = result.drawn.job;
@@ -331,7 +331,7 @@ void add_colours(const DrawnResult& result, const std::vector<std::string>& pale
   harmonise(report, job.colour.harmony);
 }
 
-/// Nothing where what the collage began from cannot be read any more.
+/// The size of the smallest piece; empty where the result that the collage began with can no longer be read.
 std::optional<float> smallest_size_of(const DrawnResult& result, const Canvas& canvas) {
   try {
     return smallest_size_px(canvas, result.library, result.result.job);
@@ -363,7 +363,7 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
   const std::string folder = request.to.empty() ? dir : request.to;
   check_can_be_drawn(folder, request, job.output);
   const std::vector<std::string> palette =
-      drawn.other_colours ? load_palette(job) : std::vector<std::string>();  // that of the job may be gone
+      drawn.other_colours ? load_palette(job) : std::vector<std::string>();  // the job's palette may be gone
   Drawers drawers({.processes = rank_cores()});
   const StopWatcher stop(observer, drawers);
   stop.check();

@@ -18,18 +18,18 @@
 namespace tessera {
 namespace {
 
-/// Of the background: it is soft, as its details would compete with the drawings.
+/// Size of the background: it is soft, because details would compete with the drawings.
 constexpr int kLongestBackgroundSide_px = 1024;
 constexpr int kCanvasPxPerBackgroundPixel = 2;
-/// Of a PNG of kLongestShownSide_px each way, and more.
+/// Enough for a PNG of kLongestShownSide_px in each direction.
 constexpr std::size_t kMostBytes = std::size_t(16) << 20;
-constexpr const char* kBackgroundId = "shown-picture";        // that of the pattern is "ground"
-constexpr const char* kOverlayPictureId = "overlay-picture";  // that of the pattern is "overlay"
+constexpr const char* kBackgroundId = "shown-picture";        // the pattern has "ground"
+constexpr const char* kOverlayPictureId = "overlay-picture";  // the pattern has "overlay"
 
-/// Times `light`; but what is dark becomes lighter: dark pieces would not stand out from what is darker still.
+/// Multiplies colours by `light`, but makes dark ones lighter: dark pieces would not stand out from an even darker ground.
 void darken(cv::Mat& opaque_bgra, double light) {
-  constexpr double kDark = 64;   // a grey from which on nothing is lightened
-  constexpr double kLift = 160;  // of black: 26 of 255 at a light of 0.8
+  constexpr double kDark = 64;   // the grey from which nothing is lightened
+  constexpr double kLift = 160;  // added to black: 26 of 255 at a light of 0.8
   cv::Mat grey;
   cv::cvtColor(opaque_bgra, grey, cv::COLOR_BGRA2GRAY);
   for (int y = 0; y < opaque_bgra.rows; ++y) {
@@ -43,7 +43,7 @@ void darken(cv::Mat& opaque_bgra, double light) {
   }
 }
 
-/// A small file may claim a picture that fills the memory. Throws InputError.
+/// Refuses sizes that would fill the memory, because a small file may claim any size. Throws InputError.
 void check_size(std::span<const std::uint8_t> png, const std::string& path) {
   const std::optional<cv::Size2d> size = image_size_from_header(png);
   if (!size || std::max(size->width, size->height) <= kLongestShownSide_px) return;
@@ -51,7 +51,7 @@ void check_size(std::span<const std::uint8_t> png, const std::string& path) {
                    " px, allowed: at most " + std::to_string(kLongestShownSide_px) + " px each way");
 }
 
-/// See shown_picture.
+/// The picture in the folder; see shown_picture().
 cv::Mat picture_in(const std::string& dir, int longest_side_px) {
   if (!is_in_result(dir, kShownPictureName)) return {};
   const std::string text = read_result_file(dir, kShownPictureName, kMostBytes);
@@ -61,7 +61,7 @@ cv::Mat picture_in(const std::string& dir, int longest_side_px) {
   return png_picture(bytes, path, longest_side_px);
 }
 
-/// `found`: the key that asks for it and its value.
+/// The picture that the result must have. `found`: the key that asks for it and its value.
 cv::Mat kept_picture(const std::string& dir, const std::string& found, int longest_side_px) {
   cv::Mat picture = picture_in(dir, longest_side_px);
   if (!picture.empty()) return picture;
@@ -74,14 +74,14 @@ int background_side_px(const Canvas& canvas) {
   return std::clamp(longest_px / kCanvasPxPerBackgroundPixel, 1, kLongestBackgroundSide_px);
 }
 
-/// Opaque.
+/// The picture laid on white, opaque.
 cv::Mat on_white(const cv::Mat& bgra) {
   cv::Mat laid(bgra.size(), CV_8UC4, cv::Scalar::all(255));
   lay_over(premultiplied(bgra), laid);
   return laid;
 }
 
-/// The picture, straight BGRA, over the whole canvas.
+/// A tile of the picture (straight BGRA) over the whole canvas.
 GroundTile over_canvas(const cv::Mat& bgra, const char* id, const Canvas& canvas) {
   GroundTile tile;
   tile.page = premultiplied(bgra);

@@ -11,7 +11,7 @@ namespace {
 
 const SvgLayer kUngrouped{.id = "layer-pieces", .label = "Pieces", .pieces = {}};
 
-/// Ids go by number: groups may have any name.
+/// The layer of a group. Ids have numbers, because groups may have any name.
 SvgLayer layer_of(const std::string& group, std::size_t groups_before) {
   if (group.empty()) return kUngrouped;
   return {.id = "layer-group-" + std::to_string(groups_before), .label = printable_utf8(group), .pieces = {}};

@@ -39,7 +39,7 @@ std::vector<SvgSymbol> make_symbols(const CollageReport& report, ShapeArtworks& 
   return symbols;
 }
 
-/// How a piece is drawn: what its shape's drawing is, and which part of the document holds it.
+/// The drawing of a piece's shape, and the part of the document that holds it.
 struct Drawing {
   std::size_t slot;
   double artwork_px_per_unit;
@@ -68,12 +68,12 @@ const SvgLayer kOverlayLayer{.id = "layer-overlay", .label = "Overlay", .pieces 
 constexpr const char* kGroundId = "ground";
 constexpr const char* kOverlayId = "overlay";
 
-/// What the canvas is filled with.
+/// The fill of the canvas.
 std::string canvas_fill(const CollageReport& report) {
   return report.ground.svg.empty() ? flat_background(report.output) : std::string("url(#") + kGroundId + ")";
 }
 
-/// Its tiles, on the background.
+/// Writes the ground's tiles as a pattern, on the background.
 void write_pattern(const GroundTile& ground, const char* id, const std::string& background, XmlWriter& svg) {
   if (ground.svg.empty()) return;
   const std::string width = fixed(ground.size_px.width, 7), height = fixed(ground.size_px.height, 7);
@@ -87,7 +87,7 @@ void write_pattern(const GroundTile& ground, const char* id, const std::string& 
   svg.raw(ground.svg).end().end();
 }
 
-/// Cut off at the canvas' edge, beyond which the grounds reach: only one of the two may blur there.
+/// Writes the grounds, cut off at the canvas' edge. They reach beyond it, because only one of two edges may blur there.
 void write_grounds(const CanvasEdge& edge, const std::string& fill, XmlWriter& svg) {
   svg.start("clipPath").attribute("id", "canvas").start("path").attribute("clip-rule", "evenodd");
   svg.attribute("d", svg_path(edge.curves, {1, 0, 0, 0})).end().end();
@@ -121,7 +121,7 @@ void write_canvas(const CollageReport& report, XmlWriter& svg) {
   svg.end();
 }
 
-/// A layer whose opacity programs show and change.
+/// Writes the overlay as a layer, whose opacity programs show and change.
 void write_overlay(const CollageReport& report, XmlWriter& svg) {
   if (report.overlay.svg.empty()) return;
   svg.raw("\n");
@@ -150,13 +150,13 @@ void write_keep_out(const KeepOutDrawing& keep_out, XmlWriter& svg) {
   svg.raw(keep_out.svg).end().end().end();
 }
 
-/// Canvas px from the symbol's units.
+/// Maps the symbol's units to canvas px.
 cv::Matx23d canvas_from_symbol(const Placement& placement, const Artwork& artwork, double artwork_px_per_unit) {
   const Similarity& t = placement.canvas_from_shape;
   const double unit = 1. / double(artwork.unit_px);
   const double a = t.a * unit;
   const double b = t.b * unit;
-  const double side = artwork.mirrored ? -1 : 1;  // of x, seen from the centroid
+  const double side = artwork.mirrored ? -1 : 1;  // direction of x, seen from the centroid
   const double x = t.tx - (side * a * artwork.centroid_px.x - b * artwork.centroid_px.y);
   const double y = t.ty - (side * b * artwork.centroid_px.x + a * artwork.centroid_px.y);
   const double ak = a * artwork_px_per_unit;
@@ -175,7 +175,7 @@ Similarity symbol_from_shape(const Shape& shape, const SvgSymbol& symbol) {
   return scaled(artwork_from_shape(shape.artwork), float(1 / symbol.artwork_px_per_unit));
 }
 
-/// In the units of the shape's symbol.
+/// Writes a clip path in the units of the shape's symbol.
 void write_clip(const std::string& id, const Shape& shape, const SvgSymbol& symbol, const Outline& clip,
                 XmlWriter& svg) {
   svg.raw("\n").start("clipPath").attribute("id", id);
@@ -195,7 +195,7 @@ bool has_patches(const CollageReport& report) {
   return std::any_of(report.tones.begin(), report.tones.end(), [](const Tone& tone) { return !tone.patch.empty(); });
 }
 
-/// One for all pieces with the same turn: the matrix of hue_turns.h.
+/// Writes one filter for all pieces with the same turn: the matrix of hue_turns.h.
 void write_turn_filters(const CollageReport& report, XmlWriter& svg) {
   std::set<int> turns;
   for (const Tone& tone : report.tones) turns.insert(tone.turn_deg);
@@ -207,7 +207,7 @@ void write_turn_filters(const CollageReport& report, XmlWriter& svg) {
   }
 }
 
-/// What is laid over a piece, in the units of its symbol.
+/// Writes the patch over a piece, in the units of its symbol.
 void write_patch(const CollageReport& report, const std::vector<SvgSymbol>& symbols, std::size_t piece,
                  XmlWriter& svg) {
   const Placement& placement = report.placements[piece];
@@ -228,7 +228,7 @@ void write_patches(const CollageReport& report, const std::vector<SvgSymbol>& sy
   }
 }
 
-/// Over the canvas and as far around it as what lies there darkens it.
+/// Writes the shadow's filter for the canvas and as much around it as darkens the canvas.
 void write_shadow_filter(const CollageReport& report, XmlWriter& svg) {
   const OutputSpec& output = report.output;
   const double around_px = 3 * output.shadow_blur_px;
@@ -240,7 +240,7 @@ void write_shadow_filter(const CollageReport& report, XmlWriter& svg) {
   svg.end();
 }
 
-/// The same of the outline, without a colour of its own.
+/// Writes the shape's outline in the same units, without a colour of its own.
 void write_outline(const Shape& shape, const SvgSymbol& symbol, std::size_t slot, XmlWriter& svg) {
   svg.raw("\n").start("path").attribute("id", outline_id(slot));
   svg.attribute("d", svg_path(as_drawn(shape.artwork, shape.outline.curves), symbol_from_shape(shape, symbol))).end();
@@ -258,7 +258,7 @@ void write_definitions(const CollageReport& report, const ShapeArtworks& artwork
     if (report.shapes.slot_of_drawing(slot) != slot) continue;
     const Shape& shape = report.shapes[slot];
     if (output.clip != kNoClip) write_clip(clip_id(slot), shape, symbols[slot], artworks.clip(slot), svg);
-    // A patch does not know what is transparent beside the outline.
+    // A patch must be clipped, because it does not know what is transparent beside the outline.
     if (patches) write_clip(patch_clip_id(slot), shape, symbols[slot], shape.outline, svg);
     if (has_outlines(output)) write_outline(shape, symbols[slot], slot, svg);
   }
@@ -271,7 +271,7 @@ void write_definitions(const CollageReport& report, const ShapeArtworks& artwork
   svg.end().raw("\n");
 }
 
-/// All shadows together, so that where two meet it is no darker.
+/// Writes all shadows together, so that two shadows that meet are no darker.
 void write_shadow(const CollageReport& report, const std::vector<DrawnPiece>& drawn,
                   const std::vector<SvgSymbol>& symbols, XmlWriter& svg) {
   const OutputSpec& output = report.output;
@@ -291,18 +291,19 @@ void write_shadow(const CollageReport& report, const std::vector<DrawnPiece>& dr
   svg.end().end().end();
 }
 
-/// Along the piece's outline, in the units of its symbol.
+/// Writes the line along the piece's outline, in the units of its symbol.
 void write_line(const CollageReport& report, const Placement& placement, const Drawing& drawing, XmlWriter& svg) {
   const OutputSpec& output = report.output;
   const Artwork& artwork = report.shapes[drawing.slot].artwork;
   const double canvas_px =
-      double(placement.canvas_from_shape.scale()) / double(artwork.unit_px) * drawing.artwork_px_per_unit;  // of a unit
+      // of one unit
+      double(placement.canvas_from_shape.scale()) / double(artwork.unit_px) * drawing.artwork_px_per_unit;
   svg.start("use").attribute("xlink:href", "#" + outline_id(drawing.slot)).attribute("fill", "none");
   svg.attribute("stroke", output.outline_colour).attribute("stroke-width", fixed(output.outline_px / canvas_px, 4));
   svg.attribute("stroke-linejoin", "round").end();
 }
 
-/// A group of its own, so that what belongs to a piece moves with it. `again`: another image of a piece that has one.
+/// Writes a piece as a group, so that all its parts move together. `again`: another image of a piece that is there already.
 void write_piece(const CollageReport& report, const std::vector<SvgSymbol>& symbols, const DrawnPiece& drawn,
                  bool again, XmlWriter& svg) {
   const Placement& placement = drawn.placement;
@@ -334,7 +335,7 @@ void write_piece(const CollageReport& report, const std::vector<SvgSymbol>& symb
   svg.end();
 }
 
-/// Layer by layer, in the order of their first pieces; within a layer in order of placement.
+/// Writes pieces layer by layer, in the order of their first pieces; within a layer in order of placement.
 void write_pieces(const CollageReport& report, const std::vector<DrawnPiece>& drawn,
                   const std::vector<SvgSymbol>& symbols, XmlWriter& svg) {
   const auto by_piece = [](const DrawnPiece& a, std::size_t piece) { return a.piece < piece; };
@@ -351,7 +352,7 @@ void write_pieces(const CollageReport& report, const std::vector<DrawnPiece>& dr
   }
 }
 
-/// Without zeros at the end.
+/// The number without zeros at the end.
 std::string px_text(double px) {
   std::string text = fixed(px, 3);
   while (text.ends_with('0')) text.pop_back();
@@ -368,7 +369,7 @@ void write_size_on_paper(const CollageReport& report, XmlWriter& svg) {
   const cv::Size2d page_mm = page_size_mm(report.output, report.box, *report.canvas);
   svg.attribute("width", fixed(page_mm.width, 3) + "mm").attribute("height", fixed(page_mm.height, 3) + "mm");
   write_view_box(page_px, svg);
-  // Copies of a canvas that repeats are to meet: its px fill the page, though they have its aspect to a px only.
+  // Copies of a canvas that repeats must meet: its px fill the page, although the page has its aspect only to a px.
   constexpr double kSeen = 1e-6;
   const double stretched = page_mm.height * page_px.width / (page_mm.width * page_px.height);
   if (std::abs(stretched - 1) > kSeen) svg.attribute("preserveAspectRatio", "none");

@@ -1,4 +1,4 @@
-// collage.svg: the artworks as vectors, each once, placed by transforms.
+// Writes collage.svg: the artworks as vectors, each once, placed by transforms.
 #pragma once
 
 #include <functional>
@@ -12,10 +12,9 @@ namespace tessera {
 /// Called after each shape, from any thread.
 using DoneCount = std::function<void()>;
 
-/// One unit is a canvas px; width and height are those of collage.png, or the physical
-/// size where the job has one. Originals that are SVGs are taken over as they
-/// are drawn (svg_import.h), bitmaps are embedded as PNG; shape_artworks.h says what stands in for others. The file
-/// refers to nothing outside itself. Throws DrawingStopped.
+/// The text of the SVG. One unit is a canvas px; width and height are those of collage.png, or the physical size where the
+/// job has one. Originals that are SVGs are copied as they are drawn (svg_import.h), bitmaps are embedded as PNG;
+/// shape_artworks.h says how others are replaced. The file refers to nothing outside itself. Throws DrawingStopped.
 std::string collage_svg(
     const CollageReport& report, ShapeArtworks& artworks, const DoneCount& done = [] {});
 

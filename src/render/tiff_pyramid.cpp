@@ -18,7 +18,7 @@ namespace tessera {
 namespace {
 
 constexpr int kTile_px = 256;
-constexpr double kMostClassicBytes = 3.5e9;  // of 2^32, before compression: then there is room for the tables
+constexpr double kMostClassicBytes = 3.5e9;  // of 2^32, before compression, so that there is room for the tables
 
 int silent(TIFF*, void*, const char*, const char*, va_list) { return 1; }
 
@@ -27,7 +27,7 @@ struct CloseTiff {
 };
 using TiffPtr = std::unique_ptr<TIFF, CloseTiff>;
 
-/// By a descriptor of its own. Null with errno where that cannot be.
+/// Opens a TIFF with a descriptor of its own. Null, with errno set, where that fails.
 TiffPtr open_tiff(const FileDescriptor& file, const char* mode) {
   FileDescriptor own(fcntl(file.number(), F_DUPFD_CLOEXEC, 0));
   if (!own.is_open()) return nullptr;
@@ -40,7 +40,7 @@ TiffPtr open_tiff(const FileDescriptor& file, const char* mode) {
   return tiff;
 }
 
-/// Averages of 2 x 2 px; an odd edge counts twice.
+/// The rows at half the size: means of 2 x 2 px; an odd edge counts twice.
 cv::Mat halved(const cv::Mat& rows) {
   cv::Mat even;
   cv::copyMakeBorder(rows, even, 0, rows.rows % 2, 0, rows.cols % 2, cv::BORDER_REPLICATE);
@@ -80,8 +80,8 @@ void set_tags(TIFF* tiff, const PictureFormat& format, bool is_reduced) {
 
 }  // namespace
 
-/// One picture of the pyramid. All but the first wait in files without names for their place in the file: a TIFF is
-/// written one directory after the other.
+/// One picture of the pyramid. All but the first wait in files without names until they can be appended: a TIFF is written
+/// one directory after the other.
 class TiffPyramid::Level {
  public:
   /// `path` names the pyramid's file in messages.
@@ -95,11 +95,11 @@ class TiffPyramid::Level {
   }
 
   const PictureFormat& format() const { return format_; }
-  /// Rows that the row of tiles lacks.
+  /// The number of rows that the present row of tiles lacks.
   int room() const { return kTile_px - waiting_.rows; }
   TIFF* tiff() { return tiff_.get(); }
 
-  /// Not more than there is room for. Gives the rows of a row of tiles when that is written, else nothing.
+  /// Adds at most room() rows. Returns the rows of a complete row of tiles when it was written, otherwise nothing.
   cv::Mat add(const cv::Mat& rows) {
     waiting_.push_back(rows);
     const bool is_last = written_rows_ + waiting_.rows == format_.size.height;
@@ -109,14 +109,14 @@ class TiffPyramid::Level {
     return std::exchange(waiting_, {});
   }
 
-  /// All is written.
+  /// Finishes the picture, after all rows are written.
   void finish() {
     errno = 0;
     if (TIFFFlush(tiff_.get()) == 0) fail(path_, errno);
     tiff_.reset();
   }
 
-  /// What was written, for reading.
+  /// Opens the written picture for reading.
   TiffPtr reopened() {
     finish();
     if (lseek(file_.number(), 0, SEEK_SET) != 0) fail(path_, errno);
@@ -179,7 +179,7 @@ void TiffPyramid::finish() {
   file_.commit();
 }
 
-/// As the next directory of the file, without unpacking its tiles.
+/// Appends the picture as the next directory of the file, without unpacking its tiles.
 void TiffPyramid::append(Level& level) {
   const TiffPtr from = level.reopened();
   TIFF* to = levels_[0]->tiff();

@@ -1,4 +1,5 @@
-// A TIFF file for viewers of large pictures: in tiles, with the picture at half, a quarter .. of its size beside it.
+// Writes a TIFF for viewers of large pictures: in tiles, with smaller copies of the picture at half, a quarter ... of its
+// size.
 #pragma once
 
 #include <memory>
@@ -10,8 +11,8 @@
 
 namespace tessera {
 
-/// Tiles of 256 x 256 px, deflated; each smaller picture is a directory of its own (reduced image), the last one fits
-/// into a tile. It is a BigTIFF where it may need more than 4 GB.
+/// Tiles of 256 x 256 px, deflated. Each smaller copy is a directory of its own (reduced image); the last one fits into a
+/// tile. The file is a BigTIFF where it may need more than 4 GB.
 class TiffPyramid : public PictureFile {
  public:
   TiffPyramid(const std::string& path, const PictureFormat& format);

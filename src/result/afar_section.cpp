@@ -39,7 +39,7 @@ std::string afar_text(const AfarNote& note) {
   const AfarFigures& whole = note.seen->at_100_px;
   std::string text = kAfarHeading + card_line(width_text(whole), figures_text(whole));
   if (const auto& pieces = note.seen->at_piece_size) {
-    text += card_line(width_text(*pieces), figures_text(*pieces)) + card_line("", "(a piece of mean size is a px)");
+    text += card_line(width_text(*pieces), figures_text(*pieces)) + card_line("", "(one px for a piece of mean size)");
   }
   return text;
 }

@@ -1,4 +1,4 @@
-// How well a mosaic shows its picture from afar, as it stands in the cards and as `tessera card` prints it.
+// How well a mosaic shows its picture from afar: the section in the cards, which `tessera card` prints, too.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ std::string afar_json(const AfarNote& note);
 /// The first line of afar_text().
 inline constexpr const char* kAfarHeading = "Seen from afar\n";
 
-/// A section of card.txt, lines of less than 80 characters but for names of files.
+/// The section of card.txt. Lines have less than 80 characters, unless names of files are longer.
 std::string afar_text(const AfarNote& note);
 
 }  // namespace tessera

@@ -1,11 +1,11 @@
-// What a card.json may have that is read again.
+// Limits of a card.json that the program reads back.
 #pragma once
 
 #include "text/json_bounds.h"
 
 namespace tessera {
 
-/// Some hundred values, and some dozen for each rank.
+/// A card has some hundred values, and some dozen for each rank.
 inline constexpr JsonBounds kCardBounds{.values = 500'000, .levels = 32, .members = 1'000};
 
 }  // namespace tessera

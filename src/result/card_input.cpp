@@ -29,14 +29,14 @@ const json& value_at(const json& card, const std::string& path, const char* sect
   return part->at(key);
 }
 
-// What a measure can be at most. Cells are counted, so that a small canvas may be covered by a little more than all.
+// Upper bounds of the measures. Coverage is counted in cells, so a small canvas may be covered by a little more than 1.
 constexpr double kMostCoverage = 1.1;
-constexpr double kMostLayers = 1e6;  // of what is covered twice, or lies outside, by the canvas' area
+constexpr double kMostLayers = 1e6;  // area covered twice or outside, divided by the canvas' area
 constexpr double kMostPiecesTold = 1e9;
 constexpr double kMostLength_px = 1e6;
-constexpr double kMostCopies = 2;  // canvas diagonals from one to the next: both may reach beyond the edge
+constexpr double kMostCopies = 2;  // in canvas diagonals; both copies may reach beyond the edge
 constexpr double kMostTime_s = 1e12;
-constexpr double kMostColourDifference = 200;  // CIEDE2000 of colours that a picture may have
+constexpr double kMostColourDifference = 200;  // the largest CIEDE2000 of colours in a picture
 constexpr double kMostReduced_px = 1e6;
 
 double number(const json& card, const std::string& path, const char* section, const char* key, double most,
@@ -49,14 +49,14 @@ double number(const json& card, const std::string& path, const char* section, co
   return value.get<double>();
 }
 
-/// Null says nothing.
+/// A number, or empty where the card has null.
 std::optional<double> number_or_null(const json& card, const std::string& path, const char* section, const char* key,
                                      double most) {
   if (value_at(card, path, section, key).is_null()) return {};
   return number(card, path, section, key, most);
 }
 
-/// What older cards do not have.
+/// Reads the measures that older cards do not have.
 void read_picture_measures(const json& card, const std::string& path, Quality& quality) {
   const auto measure = [&](const char* key, double most) { return number_or_null(card, path, "quality", key, most); };
   const auto evenness = measure("size_balance", 1), dwarfs = measure("dwarfs_fraction", 1);
@@ -75,7 +75,7 @@ AfarFigures read_figures(const json& section, const std::string& path, const cha
           .structure = number(section, path, key, "ssim", 1, -1)};
 }
 
-/// Cards of other jobs do not have the section, nor do older ones; where nothing was measured it says why.
+/// Reads the section from_afar. Empty where the card has none (other jobs, older cards) or nothing was measured.
 std::optional<SeenFromAfar> read_afar(const json& card, const std::string& path) {
   const auto section = card.find("from_afar");
   if (section == card.end() || (section->is_object() && section->contains("not_measured"))) return {};
@@ -141,7 +141,7 @@ std::string made_by(const std::string& folder) {
     return "tessera " + word("version") + ", commit " + word("commit");
   } catch (const InputError&) {
     return "";
-  } catch (const EnvironmentError&) {  // it cannot be read; who asks has something else to say
+  } catch (const EnvironmentError&) {  // it cannot be read; the caller reports other things
     return "";
   }
 }

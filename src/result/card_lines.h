@@ -8,7 +8,7 @@
 
 namespace tessera {
 
-/// `value` may hold names from files: they are escaped.
+/// One line. `value` may hold names from files, which are escaped.
 inline std::string card_line(const std::string& label, const std::string& value) {
   constexpr std::size_t kLabelWidth = 24;
   return "  " + label + std::string(kLabelWidth - label.size(), ' ') + printable_utf8(value) + "\n";

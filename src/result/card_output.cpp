@@ -61,7 +61,7 @@ Json quality_json(const Quality& q) {
           {"style_distance", q.style_distance ? Json(rounded(*q.style_distance, 3)) : Json()}};
 }
 
-/// Empty while the run goes on.
+/// The word for the reason of the end; empty while the run goes on.
 std::string end_word(const RunStatistics& run) { return run.stopped_by ? std::string(stop_word(*run.stopped_by)) : ""; }
 
 Json run_json(const RunStatistics& run, int trials_limit) {
@@ -112,7 +112,7 @@ Json provenance_json(const RunRecord& record) {
           {"warnings", record.warnings},         {"ranks", ranks}};
 }
 
-/// 12345678 -> "12,345,678".
+/// Groups digits: 12345678 becomes "12,345,678".
 std::string grouped(std::uint64_t count) {
   std::string text = std::to_string(count);
   for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, 1, ',');
@@ -128,7 +128,7 @@ std::string scales_text(const Quality& q) {
   return text + " px";
 }
 
-/// What keeps pieces further apart leaves nothing to share.
+/// The text of shared boundary. Where padding keeps pieces apart, it says so, because there is nothing to share.
 std::string shared_boundary_text(const Quality& q, float padding_px) {
   const std::string text = percent_text(q.shared_boundary, 1) + "  (within 2 px";
   return text + (padding_px > 0 ? "; padding keeps " + fixed(padding_px, 1) + " px)" : ")");
@@ -163,16 +163,18 @@ std::string variety_text(const Quality& q) {
 
 std::string copies_text(const Quality& q) {
   if (q.pieces == 0) return kNoPieces;
-  if (!q.copies_px) return q.distinct_shapes > 0 ? "none of half of the pieces" : "not known, shapes have no names";
-  return fixed(*q.copies_px, 1) + " px off  (median; " + percent_text(*q.copies_apart, 1) + " of the diagonal)";
+  if (!q.copies_px)
+    return q.distinct_shapes > 0 ? "none: half of the pieces or more have no copy" : "not known, shapes have no names";
+  return fixed(*q.copies_px, 1) + " px away  (median; " + percent_text(*q.copies_apart, 1) + " of the diagonal)";
 }
 
 std::string between_text(const Quality& q) {
-  return q.between_px ? fixed(*q.between_px, 3) + " px  (the nearest two; 0: they touch)" : "there are no two";
+  return q.between_px ? fixed(*q.between_px, 3) + " px  (the nearest two; 0: they touch)" : "fewer than two pieces";
 }
 
 std::string style_text(const Quality& q) {
-  return q.style_distance ? fixed(*q.style_distance, 2) + " apart  (two pieces, mean by area; 0 = one)" : "not known";
+  return q.style_distance ? fixed(*q.style_distance, 2) + "  (of two pieces, mean by area; 0 = one style)"
+                          : "not known";
 }
 
 std::string quality_text(const Quality& q, float padding_px) {
@@ -200,7 +202,8 @@ std::string improvement_text(const RunStatistics& run) {
                                             grouped(run.trials) + by_count(run.trials, " trial kept", " trials kept"));
 }
 
-/// "full", "full, then 12 of 12 trials" or "coverage after 3 of 12 trials": improving begins when the canvas is full.
+/// How the run ended: "full", "full, then 12 of 12 trials" or "coverage after 3 of 12 trials". Improving begins when the
+/// canvas is full.
 std::string end_text(const RunStatistics& run, int trials_limit) {
   if (run.trials == 0) return end_word(run);
   const std::uint64_t most = trials_limit > 0 ? std::uint64_t(trials_limit) : run.trials;
@@ -210,7 +213,7 @@ std::string end_text(const RunStatistics& run, int trials_limit) {
          by_count(most, " trial", " trials");
 }
 
-/// Of what the run did not do, as where pieces only moved or gave way, there is nothing to say.
+/// The lines about matching; empty where the run matched nothing, because pieces only moved or were deformed.
 std::string matching_text(const RunStatistics& run) {
   if (run.rounds == 0) return "";
   return card_line("PADs per shape", fixed(run.pads_per_shape, 1)) + card_line("iterations", grouped(run.rounds)) +
@@ -232,7 +235,7 @@ std::string run_text(const RunStatistics& run, int trials_limit) {
          shares_text(run) + card_line("stopped by", end_text(run, trials_limit));
 }
 
-/// The shapes are the first ones where many are missing: the card stays small enough to be read again.
+/// The missing shapes. Where there are many, only the first ones, so that the card can be read back.
 Json missing_json(const std::vector<MissingShape>& missing) {
   constexpr std::size_t kShapes = 1000;
   Json shapes = Json::array();
@@ -243,7 +246,7 @@ Json missing_json(const std::vector<MissingShape>& missing) {
   return {{"pieces", pieces_of(missing)}, {"shapes", shapes}};
 }
 
-/// The first shapes; card.json has more.
+/// The first missing shapes; card.json has more.
 std::string missing_lines(const std::vector<MissingShape>& missing) {
   constexpr std::size_t kShapes = 20;
   constexpr std::size_t kNameBytes = 32;
@@ -270,7 +273,7 @@ std::string card_json(const Quality& quality, const RunStatistics& run, const Ca
   if (!ranks.workers.empty()) card["ranks"] = ranks_json(ranks);
   card["provenance"] = provenance_json(record);
   constexpr bool kAsciiOnly = false;
-  return card.dump(2, ' ', kAsciiOnly, Json::error_handler_t::replace) + "\n";  // paths are any bytes
+  return card.dump(2, ' ', kAsciiOnly, Json::error_handler_t::replace) + "\n";  // paths may be any bytes
 }
 
 std::string score_json(const std::optional<Quality>& quality, const std::optional<AfarNote>& afar) {

@@ -1,4 +1,4 @@
-// The quality card: how good the collage is and what it took, with the columns of the paper's Table 2.
+// Writes the quality card: how good the collage is and what it took, with the columns of the paper's Table 2.
 #pragma once
 
 #include <optional>
@@ -15,27 +15,27 @@
 
 namespace tessera {
 
-/// What of the job's settings stands in the card, as the job says it.
+/// The settings of the job that the card shows, as the job gives them.
 struct CardSettings {
   float padding_px = 0;
   int trials = 0;  // ImproveSettings::trials
 };
 
-/// card.json (docs/result-format.md). Units stand in the keys; shares and percentages say so. Stage shares are of the
-/// four stages' sum. Section "ranks" (rank_table.h) is there where there were workers, "deformation"
-/// (deformation_table.h) where pieces were deformed, "missing" where pieces are.
+/// The text of card.json (docs/result-format.md). Units are part of the keys; shares and percentages are named so. The
+/// shares of the four stages are parts of their sum. Some sections are optional: "ranks" (rank_table.h) where there were
+/// workers, "deformation" (deformation_table.h) where pieces were deformed, "missing" where pieces are missing.
 std::string card_json(const Quality& quality, const RunStatistics& run, const CardSettings& settings,
                       const RankStatistics& ranks = {}, const RunRecord& record = {},
                       const std::optional<DeformationFigures>& deformation = {},
                       const std::vector<MissingShape>& missing = {});
 
-/// The same for people: a table of two columns, lines of less than 80 characters.
+/// The text of card.txt: the same for people, as a table of two columns. Lines have less than 80 characters.
 std::string card_text(const Quality& quality, const RunStatistics& run, const CardSettings& settings,
                       const std::optional<DeformationFigures>& deformation = {},
                       const std::vector<MissingShape>& missing = {});
 
-/// Of what nobody says how it was made: the sections quality, of pieces, and from_afar, of a picture, as far as they
-/// are known. distinct_shapes is null where shapes have no names.
+/// The card of a picture or of pieces of unknown origin: section quality for pieces and section from_afar for a picture, as
+/// far as they are known. distinct_shapes is null where shapes have no names.
 std::string score_json(const std::optional<Quality>& quality, const std::optional<AfarNote>& afar = {});
 std::string score_text(const std::optional<Quality>& quality, const std::optional<AfarNote>& afar = {});
 

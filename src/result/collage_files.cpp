@@ -33,7 +33,7 @@ void remove_file(const std::string& path) {
   if (error) throw EnvironmentError("cannot remove " + path + ": " + error.message());
 }
 
-/// The result of the run before is none any more.
+/// Removes the manifest and the pictures of the run before, so that its result is none any more.
 void withdraw(const std::string& dir) {
   remove_file(in_directory(dir, kManifestName));
   remove_file(in_directory(dir, kShownPictureName));
@@ -67,7 +67,7 @@ ResultManifest manifest_of(const CollageReport& report, const ResultSource& sour
   return manifest;
 }
 
-/// Returns the text of the card.
+/// Writes the cards and returns the text of card.txt.
 std::string write_cards(const std::string& dir, const CollageReport& report, const ResultSource& source) {
   const Quality quality = measured_quality(report, source.sizes);
   std::optional<DeformationFigures> deformation;
@@ -109,7 +109,7 @@ void check_nothing_foreign_is_replaced(const std::string& dir, const std::string
   for (const char* name : names) {
     if (!is_there(name)) continue;
     throw InputError(in_directory(dir, name) +
-                     ": is there, and no run of tessera left it; give another --out, or remove it");
+                     ": exists, and no run of tessera wrote it; give another --out, or remove it");
   }
 }
 

@@ -26,7 +26,7 @@ std::string deformation_text(const DeformationFigures& f) {
                    percent_text(f.coverage_before, 2) + " covered, overlap " + percent_text(f.overlap_before, 3)) +
          card_line("pieces deformed", std::to_string(f.pieces) + ", by " + fixed(f.farthest_px, 1) +
                                           " px at most, in " + fixed(f.seconds, 1) + " s") +
-         card_line("PAD distance", fixed(f.median_pad_distance, 3) + "  (to what they were, median; at most " +
+         card_line("PAD distance", fixed(f.median_pad_distance, 3) + "  (to the shapes before, median; at most " +
                                        fixed(f.largest_pad_distance, 3) + ")") +
          card_line("change of area", percent_text(f.median_area_change, 1) + "  (median; at most " +
                                          percent_text(f.largest_area_change, 1) + ")") +

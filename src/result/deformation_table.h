@@ -1,4 +1,4 @@
-// What deforming the pieces of a collage brought and cost, for the card.
+// The part of the card about deformed pieces: what deforming them gained and cost.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -11,7 +11,7 @@ namespace tessera {
 /// Section "deformation" of card.json (docs/result-format.md).
 nlohmann::ordered_json deformation_json(const DeformationFigures& figures);
 
-/// A section of card.txt, lines of less than 80 characters.
+/// The section of card.txt. Lines have less than 80 characters.
 std::string deformation_text(const DeformationFigures& figures);
 
 }  // namespace tessera

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Pieces by reason.
+/// Counts pieces by reason.
 std::map<std::string, std::size_t> by_reason(const DrawingNotes& notes, DrawnFrom from) {
   std::map<std::string, std::size_t> pieces;
   for (const DrawingNote& note : notes.notes) {
@@ -27,7 +27,7 @@ std::size_t pieces_of(const DrawingNotes& notes, DrawnFrom from) {
   return pieces;
 }
 
-/// UTF-8, with an ellipsis where something is missing.
+/// Cuts a UTF-8 text to so many bytes, with an ellipsis where something is missing.
 std::string cut(std::string text, std::size_t most_bytes) {
   if (text.size() <= most_bytes) return text;
   text.resize(most_bytes - 3);
@@ -82,7 +82,7 @@ std::string drawing_warning(const DrawingNotes& notes) {
     text += (text.empty() ? "" : "; ") + count_text(pieces, "piece") + " drawn as silhouettes: " + reason;
   }
   for (const std::string& problem : notes.cards) {
-    text += (text.empty() ? "" : "; ") + std::string("drawn without a word in the card: ") + problem;
+    text += (text.empty() ? "" : "; ") + std::string("the card does not tell of this drawing: ") + problem;
   }
   return text;
 }

@@ -18,10 +18,10 @@ namespace {
 
 constexpr double kTouched_px2 = 4;
 constexpr const char* kNeeded =
-    "what is drawn over the pieces that are to go, alone on a transparent or plain page, or painted over a copy of "
+    "marks over the pieces that are to go, on a transparent or plain page, or painted over a copy of "
     "collage.png";
 
-/// Sizes in px are rounded, a small picture's most of all.
+/// Refuses another aspect than the canvas'. Sizes in px are rounded, which matters most for small pictures.
 void check_aspect(const CanvasPage& page, const std::string& where, const Canvas& canvas) {
   constexpr float kRounded = 0.01f;
   const auto near = [](int fitted_px, int side_px) {
@@ -39,7 +39,7 @@ bool is_opaque(const cv::Mat& bgra) {
   return cv::countNonZero(alpha != 255) == 0;
 }
 
-/// 255 where two pages of one size differ more than by compression; what is thinner than 3 px does not count.
+/// 255 where two pages of the same size differ more than by compression. Differences thinner than 3 px do not count.
 cv::Mat clearly_different(const cv::Mat& a, const cv::Mat& b) {
   constexpr int kClearly = 64;  // of 255, in one of the channels
   cv::Mat difference;
@@ -52,7 +52,7 @@ cv::Mat clearly_different(const cv::Mat& a, const cv::Mat& b) {
   return clearly;
 }
 
-/// The pages that are compared.
+/// Draws the pages that are compared.
 class Pages {
  public:
   Pages(const Canvas& canvas, const std::string& file)
@@ -63,7 +63,7 @@ class Pages {
     return page_in_box(bytes, file, box_, drawers_, background);
   }
 
-  /// Empty where there is none, or one that is larger than artwork may be: then nobody compares with it.
+  /// The page of the picture. Empty where there is none or it is too large for artwork: then nothing is compared with it.
   cv::Mat picture(const std::string& file) {
     std::error_code error;
     if (file.empty() || !std::filesystem::exists(file, error)) return {};
@@ -74,7 +74,7 @@ class Pages {
     }
   }
 
-  /// What a page shows on its ground; all of it where it is opaque and has no plain one.
+  /// What a page shows on its ground. Where the page is opaque without a plain ground, all of it; `is_photo` is set then.
   Grid<float> shown(const std::vector<std::uint8_t>& bytes, const std::string& file, bool& is_photo) {
     try {
       return mask_coverage(page(bytes, file, Background::cut_out).bgra);
@@ -90,7 +90,7 @@ class Pages {
   Drawers drawers_;
 };
 
-/// Whether `page` shows for the most part the same as the picture. Then nothing of `shown` is left but what differs.
+/// Whether `page` mostly shows the same as the picture. If so, only what differs is left in `shown`.
 bool leave_what_was_painted(const cv::Mat& page, const cv::Mat& picture, Grid<float>& shown) {
   if (picture.size() != page.size()) return false;
   const cv::Mat differs = clearly_different(page, picture);

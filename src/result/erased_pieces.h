@@ -1,4 +1,4 @@
-// Which pieces of a result a user means who draws over its picture: a rectangle, or a scribble.
+// Finds the pieces that a user means by a rectangle or by painting over a result's picture.
 #pragma once
 
 #include <string>
@@ -11,22 +11,23 @@
 
 namespace tessera {
 
-/// Places of those whose centre lies in the box, canvas px.
+/// The places of the pieces whose centre lies in the box, canvas px.
 std::vector<int> pieces_in(const Box& box, const std::vector<PlacedPiece>& pieces);
 
 struct ErasingMask {
-  Grid<float> cells;       // of the canvas, two or one to a px both ways; marked: a half or more
-  bool is_opaque = false;  // the file's page is, everywhere: what of it is marked was told by its colours
+  Grid<float> cells;       // of the canvas, one or two to a px in each direction; marked: 0.5 or more
+  bool is_opaque = false;  // the file's page is opaque everywhere, so marks were found by their colours
 };
 
-/// What the drawing in the file marks, which is laid over the canvas, whose aspect it has. Read as canvas.file is.
-/// Where it shows for the most part what `picture` does, the result's own, somebody has painted over that: marked is
-/// only what differs clearly. Throws InputError that begins with `option` and the file where it is no artwork, has
-/// another aspect, shows nothing, or is opaque on no plain ground and no copy of the picture.
+/// The marks in the file, which is laid over the canvas and must have its aspect. It is read like canvas.file. Where the
+/// file mostly shows the same as `picture`, the result's own picture, somebody has painted over that: then only clear
+/// differences are marks. Throws InputError that begins with `option` and the file, where the file is no artwork, has
+/// another aspect, shows nothing, or is opaque without a plain ground and no copy of the picture.
 ErasingMask erasing_mask(const std::string& file, const std::string& option, const Canvas& canvas,
                          const std::string& picture = {});
 
-/// Places of those that the mask touches: 4 px² of them, or all of a smaller one; and no less than this part of each.
+/// The places of the pieces that the mask touches: at least 4 px² of a piece, or all of a smaller one, and at least the
+/// part `least_part` of each.
 std::vector<int> pieces_under(const Grid<float>& mask, const std::vector<JudgedPiece>& pieces, const Canvas& canvas,
                               double least_part = 0);
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kScoreDecimals = 6;
 
-/// Names and paths are whatever the file system had; what is not UTF-8 is replaced.
+/// A JSON text. Names and paths may be any bytes of the file system; bytes that are not UTF-8 are replaced.
 std::string quoted(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
@@ -47,7 +47,7 @@ void append_geometry(const Outline& outline, const Similarity& canvas_from_shape
   text += "]}";
 }
 
-/// `value` is JSON already.
+/// Appends a property. `value` is JSON already.
 void append_property(const char* key, const std::string& value, std::string& text) {
   text += text.ends_with('{') ? "\"" : ",\"";
   text += key;
@@ -55,18 +55,19 @@ void append_property(const char* key, const std::string& value, std::string& tex
   text += value;
 }
 
-/// With as few digits as give the same numbers back.
+/// A JSON list of numbers with as few digits as give the same numbers back.
 std::string numbers_text(std::initializer_list<float> numbers) {
   std::string text;
   for (const float number : numbers) {
     char digits[32];
     text += text.empty() ? '[' : ',';
-    text.append(digits, std::to_chars(digits, digits + sizeof digits, number + 0.f).ptr);  // -0 would come back as 0
+    // adding 0 avoids -0, which would be read back as 0
+    text.append(digits, std::to_chars(digits, digits + sizeof digits, number + 0.f).ptr);
   }
   return text + ']';
 }
 
-/// Of a piece, beside what its placement says.
+/// What a feature has beside its placement.
 struct Feature {
   std::size_t index;
   std::string group;

@@ -1,4 +1,4 @@
-// pieces.geojson: every piece as a polygon with holes, as placed, for programs that go on from here (cutters, maps).
+// Writes pieces.geojson: every placed piece as a polygon with holes, for other programs (cutters, maps).
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace tessera {
 
-/// A FeatureCollection of one Polygon per placement, in order of placement. Coordinates are canvas px, y down. Rings
-/// are closed; the outer one has positive, holes have negative shoelace area (RFC 7946's right-hand rule in the
-/// numbers). All numbers have fixed decimals, so that equal collages give equal bytes.
+/// A FeatureCollection with one Polygon for each placement, in order of placement. Coordinates are canvas px, y down. Rings
+/// are closed; the shoelace area of the outer ring is positive, that of holes negative (RFC 7946's right-hand rule applied
+/// to the numbers). All numbers have fixed decimals, so that equal collages give equal bytes.
 std::string geojson_text(const CollageReport& report);
 
 }  // namespace tessera

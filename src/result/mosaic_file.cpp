@@ -18,14 +18,14 @@ namespace tessera {
 namespace {
 
 constexpr double kMostStretch = 1.05;
-constexpr std::size_t kMostFileBytes = std::size_t(4 * kMaxImagePixels);  // as many as the pixels have
+constexpr std::size_t kMostFileBytes = std::size_t(4 * kMaxImagePixels);  // as many bytes as the pixels have
 
 cv::Mat read_mosaic(const std::string& path, Drawers& drawers) {
   const std::vector<std::uint8_t> bytes = read_regular_file(path, kMostFileBytes);
   return drawers.whole_picture(bytes, path, kMaxArtworkSide_px);
 }
 
-/// `shown`: what has the aspect that the mosaic must have, for the message.
+/// Refuses another aspect. `shown`: names what has the right aspect, for the message.
 void check_aspect(const std::string& path, const cv::Mat& mosaic, cv::Size size, const std::string& shown) {
   const double stretch = double(mosaic.cols) * size.height / (double(mosaic.rows) * size.width);
   if (stretch <= kMostStretch && stretch >= 1 / kMostStretch) return;

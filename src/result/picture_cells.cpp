@@ -11,14 +11,14 @@ namespace {
 
 constexpr double kMostCells = 1e6;
 
-/// Straight colours laid on white.
+/// A straight colour laid on white.
 WeightedColour on_white(const cv::Vec4b& bgra) {
   const float alpha = float(bgra[3]) / 255;
   const auto laid = [&](int channel) { return 255 + (float(bgra[channel]) - 255) * alpha; };
   return {{laid(2), laid(1), laid(0)}, 1};
 }
 
-/// The part of each cell that lies inside the canvas, by the distance of its middle to the edge.
+/// The part of each cell that lies inside the canvas, from the distance of the cell's middle to the edge.
 Grid<float> inside(const Canvas& canvas, int width, int height) {
   const FieldView distance(canvas.distance);
   const Vec2 cell_px{float(canvas.width_px) / float(width), float(canvas.height_px) / float(height)};

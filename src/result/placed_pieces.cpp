@@ -27,7 +27,7 @@ PlacedPiece piece_of(const json& properties) {
           properties.contains("canvas_from_shape")};
 }
 
-/// With the decimals of the file.
+/// The value with the decimals of the file.
 double written(double value) { return std::stod(fixed(value, kPixelDecimals)); }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// pieces.geojson of a result read back, without its polygons.
+// Reads pieces.geojson of a result back, without its polygons.
 #pragma once
 
 #include <cstddef>
@@ -12,17 +12,17 @@ namespace tessera {
 
 struct PlacedPiece {
   std::string shape;             // its name
-  Similarity canvas_from_shape;  // within the file's decimals
+  Similarity canvas_from_shape;  // with the decimals of the file
   bool locked = false;
-  bool exact = false;  // the file says its pose exactly, too (start_pieces.h)
+  bool exact = false;  // the file has the exact pose, too (start_pieces.h)
 };
 
-inline constexpr std::size_t kMostPieces = 1'000'000;  // as `stop.pieces` may say
+inline constexpr std::size_t kMostPieces = 1'000'000;  // as in `stop.pieces`
 
-/// In order of placement, kMostPieces at most. Throws InputError that names the file and what is wrong with it.
+/// The pieces in order of placement, at most kMostPieces. Throws InputError that names the file and what is wrong with it.
 std::vector<PlacedPiece> read_placed_pieces(const std::string& dir);
 
-/// The poses as they are read back from pieces.geojson.
+/// The placements with their poses as pieces.geojson will give them back.
 std::vector<Placement> as_written(std::vector<Placement> placements);
 
 }  // namespace tessera

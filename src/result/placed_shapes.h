@@ -1,4 +1,4 @@
-// The shapes of a library that were placed, each once, and found by what a piece says of its own.
+// The shapes of a library that were placed, each once, and the way from a piece to its shape.
 #pragma once
 
 #include <cstddef>
@@ -17,9 +17,9 @@ namespace tessera {
 
 class PlacedShapes {
  public:
-  /// `id`: in the library, of a shape that is not there yet.
+  /// Adds a shape. `id`: in the library; it must be new.
   void add(ShapeId id, Shape shape);
-  /// The same with a drawing of its own, whatever its name.
+  /// Adds a shape with a drawing of its own, even where another shape has its name.
   void add_apart(ShapeId id, Shape shape);
 
   std::size_t size() const { return shapes_.size(); }
@@ -29,9 +29,9 @@ class PlacedShapes {
   auto begin() const { return shapes_.begin(); }
   auto end() const { return shapes_.end(); }
 
-  /// The place of the shape in the order in which they were added. Throws std::out_of_range where it is not there.
+  /// The place of the shape in the order in which shapes were added. Throws std::out_of_range where it was not added.
   std::size_t slot_of(ShapeId id) const;
-  /// The first place of what has the same drawing: a shape and its mirror image, of one name, have one.
+  /// The first place of a shape with the same drawing. A shape and its mirror image have the same name and drawing.
   std::size_t slot_of_drawing(std::size_t slot) const;
 
  private:
@@ -40,12 +40,12 @@ class PlacedShapes {
   std::unordered_map<std::string, std::size_t> slot_as_drawn_;  // by name, of shapes that are no mirror images
 };
 
-/// For each placement what is said of its shape; `of_shapes` has a text for each of the shapes, in their order.
+/// A text for each placement. `of_shapes` has a text for each of the shapes, in their order.
 std::vector<std::string> of_placements(const std::vector<std::string>& of_shapes, const PlacedShapes& shapes,
                                        const std::vector<Placement>& placements);
 
-/// Those parts of the shapes, one after the other, by their place in the library; before each `check_stop` is called and may
-/// throw.
+/// Reads these parts of the placed shapes, one after the other, in the order of the library. Calls `check_stop`, which may
+/// throw, before each shape.
 PlacedShapes read_placed_shapes(const ShapeLibrary& library, const std::vector<Placement>& placements,
                                 const LibraryParts& parts, const StopCheck& check_stop = never_stop);
 

@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kDeepest = 32;  // of what is nested in what
+constexpr std::size_t kDeepest = 32;  // deepest nesting in the file
 constexpr const char* kCoordinates = "geometry.coordinates";
 constexpr const char* kGeometryTypes = "\"Polygon\" or \"MultiPolygon\"";
 
@@ -26,13 +26,13 @@ std::string found_text(const json& value) {
   return printable(value.dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
-/// geometry.coordinates while they are read: lists of numbers, whose depth says whose they are.
+/// Reads geometry.coordinates: nested lists of numbers, whose depth says whether they are positions, rings or polygons.
 class Coordinates {
  public:
-  /// `points_before`: of all features, counted on.
+  /// `points_before`: counts the points of all features.
   explicit Coordinates(std::size_t& points_before) : points_before_(points_before) {}
 
-  /// Of the next feature.
+  /// Begins the next feature.
   void begin() {
     depth_ = position_depth_ = axis_ = 0;
     points_ = 0;
@@ -71,7 +71,7 @@ class Coordinates {
     ++axis_;
   }
 
-  /// For a feature whose geometry has this type.
+  /// The polygons of a feature whose geometry has this type.
   std::vector<std::vector<Ring>> polygons(const std::string& type) {
     const int needed = type == "Polygon" ? 3 : 4;
     if (position_depth_ == 0) fail(kCoordinates, "nothing", "a list of rings");
@@ -96,7 +96,7 @@ class Coordinates {
   }
 
   void end_ring() {
-    rings_.emplace_back(ring_.begin(), ring_.end());  // no larger than it is: there may be many
+    rings_.emplace_back(ring_.begin(), ring_.end());  // with no spare memory, because there may be many rings
     ring_.clear();
   }
 
@@ -105,10 +105,10 @@ class Coordinates {
     rings_.clear();
   }
 
-  int depth_ = 0;           // of the list that is read
-  int position_depth_ = 0;  // 0: no number was read
-  int axis_ = 0;            // numbers of the position so far
-  bool empty_ = false;      // the list that is read
+  int depth_ = 0;           // of the present list
+  int position_depth_ = 0;  // 0: no number was read yet
+  int axis_ = 0;            // number of axes read of the present position
+  bool empty_ = false;      // of the present list
   std::size_t points_ = 0;
   std::size_t& points_before_;
   Vec2 position_;
@@ -117,12 +117,12 @@ class Coordinates {
   std::vector<std::vector<Ring>> polygons_;
 };
 
-/// Events of the parser; knows where in the file it is, and keeps one feature at a time.
+/// Receives the parser's events. It knows the place in the file and keeps one feature at a time.
 class FeatureReader : public json::json_sax_t {
  public:
   explicit FeatureReader(const std::function<void(PolygonFeature)>& take) : take_(take) {}
 
-  /// At the end of the file.
+  /// Throws where the file had no features. To be called at its end.
   void check_complete() const {
     if (!any_features_) fail("features", "nothing", "a list of features, as in pieces.geojson");
   }
@@ -220,7 +220,7 @@ class FeatureReader : public json::json_sax_t {
     if (key_ == "type" && v != "FeatureCollection") fail("type", found_text(v), "\"FeatureCollection\"");
   }
 
-  /// Of a member of properties that is no text.
+  /// Refuses a member "shape" of properties that is no text.
   void check_is_no_shape(const std::string& found) const {
     if (key_ == "shape") fail("shape", found, "a text, the name of what the piece shows");
   }
@@ -262,7 +262,7 @@ class FeatureReader : public json::json_sax_t {
 
   const std::function<void(PolygonFeature)>& take_;
   std::vector<Place> places_;
-  std::string key_;  // the latest
+  std::string key_;  // the latest key
   bool any_features_ = false;
   std::size_t features_ = 0;
   PolygonFeature feature_;

@@ -14,19 +14,20 @@ namespace tessera {
 namespace {
 
 constexpr std::size_t kMostBytes = std::size_t(512) << 20;  // of the file: some 50,000 pieces of ours
-constexpr double kSmallestPiece_px2 = 1e-4;                 // as small as a piece may be given
-constexpr double kMostTwisted = 0.01;     // of a piece's area: outlines of thin limbs may have tiny loops
-constexpr double kMostBoundary_px = 8e6;  // of all pieces: it is sampled every half px
-constexpr double kMostFolded = 100;       // boundary by width + height of its box: else it fills the box as a comb
-constexpr double kFewPositions = 1000;    // that a piece may have however small it is ..
-constexpr double kPositionsPerPx = 100;   // .. and more for each px of its box' width + height
-constexpr float kMostBeyond = 0.5;        // of the canvas' width or height
+constexpr double kSmallestPiece_px2 = 1e-4;                 // the least area that a job may give
+constexpr double kMostTwisted = 0.01;     // part of a piece's area: outlines of thin limbs may have tiny loops
+constexpr double kMostBoundary_px = 8e6;  // of all pieces, because it is sampled every half px
+// boundary divided by width + height of its bounding box; more fills the box like a comb
+constexpr double kMostFolded = 100;
+constexpr double kFewPositions = 1000;   // positions that even the smallest piece may have ..
+constexpr double kPositionsPerPx = 100;  // .. and more for each px of its bounding box' width + height
+constexpr float kMostBeyond = 0.5;       // part of the canvas' width or height
 
 std::string box_text(const Box& box) { return fixed(box.width(), 1) + " x " + fixed(box.height(), 1) + " px"; }
 
 std::string position_text(Vec2 p) { return "[" + fixed(p.x, 3) + ", " + fixed(p.y, 3) + "]"; }
 
-/// Without the position that closes it, and in the direction that an outer boundary or a hole has.
+/// The ring without its closing position, in the direction of an outer boundary or a hole.
 std::vector<Vec2> curve_of(Ring ring, bool is_hole) {
   if (ring.size() < 4) {
     throw InputError("geometry.coordinates: found a ring of " + count_text(ring.size(), "position") +
@@ -73,7 +74,7 @@ double length_px(const Outline& outline) {
   return sum;
 }
 
-/// What takes time out of all proportion to what is seen: boundary that lies in layers, positions without a distance.
+/// Refuses outlines that take far more time than they show: boundaries in many layers, positions without distance.
 void check_unfolded(const Outline& outline) {
   const Box box = bounding_box(outline);
   const double sides_px = double(box.width()) + box.height();

@@ -1,4 +1,4 @@
-// Where the ranks of a run spent their time, and what they sent: the table at its end, and a section of card.json.
+// The times of a run's ranks, and the messages that they sent: the table at the end of a run, and a section of card.json.
 #pragma once
 
 #include <algorithm>
@@ -10,17 +10,17 @@
 
 namespace tessera {
 
-/// How one figure differs over the workers.
+/// The range of one figure over all workers.
 struct Spread {
   double min = 0;
   double average = 0;
   double max = 0;
 
-  /// How much longer all wait for the slowest than for an average one, percent; 0 where nothing was measured.
+  /// The additional time that all wait for the slowest worker, compared with an average one, in percent; 0 where nothing was measured.
   double imbalance_percent() const { return average > 0 ? 100 * (max / average - 1) : 0; }
 };
 
-/// There is at least one worker.
+/// The range of a figure. There must be at least one worker.
 template <class Figure>
 Spread spread_of(const std::vector<WorkerTimes>& workers, Figure figure) {
   Spread spread{figure(workers.front()), 0, figure(workers.front())};
@@ -33,11 +33,12 @@ Spread spread_of(const std::vector<WorkerTimes>& workers, Figure figure) {
   return spread;
 }
 
-/// A line for each stage: least, average and greatest seconds over the workers, share of the loop, imbalance; then the
-/// master's stages, then messages. Lines of less than 80 characters. Empty where there was no worker.
+/// The table for people: a line for each stage with least, average and greatest seconds over the workers, share of the
+/// loop, and imbalance; then the master's stages, then messages. Lines have less than 80 characters. Empty where there was
+/// no worker.
 std::string ranks_text(const RankStatistics& ranks);
 
-/// The same for programs. Its keys differ from those of the card's other sections.
+/// The table for programs. Its keys differ from those of the card's other sections.
 nlohmann::ordered_json ranks_json(const RankStatistics& ranks);
 
 }  // namespace tessera

@@ -29,7 +29,7 @@ namespace {
 struct Task {
   Variation variation;
   std::string folder;
-  std::optional<CollageEnd> end;  // that it had before this campaign; nothing: it is open
+  std::optional<CollageEnd> end;  // the end of an earlier run; empty: the collage is to be made
 };
 
 std::string campaign_folder(const CampaignArguments& arguments) {
@@ -37,8 +37,8 @@ std::string campaign_folder(const CampaignArguments& arguments) {
   return "out/" + std::filesystem::path(arguments.job).stem().string() + "-campaign";
 }
 
-/// The job as a result of it would hold it; `found` is what the result there holds. Library and canvas, which may be gone
-/// since, are read only where all else agrees.
+/// The job as a finished result in the folder would hold it; `found` is the job there. It reads library and canvas, which
+/// may be gone by now, only where all else agrees.
 Job effective_job(const Job& job, const Job& found) {
   if (!quality_waits_for_sizes(job)) return job;
   Job as_found = job;
@@ -62,7 +62,7 @@ std::optional<CollageEnd> earlier_end(const std::string& folder, const Job& job)
   return end_of_finished(earlier.whole->manifest);
 }
 
-/// All jobs are read before the first is begun, so that a mistake in the last shows at once.
+/// Makes all tasks. It reads all jobs before the first is begun, so that a mistake in the last one shows at once.
 std::vector<Task> tasks_of(const CampaignArguments& arguments) {
   std::vector<Task> tasks;
   for (Variation& variation : make_variations(arguments.seeds, arguments.sets)) {
@@ -88,8 +88,7 @@ std::vector<std::string> results_in(const std::string& folder) {
   return names;
 }
 
-/// Throws InputError where the folder holds results that this campaign does not make: those of another one, which the
-/// new ranking would leave out.
+/// Throws InputError where the folder holds results that this campaign does not make: the new ranking would leave them out.
 void check_extends_what_is_there(const CampaignArguments& arguments, const std::vector<Task>& tasks) {
   std::vector<std::string> others = results_in(campaign_folder(arguments));
   std::erase_if(others, [&](const std::string& name) {
@@ -102,7 +101,7 @@ void check_extends_what_is_there(const CampaignArguments& arguments, const std::
                    "; give --seeds and --set that make these, too, or another --out; tessera rank ranks any results");
 }
 
-/// Folders that an earlier campaign left, or whoever else: before hours of work.
+/// Finds out, before hours of work, whether the folders can be made.
 void check_can_be_made(const std::vector<Task>& tasks) {
   std::error_code error;
   for (const Task& task : tasks) {
@@ -112,7 +111,7 @@ void check_can_be_made(const std::vector<Task>& tasks) {
   }
 }
 
-/// For scripts: a line a collage with tabs between state, folder and the values for --set.
+/// Prints a list for scripts: one line for each collage, with tabs between state, folder and the values for --set.
 void print_list(const std::vector<Task>& tasks) {
   for (const Task& task : tasks) {
     std::vector<std::string> cells = {task.end ? "finished" : "open", task.folder};
@@ -121,7 +120,7 @@ void print_list(const std::vector<Task>& tasks) {
   }
 }
 
-/// The collage is there without its card, too.
+/// The measures of a collage's card; empty where it has no card.
 std::string measures_in(const std::string& folder) {
   try {
     const ResultCard card = read_card(folder);
@@ -137,7 +136,7 @@ void print_result(const Task& task, CollageEnd end, std::size_t number, std::siz
   print_now();
 }
 
-/// What an earlier campaign left unfinished goes on from its checkpoint, or is drawn.
+/// The arguments for one collage. One that an earlier campaign left unfinished goes on from its checkpoint, or is drawn.
 CollageArguments collage_of(const CampaignArguments& arguments, const Task& task) {
   CollageArguments collage;
   collage.job = arguments.job;
@@ -148,8 +147,8 @@ CollageArguments collage_of(const CampaignArguments& arguments, const Task& task
   return collage;
 }
 
-/// The exit code of all collages together: an incomplete one ends none of the others, an interrupted one ends the
-/// campaign.
+/// Makes all collages and returns their common exit code. An incomplete collage ends none of the others, an interrupted one
+/// ends the campaign.
 int make_all(const CampaignArguments& arguments, const std::vector<Task>& tasks, comm::Communicator& ranks) {
   int exit_code = kDoneExitCode;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
@@ -181,7 +180,7 @@ int run_campaign(const CampaignArguments& arguments, comm::Communicator& ranks) 
   check_ranking_can_be_written(campaign_folder(arguments));
   const int made = make_all(arguments, tasks, ranks);
   if (made == kUnfinishedExitCode) {
-    print_message("unfinished: the same command goes on where this one was");
+    print_message("unfinished: run the same command again to continue");
     return kUnfinishedExitCode;
   }
   RankingArguments ranking{.folders = {}, .out = campaign_folder(arguments), .weights = arguments.weights};

@@ -20,9 +20,9 @@
 namespace tessera {
 namespace {
 
-constexpr double kSmallest_px = 0.01;  // a piece that may be read (result/polygon_pieces.h) is as large
+constexpr double kSmallest_px = 0.01;  // the least size that result/polygon_pieces.h reads
 
-/// What pieces are held against.
+/// The canvas, and the sizes, that pieces are compared with.
 struct Frame {
   Canvas canvas;
   std::optional<SizeRange> sizes;
@@ -32,7 +32,7 @@ std::string size_text(double width_px, double height_px) {
   return fixed(width_px, 0) + " x " + fixed(height_px, 0) + " px";
 }
 
-/// As canvas.size_px allows. `key` begins the message.
+/// Refuses a size that canvas.size_px does not allow. `key` begins the message.
 void check_size(const std::string& key, double width_px, double height_px) {
   const JobKey& size = *find_job_key("canvas", "size_px");
   const auto allowed = [&](double side_px) { return side_px >= size.min && side_px <= size.max; };
@@ -41,7 +41,7 @@ void check_size(const std::string& key, double width_px, double height_px) {
                    fixed(size.max, 0) + " each, " + fixed(kMaxCanvas_px2 / 1e6, 0) + " million px in all");
 }
 
-/// As large as --size says, or as it was drawn.
+/// Reads the canvas in the size of --size, or in the size in which it was drawn.
 Canvas canvas_in_file(const CardArguments& arguments) {
   CanvasSpec spec{.file = arguments.canvas};
   if (arguments.size_px.empty()) {
@@ -74,7 +74,7 @@ Frame frame_of(const CardArguments& arguments) {
   throw InputError("--canvas: found nothing, allowed: an SVG, an image or a job.toml; or --size W,H, a rectangle");
 }
 
-/// As few digits as give the same number back: "20", "1e-310".
+/// The number with as few digits as give the same number back: "20", "1e-310".
 std::string short_text(double value) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
@@ -100,15 +100,15 @@ std::string in_folder(const CardArguments& folder, const char* name) {
   return (std::filesystem::path(folder.pieces) / name).string();
 }
 
-/// The folder of a result says what was to be filled, too.
+/// Takes canvas and pieces from the folder of a result.
 CardArguments of_folder(CardArguments arguments) {
   if (!has_canvas(arguments)) arguments.canvas = in_folder(arguments, "job.toml");
   arguments.pieces = in_folder(arguments, "pieces.geojson");
   return arguments;
 }
 
-/// How collage.png in the folder of a result shows the picture of its job, or of --image. Nothing where the job has
-/// none, or where the result is held against another canvas.
+/// How well collage.png in a result's folder shows the picture of its job, or of --image. Empty where the job has none, or
+/// where the result is compared with another canvas.
 std::optional<AfarNote> seen_in_folder(const CardArguments& folder, const Canvas& canvas, std::size_t pieces) {
   const std::string of_job = load_job(in_folder(folder, "job.toml"), {}).colour.image;
   if (!folder.image.empty())
@@ -138,7 +138,7 @@ Card card_of_pieces(const CardArguments& given) {
   return card;
 }
 
-/// Makes the card of a mosaic that is a picture alone, beside the picture that it shows.
+/// Makes the card of a mosaic that is only a picture, beside the picture that it shows.
 Card card_of_picture(const CardArguments& arguments) {
   if (!arguments.sizes_px.empty()) throw InputError("--sizes: found beside --image, allowed: with pieces as polygons");
   if (!arguments.size_px.empty() && arguments.canvas.empty()) {
@@ -154,7 +154,7 @@ Card card_of_picture(const CardArguments& arguments) {
   return card;
 }
 
-/// Refuses options that go with another kind of RESULT alone: a folder, polygons or a picture.
+/// Refuses options that do not fit the kind of RESULT: a folder, polygons or a picture.
 void check_kind(const CardArguments& arguments) {
   const bool picture = !is_folder(arguments) && !arguments.image.empty();
   if (arguments.shown_pieces > 0 && !picture) {

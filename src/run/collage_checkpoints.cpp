@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kStartAgain = "--restart removes it and starts again";
 
-/// Throws InputError.
+/// Reads a checkpoint of this job. Throws InputError where it is damaged or belongs to another job.
 CheckpointState read_matching(const std::string& path, const CheckpointOrigin& origin) {
   const Checkpoint checkpoint = read_checkpoint(path);
   check_origin(checkpoint, origin);
@@ -28,7 +28,7 @@ bool is_good(const std::string& path, const CheckpointOrigin& origin) {
   }
 }
 
-/// What to do about a checkpoint that cannot be used.
+/// What the user can do about a checkpoint that cannot be used.
 std::string ways_out(const CheckpointFolder& folder, Start start, const CheckpointOrigin& origin) {
   std::string text;
   if (start == Start::resume && is_good(folder.previous(), origin)) {
@@ -42,11 +42,11 @@ std::string ways_out(const CheckpointFolder& folder, Start start, const Checkpoi
 
 struct Found {
   std::string path;
-  std::string option;  // that goes on from it
+  std::string option;  // the option that goes on from it
   bool there;
 };
 
-/// `damage`: why the result in the folder is not one that was finished.
+/// Throws InputError where the wanted checkpoint is not there. `damage`: what is wrong with the result in the folder.
 void require(const Found& wanted, const Found& other, const std::string& damage) {
   if (wanted.there) return;
   throw InputError(wanted.path + ": no such file" +
@@ -55,7 +55,7 @@ void require(const Found& wanted, const Found& other, const std::string& damage)
                    (damage.empty() ? "" : "; the result in its folder is not whole: " + damage));
 }
 
-/// Where a run is to begin and nobody said what becomes of what is there.
+/// Throws InputError where a fresh run is wanted and there is a checkpoint.
 void require_nothing(const CheckpointFolder& folder, const CheckpointOrigin& origin) {
   if (!folder.has_any()) return;
   const bool latest = folder.has_latest();
@@ -111,7 +111,7 @@ void CollageCheckpoints::keep(const CheckpointState& state) {
     if (failure_.empty()) {
       const bool after_bar = isatty(STDERR_FILENO) == 1;
       if (after_bar) std::fputc('\n', stderr);
-      print_message(std::string("warning: no checkpoint: ") + error.what() + "; going on without");
+      print_message(std::string("warning: no checkpoint: ") + error.what() + "; the run continues without one");
     }
     failure_ = error.what();
   }

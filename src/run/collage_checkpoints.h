@@ -1,5 +1,5 @@
-// The checkpoints of a run of tessera collage: where it starts from, when they are written, and what is left at the
-// end.
+// The checkpoints of a run of tessera collage: where the run starts, when checkpoints are written, and which are left at
+// the end.
 #pragma once
 
 #include <optional>
@@ -14,41 +14,41 @@
 namespace tessera {
 
 enum class Start {
-  fresh,            // there must be no checkpoint
+  fresh,            // refused where there is a checkpoint
   resume,           // from checkpoint.h5, or from a finished result
   resume_previous,  // from checkpoint.previous.h5
-  restart,          // as if there were no checkpoint
+  restart,          // ignores and removes checkpoints
 };
 
-/// What --resume=auto means for this folder: `resume` where there is a checkpoint or a finished result,
-/// `resume_previous` where only that checkpoint is left, or `fresh`.
+/// The meaning of --resume=auto for this folder: `resume` where there is a checkpoint or a finished result,
+/// `resume_previous` where only the previous checkpoint is left, otherwise `fresh`.
 Start automatic_start(const EarlierResult& earlier);
 
-/// The checkpoints in the result's folder. Before anything costs time: throws InputError where `start` does not go with
-/// what is there.
+/// The checkpoints in the result's folder. To be called before anything costs time: throws InputError where `start` does
+/// not fit them.
 CheckpointFolder checked_start(const EarlierResult& earlier, Start start);
 
-/// What the run starts from, if not from an empty canvas. Throws InputError that says what is wrong and what to do
-/// where the checkpoint is damaged or belongs to others.
+/// The state from which the run starts; empty: it starts with an empty canvas. Throws InputError where the checkpoint is
+/// damaged or belongs to another job; the message says what is wrong and what to do.
 std::optional<CheckpointState> starting_state(const CheckpointFolder& folder, Start start,
                                               const CheckpointOrigin& origin);
 
 class CollageCheckpoints : public master::CheckpointKeeper {
  public:
-  /// One is due every `every_s`, s; 0: none is.
+  /// A checkpoint is due every `every_s` seconds; 0: never.
   CollageCheckpoints(const CheckpointFolder& folder, const CheckpointOrigin& origin, double every_s);
 
   bool due() override;
-  /// Where the state cannot be written, says so on stderr, once.
+  /// Writes the state. Where that fails, it says so on stderr, but only once.
   void keep(const CheckpointState& state) override;
 
-  /// What keep() said on stderr; empty where it said nothing.
+  /// The message that keep() wrote to stderr; empty where there was none.
   std::string warning() const;
 
-  /// To be called after the files of a finished run were written, when there is nothing to go on with.
+  /// Removes the checkpoints of a finished run. To be called after its files were written.
   void remove() const { folder_.remove(); }
-  /// To be called after those of an unfinished run were written. Throws EnvironmentError where there is no checkpoint
-  /// at all.
+  /// Throws EnvironmentError where there is no checkpoint at all. To be called after the files of an unfinished run were
+  /// written.
   void require_one() const;
 
  private:

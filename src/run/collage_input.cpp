@@ -23,7 +23,7 @@ Job job_of(const CollageArguments& arguments) {
   return arguments.refined ? with_pieces_of(*arguments.refined, std::move(job)) : job;
 }
 
-/// Where there is no folder, mistakes show before it is made.
+/// The checkpoints of the run. Where there is no folder yet, mistakes show before it is made.
 CheckpointFolder checkpoints_in(const EarlierResult& earlier, Start start) {
   return std::filesystem::exists(earlier.folder) ? CheckpointFolder(earlier.folder) : checked_start(earlier, start);
 }
@@ -34,7 +34,7 @@ CheckpointOrigin checked_origin(const CollageArguments& arguments, const CanvasP
   return origin;
 }
 
-/// The folder is there then. Returns the place of its lock.
+/// Makes the folder and returns the path of its lock.
 std::string locked_folder(const std::string& folder) {
   make_folder(folder);
   return folder_lock_path(folder);
@@ -51,7 +51,7 @@ CollageInput::CollageInput(const CollageArguments& arguments) : CollageInput(arg
 
 CollageInput::CollageInput(const CollageArguments& arguments, Job raw)
     : folder(output_folder(arguments)),
-      earlier{.folder = folder, .whole = {}, .damage = {}},  // what is in a folder counts when it is locked
+      earlier{.folder = folder, .whole = {}, .damage = {}},  // read again when the folder is locked
       start(start_of(arguments, earlier)),
       checkpoints(checkpoints_in(earlier, start)),
       problem(std::move(raw)),

@@ -1,4 +1,5 @@
-// What rank 0 of tessera collage reads before anything costs time; mistakes in these files and settings are told here.
+// The files that rank 0 of tessera collage reads before anything costs time. Mistakes in files and settings are reported
+// here.
 #pragma once
 
 #include <optional>
@@ -24,9 +25,9 @@ struct CollageInput {
   CheckpointFolder checkpoints;
   const CanvasProblem problem;
   CheckpointOrigin origin;
-  OutputLock lock;                      // of the folder; what is in it counts as it is from then on
-  bool finished = false;                // --resume found the finished collage: nothing is left to compute
-  std::optional<CheckpointState> from;  // nothing: an empty canvas
+  OutputLock lock;                      // of the folder; what is in it counts from then on
+  bool finished = false;                // --resume found a finished collage: nothing is left to compute
+  std::optional<CheckpointState> from;  // empty: starts with an empty canvas
 
  private:
   CollageInput(const CollageArguments& arguments, Job raw);

@@ -1,4 +1,4 @@
-// What is kept about a run of tessera collage: a record for the card, and a line in run.log for each event. Warnings go
+// Keeps what happened in a run of tessera collage: a record for the card, and a line in run.log for each event. Warnings go
 // to stderr as well.
 #pragma once
 
@@ -15,20 +15,20 @@ namespace tessera {
 
 class CollageJournal {
  public:
-  /// `record`: what is known of the run when it starts.
+  /// `record`: what is known about the run when it starts.
   CollageJournal(const std::string& folder, RunRecord record);
 
-  /// Notes where all ranks run, the master's first.
+  /// Notes where all ranks run; the master comes first.
   void ranks_are(std::vector<RankSite> sites);
   void resumed(const CheckpointState& from);
-  /// Does nothing where the warning is empty.
+  /// Writes a warning to run.log and to stderr. Does nothing where it is empty.
   void warn(const std::string& warning);
-  /// The same for what stands on stderr already.
+  /// Writes a warning to run.log that is already on stderr.
   void keep_warning(const std::string& warning);
-  /// The placements are complete as far as they go. Returns the record for the card.
+  /// Notes the end of the loop, why it ended and with how many pieces. Returns the record for the card.
   const RunRecord& ended(StopReason stopped_by, std::size_t pieces);
 
-  /// Does `work` and returns what it gives; an error that ends it is written down before it is passed on.
+  /// Does `work` and returns its result. An error that ends `work` is logged before it is passed on.
   template <class Work>
   auto watch(Work work) {
     try {

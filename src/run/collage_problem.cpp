@@ -35,8 +35,8 @@ std::map<ShapeId, Outline> outlines_of(const std::vector<GivenPiece>& pieces, co
   return outlines;
 }
 
-/// No piece of start.remove comes back to where it lay, unless nothing else may come in for it. This goes by the whole
-/// canvas.
+/// Keeps the pieces of start.remove from coming back to where they lay, unless nothing else may come in for them. The whole
+/// canvas counts here.
 void keep_removed_from_coming_back(const ShapeLibrary& library, const Canvas& canvas, Job& job) {
   const std::vector<GivenPiece>& removed = job.start.removed;
   if (removed.empty()) return;
@@ -53,12 +53,12 @@ void keep_removed_from_coming_back(const ShapeLibrary& library, const Canvas& ca
   }
 }
 
-/// Of the first attempt.
+/// The piece settings with the sizes of the first attempt.
 PieceSettings sized_pieces(const Job& job, double size_factor) {
   return with_sizes_times(size_factor, job.settings).pieces;
 }
 
-/// Where pieces are removed only their room is left of the canvas. Returns which part of the canvas that is.
+/// Limits the canvas to the room of the removed pieces, if there are any. Returns the part of the canvas that is left.
 double limit_to_room(const ShapeLibrary& library, const Job& job, double size_factor, Canvas& canvas) {
   if (job.start.removed.empty()) return 1;
   const std::map<ShapeId, Outline> outlines = outlines_of(job.start.removed, library);
@@ -116,7 +116,7 @@ CollageProblem::CollageProblem(Job job, LibraryView library, CanvasFindings foun
   settings_ = settings_of(job_, found_);
 }
 
-/// Each member goes by those before it.
+/// What the constructor reads. Each member depends on the members before it.
 struct CanvasProblem::Read {
   explicit Read(Job raw)
       : job(std::move(raw)),

@@ -1,5 +1,5 @@
-// What a run is to do, resolved once from its job: shapes, wishes, sizes, limits. Every rank of tessera collage goes by
-// it, and so does tessera plan. The sizes in the job are those of its file, for messages and for what is written.
+// The problem of a run, resolved once from its job: shapes, wishes, sizes, limits. Every rank of tessera collage uses it,
+// and so does tessera plan. The sizes in `job()` are those of its file, for messages and output.
 #pragma once
 
 #include <cstdint>
@@ -13,23 +13,23 @@
 
 namespace tessera {
 
-/// What the canvas decides about the whole problem. Workers read no canvas: rank 0 tells them this.
+/// The part of the problem that the canvas decides. Workers read no canvas: rank 0 sends them this.
 struct CanvasFindings {
-  double size_factor = 1;  // times all sizes; 1 but where every shape is to have a place (pieces.fit)
-  double room_part = 1;    // of the canvas, that is filled: less than all where pieces are removed
+  double size_factor = 1;  // multiplies all sizes; 1 unless every shape needs a place (pieces.fit)
+  double room_part = 1;    // part of the canvas that is filled; below 1 where pieces are removed
   Overlays overlays = {};
 };
 
-/// The same on every rank, but for the pieces that the job starts from: only who places pieces needs them.
+/// The problem, the same on every rank but for the pieces that the job starts from: only the master needs these.
 class CollageProblem {
  public:
-  /// `job`: its wishes are resolved by the shapes of `library`. Throws InputError as set_overlays does.
+  /// Resolves the wishes of `job` by the shapes of `library`. Throws InputError as set_overlays does.
   CollageProblem(Job job, LibraryView library, CanvasFindings found);
 
   const Job& job() const { return job_; }
   const LibraryView& library() const { return library_; }
   const CanvasFindings& found() const { return found_; }
-  /// The sizes are those of the first attempt, and improving takes as large a part as the room that is filled.
+  /// The settings with the sizes of the first attempt. Improving is reduced to the part of the canvas that is filled.
   const CollageSettings& settings() const { return settings_; }
 
  private:
@@ -42,18 +42,18 @@ class CollageProblem {
 /// The problem with its canvas, as rank 0 and tessera plan read it.
 class CanvasProblem : public CollageProblem {
  public:
-  /// Reads and checks the files that the job names before anything costs time. Throws InputError that names the file or
+  /// Reads and checks the files that the job names, before anything costs time. Throws InputError that names the file or
   /// key, what was found and what is allowed.
   explicit CanvasProblem(Job raw);
 
-  /// Where pieces are removed (start.remove) only their room is to be filled, and as far round it as a gap may be that
-  /// nothing fits into.
+  /// The canvas to be filled. Where pieces are removed (start.remove), that is only their room and a margin around it, as
+  /// wide as the gaps that no piece fits into.
   const Canvas& canvas() const { return canvas_; }
-  /// Of the canvas as a whole (checkpoint_origin.h).
+  /// The digest of the whole canvas (checkpoint_origin.h).
   std::uint64_t canvas_digest() const { return canvas_digest_; }
-  /// The job's, of a canvas with a size on paper as large as that (on_paper).
+  /// The job's output settings. For a canvas with a size on paper they have that size (on_paper).
   const OutputSpec& output() const { return output_; }
-  /// Of silhouettes, "#rrggbb".
+  /// The palette for silhouettes, "#rrggbb".
   const std::vector<std::string>& palette() const { return palette_; }
 
  private:

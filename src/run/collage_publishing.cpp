@@ -21,7 +21,7 @@ std::vector<bool> locked_for_good(const Wishes& wishes, std::size_t pieces) {
   return locked;
 }
 
-/// The collage as it came out, but for what pictures alone show.
+/// The report of the finished loop, without what only pictures show.
 CollageReport report_of(const CanvasProblem& problem, const master::CollageResult& result) {
   CollageReport report;
   report.output = problem.output();
@@ -39,7 +39,7 @@ CollageReport report_of(const CanvasProblem& problem, const master::CollageResul
   return report;
 }
 
-/// What the drawn pieces go by: their colours are those of the poses as tessera draw will read them.
+/// Adds the colours of the drawn pieces. They are computed from the poses in the written file, like tessera draw does.
 void add_colours(const CanvasProblem& problem, CollageReport& report) {
   const std::vector<Placement> written = as_written(report.placements);
   const CollageSettings& settings = problem.settings();

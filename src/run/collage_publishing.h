@@ -1,4 +1,4 @@
-// The end of the loop of tessera collage: its placements become the result.
+// The end of tessera collage: makes the result of the loop's placements.
 #pragma once
 
 #include <string>
@@ -13,13 +13,12 @@
 
 namespace tessera {
 
-/// Whether the run was ended before its first piece, and the folder holds a finished collage, which an empty result
-/// must not replace.
+/// Whether the run was ended before its first piece while the folder holds a finished collage, which an empty result must
+/// not replace.
 bool leaves_older_result(const CollageInput& input, const master::CollageResult& result);
 
-/// Writes all but the pictures, then removes the checkpoints of a finished run: at every moment the folder holds what
-/// the run came to. Returns the text of the card. Throws EnvironmentError, also where an unfinished run has no
-/// checkpoint.
+/// Writes all files but the pictures, then removes the checkpoints of a finished run; so the folder holds the run's state
+/// at every moment. Returns the text of the card. Throws EnvironmentError, also where an unfinished run has no checkpoint.
 std::string publish(const CollageInput& input, const master::CollageResult& result,
                     const std::vector<MissingShape>& missing, const RankStatistics& ranks, const RunRecord& record,
                     const CollageCheckpoints& checkpoints);

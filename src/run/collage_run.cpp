@@ -1,4 +1,4 @@
-// Rank 0 of tessera collage. lead() is the outline: it reads the input, has compute() make the collage, and draws it.
+// Rank 0 of tessera collage. lead() is the outline: it reads the input, lets compute() make the collage, and draws it.
 #include "run/collage_run.h"
 
 #include <cstdlib>
@@ -53,13 +53,13 @@ struct MasterRun {
   std::shared_ptr<CollageJournal> journal;  // the ranks' watch shares it
 };
 
-/// What the loop came to.
+/// The outcome of the loop.
 struct LoopOutcome {
   master::CollageResult result;
   RankStatistics times;
 };
 
-/// Nothing where mpirun is ending the job, or a question was given up: workers may be gone, or busy with it.
+/// The times of all ranks. Empty where mpirun is ending the job or a question was given up: workers may be gone or busy.
 RankStatistics times_of(comm::LoopClock& clock, const master::CollageResult& result) {
   if (comm::stop_signalled() || result.gave_up_question) return {};
   try {
@@ -81,7 +81,8 @@ RunRecord record_of(const CollageInput& input) {
   return record;
 }
 
-/// A rank that does not say goodbye is waited for (rank_program.cpp), then killed by mpirun: each takes two seconds.
+/// Seconds that leaving takes. This rank waits two seconds for a rank that does not report its end (rank_program.cpp); then
+/// mpirun kills that rank, which takes two more.
 double leaving_s(const comm::Communicator& ranks) { return ranks.size() > 1 ? 4 : 0; }
 
 void note_beginning(const MasterRun& run) {
@@ -90,7 +91,7 @@ void note_beginning(const MasterRun& run) {
   if (run.input.from) run.journal->resumed(*run.input.from);
 }
 
-/// Signals and the time limit hold from here on, whatever this rank waits for; so does the watch over the workers.
+/// Makes all waits of this rank obey signals, the time limit and the watch over the workers.
 StopQuestion watch_waits(const MasterRun& run) {
   comm::install_stop_handlers();
   const StopQuestion shall_stop = [limit = run.limit, leaving_s = leaving_s(run.ranks)]() -> std::optional<StopReason> {
@@ -104,8 +105,8 @@ StopQuestion watch_waits(const MasterRun& run) {
   return shall_stop;
 }
 
-/// Installs the stop handlers again over those that LLVM brings with the first kernel. LLVM's handlers reset themselves
-/// when they are called, and a second signal at that moment, as timeout(1) sends it, would end the process.
+/// Makes the matchers, and installs our stop handlers again: LLVM installs its own with the first kernel. LLVM's handlers
+/// reset themselves when they are called, so a second signal at that moment, as timeout(1) sends it, would end the process.
 LoopMatchers signal_safe_matchers(const MasterRun& run, ShapeSource& shapes, const StopQuestion& shall_stop) {
   LoopMatchers matchers = gather_matchers(run.ranks, run.input.problem, shapes, shall_stop);
   comm::install_stop_handlers();
@@ -145,7 +146,7 @@ CollageEnd conclude(const MasterRun& run, const LoopOutcome& loop, const Collage
   return missing.empty() && !result.placements.empty() ? CollageEnd::finished : CollageEnd::incomplete;
 }
 
-/// From the empty canvas or a checkpoint to the result without its pictures.
+/// Makes the result without its pictures, from the empty canvas or a checkpoint.
 CollageEnd compute(const MasterRun& run) {
   const CollageInput& input = run.input;
   note_beginning(run);
@@ -160,7 +161,7 @@ CollageEnd compute(const MasterRun& run) {
   return conclude(run, loop, checkpoints);
 }
 
-/// The pictures of a finished collage. False: interrupted.
+/// Draws the pictures of a finished collage. False: interrupted.
 bool draw_pictures(const CollageArguments& arguments, const CollageInput& input, const TimeLimit& limit,
                    comm::Communicator& ranks) {
   comm::install_stop_handlers();
@@ -208,7 +209,7 @@ CollageEnd run_collage(const CollageArguments& arguments, comm::Communicator& ra
   if (ranks.rank() != 0) run_collage_worker(ranks);  // never returns: a worker leaves by JobEnded
   try {
     return lead(arguments, ranks);
-  } catch (const Interrupted&) {  // before the first round: what was there is there still
+  } catch (const Interrupted&) {  // before the first round: the folder is unchanged
     return CollageEnd::not_begun;
   }
 }

@@ -17,7 +17,7 @@
 namespace tessera {
 namespace {
 
-/// A worker's devices and cores are its part of its node's, shared with the other workers there.
+/// This worker's share of its node's devices and cores, which it shares with the node's other workers.
 worker::DeviceShare share_of_node(const comm::Communicator& ranks, const Job& job) {
   const bool with_master = ranks.node_ranks().front() == 0;
   return {ranks.local_rank() - with_master, ranks.local_size() - with_master, job.devices_per_worker};

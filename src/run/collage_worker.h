@@ -1,12 +1,12 @@
-// The ranks of tessera collage that search the library, a part of it each, on the devices of their node, and replace
-// pieces on its cores.
+// The workers of tessera collage. Each searches a part of the library on the devices of its node, and replaces pieces on
+// its cores.
 #pragma once
 
 #include "comm/communicator.h"
 
 namespace tessera {
 
-/// A worker's life, from the master's job on. Leaves by JobEnded; throws InputError and EnvironmentError.
+/// Does a worker's work, from receiving the master's job on. Leaves by JobEnded; throws InputError and EnvironmentError.
 [[noreturn]] void run_collage_worker(comm::Communicator& ranks);
 
 }  // namespace tessera

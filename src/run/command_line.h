@@ -1,4 +1,4 @@
-// The command that this process was started with, for the records of a run.
+// The command that started this process, for the records of a run.
 #pragma once
 
 #include <string>
@@ -6,10 +6,10 @@
 
 namespace tessera {
 
-/// The words as a shell takes them (shell_word.h).
+/// The words in a form that a shell reads back (shell_word.h).
 std::string quoted_command(const std::vector<std::string>& words);
 
-/// The command line of this process; empty where the system does not tell.
+/// The command line of this process; empty where the system does not tell it.
 std::string own_command_line();
 
 }  // namespace tessera

@@ -1,4 +1,4 @@
-// A command that writes a job and then runs it as tessera collage does: what it holds while it is at work.
+// Guards the output of a command that writes a job and then runs it like tessera collage.
 #pragma once
 
 #include <deque>
@@ -12,11 +12,11 @@
 
 namespace tessera {
 
-/// Keeps other runs away from the job's file and those beside it, and finds at once where it or the result could not be
-/// written.
+/// Locks the job's file and the files beside it against other runs, and finds out at once whether these and the result can
+/// be written.
 class JobOutput {
  public:
-  /// `collage.job`: the file to write; `beside`: the others that are written with it. `job_only`: no result follows.
+  /// `collage.job`: the file to write. `beside`: other files that are written with it. `job_only`: no result follows.
   /// Throws InputError where another run is at work, EnvironmentError.
   JobOutput(const CollageArguments& collage, const std::vector<std::string>& beside, bool job_only);
 

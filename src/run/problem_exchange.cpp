@@ -15,16 +15,16 @@ namespace {
 void check_library(const ShapeLibrary& library, std::uint64_t masters_digest) {
   const std::uint64_t own = library.content_digest();
   if (own == masters_digest) return;
-  throw InputError(library.path() + ": another library than the master's of this name (digest of the content " +
+  throw InputError(library.path() + ": not the master's library of the same name (digest of its content " +
                    digest_text(own) + ", the master's " + digest_text(masters_digest) +
                    "); all ranks must read the same: copy it anew to every node, or keep it where all nodes see it");
 }
 
-/// `masters_digest`: of what lies over the canvas, with the colours of the drawings.
+/// Throws InputError where the colours differ. `masters_digest`: of the overlays, with the colours of the drawings.
 void check_colours(const CollageProblem& problem, std::uint64_t masters_digest) {
   if (problem.job().overlay_digest == masters_digest) return;
   throw InputError(problem.library().path() +
-                   ": other colours of the drawings than in the master's library of this name; all "
+                   ": its drawings have other colours than in the master's library of the same name; all "
                    "ranks must read the same: copy it anew to every node, or keep it where all nodes see it");
 }
 
@@ -41,7 +41,7 @@ Job receive_job(comm::Communicator& ranks, const std::string& program) {
   Job job = job_from_toml(masters_job, "the master's job");
   if (to_toml(job) != masters_job) {
     throw EnvironmentError(
-        "this rank understands the master's job otherwise than the master; install the same program "
+        "this rank reads the master's job differently than the master does; install the same program "
         "and the same libraries on every node");
   }
   return job;

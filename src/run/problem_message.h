@@ -1,4 +1,4 @@
-// What rank 0 tells all workers of the problem, once they have its job (comm/archive.h).
+// The message of rank 0 to all workers about the problem, once they have its job (comm/archive.h).
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace tessera {
 
-/// The part of a problem that follows from files which rank 0 alone reads, and the digests of what every rank reads.
+/// The part of a problem that comes from files which only rank 0 reads, and the digests of files that every rank reads.
 struct ProblemMessage {
   std::uint64_t library_digest = 0;  // of the library's content
   std::uint64_t overlay_digest = 0;  // Job::overlay_digest
@@ -26,7 +26,7 @@ template <class T>
 requires kIsOneOf<T, Texel>
 inline constexpr bool kSentAsItLies<T> = true;
 
-/// The finest level alone: the others follow from it.
+/// The finest level; the other levels follow from it.
 inline Grid<Texel> finest_level(const ColourTarget& colour) {
   const ColourLevel& finest = colour.levels().front();
   Grid<Texel> texels(int(finest.width), int(finest.height));
@@ -48,7 +48,8 @@ void serialize(Archive& archive, tessera::SizeMap& map, unsigned) {
   tessera::comm::send_members(archive, part, cells_per_px);
 }
 
-/// A level or map without cells stands for none. The picture that the result keeps is left out: rank 0 writes the result.
+/// Sends overlays; a level or map without cells means that there is none. The picture that the result keeps is not sent,
+/// because rank 0 writes the result.
 template <class Archive>
 void serialize(Archive& archive, tessera::Overlays& overlays, unsigned) {
   auto& [colour, sizes, shown_png] = overlays;

@@ -1,4 +1,4 @@
-// Which program a rank runs, told before anything else: other programs may understand nothing else in the same way.
+// Compares the program of each rank with the master's, before anything else: another program may read messages differently.
 #pragma once
 
 #include <string>
@@ -7,14 +7,14 @@
 
 namespace tessera {
 
-/// "tessera 0.1.0, commit 4554c24, kernels 5a0c1e4bd1f0a977"
+/// "tessera 0.1.0, commit 4554c24, kernels 5a0c1e4bd1f0a977".
 std::string program_identity();
 
-/// Rank 0: tells all other ranks which program is the master's. It is the first broadcast of a job, and the only one
-/// that is no typed message (comm/encode.h): plain text.
+/// Called by rank 0: tells all other ranks the master's program. It is the first broadcast of a job, and the only one that is
+/// plain text and no typed message (comm/encode.h).
 void announce_program(comm::Communicator& ranks, const std::string& program);
 
-/// Every other rank, first: throws EnvironmentError where `program`, its own, is not the master's.
+/// Called first by every other rank: throws EnvironmentError where its own `program` is not the master's.
 void check_program(comm::Communicator& ranks, const std::string& program);
 
 }  // namespace tessera

@@ -87,7 +87,7 @@ int run_ranking(const RankingArguments& arguments) {
   check_ranking_can_be_written(out);
   const RankingFiles files = ranking_files(results, weights);
   {
-    const comm::StopDelay delay;  // they belong together
+    const comm::StopDelay delay;  // the files of a ranking belong together
     write_ranking(out, files);
   }
   print_lines(table_text(results) + score_formula(weights) + "\n\n");

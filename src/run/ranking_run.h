@@ -1,4 +1,4 @@
-// tessera rank, after its arguments are read; tessera campaign ends with it too.
+// tessera rank, after its arguments are read. tessera campaign ends with it, too.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@ namespace tessera {
 
 struct RankingArguments {
   std::vector<std::string> folders;  // results, or folders of results
-  std::string out;                   // for the ranking's files; empty = the folder where it is the only one
+  std::string out;                   // folder of the ranking's files; empty: the only one of `folders`
   std::vector<std::string> weights;  // "NAME=WEIGHT"
 };
 
-/// Throws EnvironmentError where a file of a ranking could not be written into the folder, which is there.
+/// Throws EnvironmentError where a ranking's files could not be written into this existing folder.
 void check_ranking_can_be_written(const std::string& folder);
 
 /// Prints the table and writes the files. Throws InputError and EnvironmentError.

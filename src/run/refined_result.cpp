@@ -24,7 +24,8 @@ namespace fs = std::filesystem;
                    "it with --resume");
 }
 
-/// Where a limit may have ended it there is room left that was to stay, and no piece more is wanted.
+/// The limit of pieces for relaxing; 0: none. Where a limit may have ended the result's run, its free room was left on
+/// purpose, and no piece is added.
 int most_pieces(const RefinedResult& result) {
   const StopSettings& stop = result.whole.job.settings.stop;
   const int pieces = int(result.whole.manifest.shapes.size());
@@ -32,7 +33,7 @@ int most_pieces(const RefinedResult& result) {
   return stop.pieces > 0 ? std::max(stop.pieces, pieces) : 0;
 }
 
-/// Of each region once.
+/// The number of relaxations: one for each region.
 int relaxations(const Job& job) { return std::max(1, int(rows_of(job, "regions").size())); }
 
 }  // namespace
@@ -68,11 +69,11 @@ void check_overrides(const std::vector<std::string>& overrides) {
     std::erase(key, ' ');
     if (key == "quality") {
       throw InputError("--set " + override +
-                       ": allowed where a result is refined: --relax --trials N, or improve.trials=N");
+                       ": no key to refine a result with; allowed: --relax --trials N, or improve.trials=N");
     }
     if (!key.starts_with("start.") || key == "start.grow") continue;
     throw InputError("--set " + override +
-                     ": allowed: any key but those of [start] other than start.grow: RESULT is refined");
+                     ": the pieces come from RESULT; allowed: start.grow, and the keys of other sections");
   }
 }
 
@@ -106,7 +107,7 @@ void check_can_be_erased(const RefinedResult& result, const std::vector<PlacedPi
   }
   if (std::all_of(all.begin(), all.end(), [](const PlacedPiece& piece) { return piece.exact; })) return;
   throw InputError(result.folder + ": pieces.geojson does not say exactly where pieces lie: found no " +
-                   "\"canvas_from_shape\", as of an earlier version; tessera collage " + result.folder +
+                   "\"canvas_from_shape\", because an earlier version made it; tessera collage " + result.folder +
                    "/job.toml --out DIR makes one that does");
 }
 
@@ -125,16 +126,16 @@ void check_is_the_same_collage(const RefinedResult& result, const CheckpointOrig
   const std::string differences = origin_differences(
       {to_toml(then), manifest.library_digest, manifest.canvas_digest, manifest.overlay_digest}, now, concerned);
   if (!differences.empty()) {
-    throw InputError(result.folder + ": made from something else" + differences +
-                     "; give what it was then (--set library.file=FILE where it has moved)");
+    throw InputError(result.folder + ": made from other input" + differences +
+                     "; give the same input (--set library.file=FILE where the library has moved)");
   }
   const bool locks = !then.start.pieces.empty() && then.start.keep == StartKeep::locked;
   const auto for_good =
       std::count_if(given.begin(), given.end(), [](const GivenPiece& piece) { return piece.locked && piece.for_good; });
   if (locks && std::size_t(for_good) == rows_of(then, "given").size()) {
     throw InputError(result.folder + ": pieces.geojson does not say which pieces are locked, as start.pieces of its " +
-                     "job wants: found no \"locked\", as of an earlier version; tessera collage " + result.folder +
-                     "/job.toml --out DIR makes one that does");
+                     "job wants: found no \"locked\", because an earlier version made it; tessera collage " +
+                     result.folder + "/job.toml --out DIR makes one that does");
   }
 }
 

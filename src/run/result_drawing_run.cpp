@@ -16,7 +16,7 @@ class DrawingProgress : public DrawingObserver {
  public:
   DrawingProgress(bool quiet, StopQuestion shall_stop) : quiet_(quiet), shall_stop_(std::move(shall_stop)) {}
 
-  /// A bar for each picture.
+  /// Shows a bar for each picture.
   void progressed(const char* picture, std::size_t done, std::size_t total) override {
     if (quiet_) return;
     if (picture_ != picture) bar_.emplace(picture_ = picture, total);
@@ -32,7 +32,7 @@ class DrawingProgress : public DrawingObserver {
   std::optional<ProgressBar> bar_;
 };
 
-/// What a user could mend goes to stderr, too.
+/// Logs a warning. It goes to stderr, too, because the user may be able to help.
 void warn(const std::string& folder, const std::string& warning, RunLog& log) {
   if (warning.empty()) return;
   print_warning(folder + ": " + warning);

@@ -1,4 +1,4 @@
-// Drawing a result, as a command does it: with progress on stderr, and an end by signals and time limits.
+// Draws a result for a command: with progress on stderr, until it is done or a signal or time limit ends it.
 #pragma once
 
 #include <functional>
@@ -10,12 +10,13 @@
 
 namespace tessera {
 
-/// Writes into the log which layers around the drawers do not hold; where one failed it is a warning, on stderr, too.
+/// Logs which layers around the drawers the system lacks. A layer that failed is a warning, on stderr, too.
 void tell_layers(const std::string& folder, const DrawerLayers& layers, RunLog& log);
 
-/// Draws what the result in `folder` is to have, with a line in the run.log beside the pictures. Prints how well the
-/// pieces show colour.image from afar, unless `quiet`; a line on stderr counts the pieces that are not drawn from their
-/// originals. False where `stop` ended it (asked from any thread): drawing again goes on. Errors as draw_result.
+/// Draws the pictures that the result in `folder` shall have, and notes it in the run.log beside them. Prints how well the
+/// pieces show colour.image from afar, unless `quiet`. A line on stderr counts pieces that are not drawn from their
+/// originals. False where `shall_stop`, which any thread may call, ended it: drawing again goes on. Errors like
+/// draw_result().
 bool draw(const std::string& folder, const PictureRequest& request, bool quiet, StopQuestion shall_stop);
 
 }  // namespace tessera

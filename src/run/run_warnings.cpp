@@ -17,8 +17,8 @@ namespace {
 
 bool relaxes(const CollageArguments& arguments) { return arguments.refined && arguments.refined->relaxes; }
 
-/// The warning of keys that do nothing in this job. A result that is refined was warned of its keys when it was run: the
-/// warning is empty unless it says something else now.
+/// The warning of keys that have no effect in this job. The user saw the warnings of a refined result when it was made, so
+/// it is empty unless it says something new.
 std::string idle_keys_warning_of(const CollageArguments& arguments, const Job& job) {
   const std::string warning = idle_keys_warning(job);
   if (arguments.refined && warning == idle_keys_warning(arguments.refined->whole.job)) return "";
@@ -44,8 +44,8 @@ std::string unable_library_warning_of(const CollageArguments& arguments, const C
   return unable_library_warning(problem.job().colour, problem.library().size(), is_of_one_colour(problem.library()));
 }
 
-/// A canvas of which only the room of removed pieces is filled says nothing of the drawing; the result that is refined
-/// was warned.
+/// The warning of a drawing that is only an outline. Empty where only the room of removed pieces is filled, and for a
+/// refined result, whose user saw the warning before.
 std::string outline_alone_warning_of(const CollageArguments& arguments, const CanvasProblem& problem) {
   const bool is_part = problem.found().room_part < 1;
   return arguments.refined || is_part ? "" : outline_alone_warning(problem.job().canvas, problem.canvas());

@@ -1,4 +1,4 @@
-// The warnings of a collage's run: before it begins, and of what it made.
+// Writes the warnings of a run of tessera collage: before it begins, and about its result.
 #pragma once
 
 #include <vector>
@@ -11,10 +11,10 @@
 
 namespace tessera {
 
-/// Before it is too late, but no question: whoever edits a job and runs it again wants just that.
+/// Warns before the run begins. It asks no question, because users often edit a job and run it again on purpose.
 void warn_of_problem(const CollageArguments& arguments, const CollageInput& input, CollageJournal& journal);
 
-/// What the result lacks, and what would let more in. `missing`: missing_shapes() of the result.
+/// Warns of what the result lacks, and says what would let more pieces in. `missing`: missing_shapes() of the result.
 void warn_of_result(const CollageArguments& arguments, const CollageInput& input, const master::CollageResult& result,
                     const std::vector<MissingShape>& missing, CollageJournal& journal);
 

@@ -25,7 +25,7 @@ constexpr std::size_t kNamesAtATime = 4096;
 constexpr LibraryParts kNamesOnly{.outline = false, .field = false, .levels = 0, .artwork = false};
 constexpr LibraryParts kOutlineOnly{.outline = true, .field = false, .levels = 0, .artwork = false};
 
-/// With fit = "all" at the smallest that were allowed.
+/// The settings with the smallest sizes that fit = "all" may choose.
 CollageSettings smallest_sizes(const CollageSettings& first) {
   return with_sizes_times(double(least_size_factor(first.pieces)), first);
 }
@@ -52,14 +52,14 @@ std::vector<std::string> with_canvas(std::vector<std::string> advice, const Canv
                                      const WrittenKeys& keys) {
   if (problem.settings().match.tangent_dockings == 0) {
     advice.push_back("more " + keys.with_value("match", "tangent_dockings") +
-                     ": without, nothing docks along straight sides");
+                     ": without them nothing docks along straight sides");
   }
   const bool in_mm = problem.job().canvas.width_mm > 0;
   advice.push_back("a larger " + keys.with_value("canvas", in_mm ? "size_mm" : "size_px"));
   return advice;
 }
 
-/// Where single pieces lack room that there would be for each of them alone.
+/// The keys that make room. For shapes that fit alone, but not beside the other pieces.
 std::vector<std::string> keys_that_make_room(const CollageSettings& settings, const WrittenKeys& keys,
                                              const UnplacedShapes& unplaced) {
   const PieceSettings& pieces = settings.pieces;
@@ -100,7 +100,7 @@ std::string empty_warning(const CanvasProblem& problem, const std::string& folde
                               is_full ? what_to_try(problem, all) : std::vector<std::string>());
 }
 
-/// Refining what is to stay as it is lets no piece more come in than the result has; nobody gave that limit.
+/// Whether the limit of pieces comes from refining a result that keeps its number of pieces; the user did not give it.
 bool keeps_number_of_pieces(const StopSettings& stop, const RefinedResult* refined, const std::string& limit) {
   return refined != nullptr && limit == "pieces" && stop.pieces != refined->whole.job.settings.stop.pieces &&
          std::size_t(stop.pieces) == refined->whole.manifest.shapes.size();
@@ -115,7 +115,7 @@ std::string missing_warning(const CanvasProblem& problem, const master::CollageR
       count_text(pieces, "piece is", "pieces are") + " missing: " + missing_text(missing, kNamesTold) + "; ";
   if (const std::string limit = limit_that_ended(result.statistics); !limit.empty()) {
     if (keeps_number_of_pieces(problem.settings().stop, refined, limit))
-      return what + refined->folder + " lacks them, too, and refining it so lets no piece more come in";
+      return what + refined->folder + " lacks them, too, and refining it like this adds no pieces";
     return what + keys.with_value("stop", limit.c_str()) + " ended the collage before they found a place";
   }
   UnplacedShapes unplaced{{}, all_regions(problem)};
@@ -126,8 +126,8 @@ std::string missing_warning(const CanvasProblem& problem, const master::CollageR
   return what + tried + "; try " + joined_warnings(what_to_try(problem, unplaced));
 }
 
-/// Says for each class of shapes whether none of them stands, though the job wishes for a size or rotation of their own
-/// and counts none of them.
+/// Says for each class of shapes whether no piece of it stands, although the job gives it a size or rotation of its own and
+/// wants no number of pieces.
 std::vector<bool> absent_classes(const CanvasProblem& problem, const master::CollageResult& result) {
   const Wishes& wishes = problem.settings().wishes;
   const UseLimits uses(problem.settings().pieces, wishes);
@@ -160,7 +160,7 @@ std::vector<std::uint32_t> where_none(const std::vector<std::uint8_t>& has_piece
   return regions;
 }
 
-/// Regions in which no piece has its centre, and no piece lies for the most part: only for these shapes are read.
+/// Regions in which no piece has its centre and no piece lies for the most part. Shapes are read only for the second test.
 std::vector<std::uint32_t> regions_without_pieces(const CanvasProblem& problem, const master::CollageResult& result) {
   const Canvas& canvas = problem.canvas();
   std::vector<std::uint8_t> has_piece(canvas.regions.size());
@@ -194,14 +194,14 @@ std::string empty_region_text(const CanvasProblem& problem, const master::Collag
 
 std::string empty_regions_warning(const CanvasProblem& problem, const master::CollageResult& result) {
   constexpr std::size_t kMostTold = 4;
-  const bool is_part = problem.found().room_part < 1;  // what is not filled anew has its pieces from before
+  const bool is_part = problem.found().room_part < 1;  // the rest of the canvas keeps its pieces
   if (result.unfinished || result.placements.empty() || problem.canvas().regions.size() < 2 || is_part) return "";
   const std::vector<std::uint32_t> empty = regions_without_pieces(problem, result);
   std::vector<std::string> warnings;
   for (std::size_t i = 0; i < std::min(empty.size(), kMostTold); ++i)
     warnings.push_back(empty_region_text(problem, result, empty[i]));
   if (empty.size() > kMostTold)
-    warnings.push_back("nor does anything in " + count_text(empty.size() - kMostTold, "other region"));
+    warnings.push_back("and nothing lies in " + count_text(empty.size() - kMostTold, "other region"));
   return joined_warnings(warnings);
 }
 

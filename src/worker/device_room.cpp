@@ -13,9 +13,9 @@
 namespace tessera::worker {
 namespace {
 
-/// Lists of pairs by shapes, measured: those of several samples grow so far; those of dockings take no more.
+/// Bytes of the list of pairs for each shape, measured with several samples. The list of dockings takes no more.
 constexpr double kPairsOfAShape_bytes = 15e3;
-/// The driver, and on a CPU the processes, need the rest.
+/// The part of a device's memory that we use. The driver needs the rest, and on a CPU the processes do.
 constexpr double kUsablePart = 0.9;
 
 bool has_hosts_memory(const cl::Device& device) { return device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU; }
@@ -29,7 +29,7 @@ bool has_hosts_memory(const cl::Device& device) { return device.getInfo<CL_DEVIC
              " in one buffer)";
   }
   throw EnvironmentError("OpenCL devices: " + count_text(shapes, "shape") + " of the library " +
-                         by_count(shapes, "does", "do") + " not fit, room is for " + found +
+                         by_count(shapes, "does", "do") + " not fit into their memory; there is room for " + found +
                          "; give the job more ranks, nodes or devices");
 }
 

@@ -10,7 +10,7 @@
 namespace tessera::worker {
 namespace {
 
-constexpr std::size_t kTimes = 3;  // of which the middle one counts: others may use the machine meanwhile
+constexpr std::size_t kTimes = 3;  // the middle time counts, because other programs may use the machine
 
 double tasks_per_s(const cl::Device& device, const SpeedTask& task, const BetweenLaunches& between_launches) {
   OpenCLMatcher matcher(device, task.context, all_of(task.models), given(task.models), between_launches);

@@ -1,5 +1,5 @@
-// How fast the devices of a rank are, where they differ, so that each gets as much of the library as it searches in the
-// same time. It never decides anything about the picture.
+// The speeds of a rank's devices, where the devices differ: each then gets as many shapes as it searches in the same time.
+// The speeds never change the picture.
 #pragma once
 
 #include <vector>
@@ -9,12 +9,12 @@
 
 namespace tessera::worker {
 
-/// Whether some are of another kind than others: by name or by number of compute units.
+/// Whether the devices differ in name or in number of compute units.
 bool devices_differ(const std::vector<cl::Device>& devices);
 
-/// Small matching tasks a second on each device, one after the other: some hundred milliseconds in all, where the
-/// kernels are in the cache on disk. 1 for each without measuring where the devices do not differ. `pad`: of the job,
-/// whose kernels are measured. `between_launches` may throw to give it up.
+/// Small matching tasks a second on each device, measured one device after the other. That takes some hundred milliseconds
+/// in all, where the kernels are in the cache on disk. Equal devices get 1 each and are not measured. `pad`: the parameters
+/// of the job, whose kernels are measured. `between_launches` may throw to give up.
 std::vector<double> device_speeds(const std::vector<cl::Device>& devices, const PadParameters& pad,
                                   const BetweenLaunches& between_launches = {});
 

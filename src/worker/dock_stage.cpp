@@ -12,7 +12,7 @@
 namespace tessera::worker {
 namespace {
 
-constexpr std::size_t kPairsPerGroup = 32;  // where they need not have the lanes of a docking
+constexpr std::size_t kPairsPerGroup = 32;  // where the kernel does not need groups of a docking's lanes
 
 static_assert(sizeof(Docking) == sizeof(DockingRecord) && offsetof(Docking, key) == offsetof(DockingRecord, key) &&
               offsetof(Docking, canvas_from_shape) == offsetof(DockingRecord, canvas_from_shape));
@@ -40,7 +40,7 @@ void DockStage::post(const DockRequest& request, std::vector<SampleRecord> sampl
   samples_.write(samples);
   if (draws_ > 0) deck_.deal(request.samples);
   make_room();
-  launch_tangents();  // the device is at work while key points are read
+  launch_tangents();  // posted first, so that the device works while key points are read
   std::vector<PairRecord> pairs = pairs_->pairs_of(std::move(samples), request.bin_limit);
   pair_count_ = std::uint32_t(pairs.size());
   pair_keypoints_.post(library_->keypoints().of(pairs));
@@ -113,7 +113,7 @@ void DockStage::launch_tangents() {
 
 DockReply DockStage::take() {
   std::uint32_t count = docking_count_.read(1).front();
-  if (count > docking_capacity_) {  // all of them have been counted
+  if (count > docking_capacity_) {  // the kernel counted all of them
     docking_capacity_ = grown_room(docking_capacity_, count);
     make_room();
     launch_tangents();

@@ -1,4 +1,4 @@
-// Docking on a device (kernels/docking.cl): from pairs and from random draws to each target sample's shortlist.
+// Docking on a device (kernels/docking.cl): makes each target sample's shortlist from its pairs and from random draws.
 #pragma once
 
 #include "worker/devices/device_kernel.h"
@@ -9,11 +9,11 @@ namespace tessera::worker {
 
 class DockStage {
  public:
-  /// `stage_bytes`: of dockings on the device at first.
+  /// `stage_bytes`: room for dockings on the device at first.
   DockStage(DeviceLibrary& library, PairStage& pairs, std::size_t stage_bytes);
 
-  /// `samples`: the records of the request's. Where all bin limits are zero, no pairs are made. Does not wait for the
-  /// dockings that it posts.
+  /// Posts the dockings of a request and does not wait for them. `samples`: the records of the request's samples. Where all
+  /// bin limits are zero, it makes no dockings of pairs.
   void post(const DockRequest& request, std::vector<SampleRecord> samples);
   DockReply take();
 

@@ -1,4 +1,4 @@
-// From the dockings that the early reject left to those that are compared over the whole library.
+// Chooses the dockings that are compared over the whole library, from the dockings that passed the early reject.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace tessera::worker {
 
-/// `dockings`: of one target sample. Keeps, best first (docks_better), at most kDockingsPerShape from pairs of each shape
-/// and kShortlist in all.
+/// Keeps the best dockings of one target sample, best first (docks_better): at most kDockingsPerShape from pairs of each
+/// shape, and kShortlist in all.
 void keep_docked_shortlist(std::vector<Docking>& dockings);
 
 }  // namespace tessera::worker

@@ -1,5 +1,5 @@
-// Room for lists that kernels fill: they count what they would add, and a question is asked again where there was more
-// than room.
+// Room for lists that kernels fill. Kernels count all records that they would add; where there are more than fit, the
+// question is asked again with more room.
 #pragma once
 
 #include <algorithm>
@@ -10,15 +10,15 @@
 
 namespace tessera::worker {
 
-/// Counters of the kernels stop here (kernels/portable_math.cl).
+/// The kernels' counters stop here (kernels/portable_math.cl).
 inline constexpr std::uint32_t kMostCounted = std::uint32_t(1) << 31;
 
-/// As many records as `bytes` hold, but one at least.
+/// The number of records that fit into `bytes`, but one at least.
 inline std::uint32_t room_in(std::size_t bytes, std::size_t record_bytes) {
   return std::uint32_t(std::max<std::size_t>(1, bytes / record_bytes));
 }
 
-/// Room for `needed` records, at least what there is; it grows to powers of two.
+/// Room for `needed` records: never less than `room`, otherwise a power of two.
 inline std::uint32_t grown_room(std::uint32_t room, std::uint32_t needed) {
   if (needed <= room) return room;
   if (needed >= kMostCounted) {

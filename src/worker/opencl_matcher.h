@@ -1,6 +1,6 @@
-// The matcher on one OpenCL device: the same answers as ReferenceMatcher, bit for bit where the device's + - * / and
-// sqrt round as IEEE 754 says. post_* only hands work to the device (post_dock of samples
-// that were not counted looks for their pairs first); take_* waits for it.
+// The matcher on one OpenCL device. It gives the answers of ReferenceMatcher, bit for bit where the device's + - * / and
+// sqrt round as IEEE 754 says. post_* hands work to the device without waiting for the answer, take_* waits for it.
+// post_dock() looks for pairs first, where its samples were not counted before.
 #pragma once
 
 #include "worker/dock_stage.h"
@@ -8,13 +8,13 @@
 
 namespace tessera::worker {
 
-/// Bytes on a device for the pairs of a request, and for its dockings, at first: they grow where there are more.
+/// Bytes on a device for the pairs of a request, and as many for its dockings, at first. They grow where there are more.
 inline constexpr std::size_t kStageBytes = std::size_t(4) << 20;
 
 class OpenCLMatcher : public Matcher {
  public:
-  /// `shapes` may be empty. `between_launches` is also called while the shapes are uploaded. `lanes`: as suits the
-  /// device unless given. Throws EnvironmentError where the device fails.
+  /// `shapes` may be empty. `between_launches` is also called while the shapes are uploaded. `lanes`: chosen for the device
+  /// unless given. Throws EnvironmentError where the device fails.
   OpenCLMatcher(const cl::Device& device, const MatchingContext& context, const ShapeRange& shapes,
                 std::shared_ptr<const ModelSource> models, const BetweenLaunches& between_launches = {},
                 std::size_t stage_bytes = kStageBytes, const HeldShapes& held = {},

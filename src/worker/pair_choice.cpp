@@ -9,7 +9,8 @@ namespace {
 
 constexpr u32 kFar = ~0u;
 
-/// By digits of 11 bits, from the lowest on: of the thousand pairs of a sample a third of what std::sort takes.
+/// Sorts by digits of 11 bits, from the lowest on. For the thousand pairs of a sample it takes a third of the time of
+/// std::sort.
 void sort_by_source(std::span<PairKey> keys) {
   constexpr u32 kDigitBits = 11;
   constexpr u32 kDigits = 1 << kDigitBits;
@@ -29,10 +30,11 @@ void sort_by_source(std::span<PairKey> keys) {
   }
 }
 
-/// The best of a shape, by distance, then by source.
+/// The best pairs of one shape, by distance, then by source.
 class BestPairs {
  public:
-  /// Sources come in ascending order: of equal distances the later one comes behind.
+  /// Keeps the pair if it is among the best. Sources come in ascending order, so of equal distances the later pair comes
+  /// behind.
   void keep(PairKey pair) {
     std::size_t at = count_;
     for (; at > 0 && distance_of(best_[at - 1]) > distance_of(pair); --at) {
@@ -50,14 +52,14 @@ class BestPairs {
   std::size_t count_ = 0;
 };
 
-/// The distance of `source`, where it was found: `of_level` is by source.
+/// The distance of `source`, or kFar where it was not found. `of_level` is sorted by source.
 u32 distance_at(u32 source, std::span<const PairKey> of_level) {
   const auto at = std::lower_bound(of_level.begin(), of_level.end(), PairKey(source) << 32);
   return at != of_level.end() && source_of(*at) == source ? distance_of(*at) : kFar;
 }
 
-/// `of_level`: of one shape, by source; the level's sources are [first, first + count) and lie on a closed curve. Of
-/// equal neighbours the last one is a minimum.
+/// Keeps the local minima of a level. `of_level`: the pairs of one shape, by source. The level's sources are [first, first
+/// + count) and lie on a closed curve. Of equal neighbours the last one is the minimum.
 void keep_minima(std::span<const PairKey> of_level, u32 first, u32 count, BestPairs& best) {
   for (std::size_t i = 0; i < of_level.size(); ++i) {
     const u32 source = source_of(of_level[i]);

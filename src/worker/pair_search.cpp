@@ -7,7 +7,8 @@
 namespace tessera::worker {
 namespace {
 
-/// Work items of a sample in find_blocks, and of a block in find_pairs; and those of a group (kernels/pad_index.cl).
+/// The number of work items for a sample in find_blocks and for a block in find_pairs, and of items in a group
+/// (kernels/pad_index.cl).
 struct SearchItems {
   std::size_t together = 1;
   std::size_t group = 16;  // they share a root's boxes in a cache
@@ -61,8 +62,8 @@ void PairSearch::launch_blocks() {
                        {"blocks", blocks_}});
 }
 
-/// The host does not know yet how many blocks were found: as many work groups as keep the device busy share them, all
-/// in one launch.
+/// Posts one launch of as many work groups as keep the device busy; they share the blocks that were found, whose number the
+/// host does not know yet.
 void PairSearch::launch_pairs() {
   const DeviceIndex& index = library_->index();
   const DeviceStances& stances = library_->stances();

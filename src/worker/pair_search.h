@@ -1,5 +1,5 @@
-// The search for pairs within reach on a device: the index says which blocks may hold some, their PADs are tested
-// (kernels/pad_index.cl, pairs.cl).
+// Searches for pairs within reach on a device. The index says which blocks may hold such pairs; the PADs of these blocks
+// are tested (kernels/pad_index.cl, pairs.cl).
 #pragma once
 
 #include <optional>
@@ -13,19 +13,20 @@ inline constexpr std::size_t kMostGrowth = 32;
 
 class PairSearch {
  public:
-  /// `stage_bytes`: of blocks and pairs on the device at first; where a question finds more, it is asked again with
-  /// more room, up to kMostGrowth times as much for several samples, and as much as it takes for one.
+  /// `stage_bytes`: room for blocks and pairs on the device at first. A question that finds more is asked again with
+  /// more room: for several samples up to kMostGrowth times as much, for one sample as much as needed.
   PairSearch(const DeviceLibrary& library, std::size_t stage_bytes);
 
-  /// Searches for pairs nearer than each sample's reach, in every segment whose number is a multiple of
-  /// `segment_stride`. `samples` must stay until they are taken.
+  /// Searches for pairs nearer than each sample's reach, in every `segment_stride`-th segment. `samples` must stay until
+  /// take() has returned.
   void post(const DeviceBuffer<SampleRecord>& samples, std::uint32_t count, std::uint32_t segment_stride = 1);
-  /// In no particular order. Nothing where several samples have more than there may be room for: ask for fewer at a time.
+  /// The pairs, in no particular order. Empty where several samples have more pairs than there may be room for: post fewer
+  /// samples then.
   std::optional<std::vector<PairRecord>> take();
 
-  /// From here on all blocks are looked at, to measure what the index saves.
+  /// Makes later searches look at all blocks, to measure what the index saves.
   void scan_all() { look_at_boxes_ = 0; }
-  /// Of all questions so far.
+  /// The number of blocks visited by all searches so far.
   std::uint64_t blocks_visited() const { return blocks_visited_; }
 
  private:

@@ -10,18 +10,18 @@
 namespace tessera::worker {
 namespace {
 
-/// Or fewer, where they have very many pairs.
+/// Bounds of the samples in one search. Samples with very many pairs are searched in smaller numbers.
 constexpr std::uint32_t kFewestSamplesAtATime = 256;
 constexpr std::uint32_t kMostSamplesAtATime = 4096;
 
-/// As many as look at a million blocks where each looks at a sixteenth of those that are searched: each search costs the
-/// host a few tenths of a ms.
+/// How many samples to search at a time: so many that they look at a million blocks, if each looks at a sixteenth of all.
+/// Each search costs the host a few tenths of a ms.
 std::uint32_t samples_at_a_time(std::uint32_t blocks) {
   constexpr std::uint32_t kBlocksAtATime = 1 << 20;
   return std::clamp(kBlocksAtATime / std::max(1u, blocks / 16), kFewestSamplesAtATime, kMostSamplesAtATime);
 }
 
-/// Of each sample a part of one list.
+/// The pairs as keys, grouped by sample.
 class KeysOfSamples {
  public:
   KeysOfSamples(const std::vector<PairRecord>& pairs, std::size_t samples) : end_(samples + 1, 0), keys_(pairs.size()) {
@@ -36,7 +36,7 @@ class KeysOfSamples {
   }
 
  private:
-  std::vector<std::size_t> end_;  // of the sample before
+  std::vector<std::size_t> end_;  // by sample: end of the sample before it
   std::vector<PairKey> keys_;
 };
 
@@ -65,7 +65,7 @@ void PairStage::post_search(const std::vector<std::uint32_t>& bins, std::uint32_
   post_run();
 }
 
-/// The next samples of those that are searched.
+/// Posts the next samples of the search.
 void PairStage::post_run() {
   run_end_ = std::uint32_t(std::min<std::size_t>(searched_.size(), run_begin_ + run_samples_));
   if (!run_is_posted()) return;
@@ -83,12 +83,12 @@ void PairStage::take_run() {
     hold(*pairs);
     run_begin_ = run_end_;
   } else {
-    run_samples_ = (run_end_ - run_begin_) / 2;  // too many for all of them
+    run_samples_ = (run_end_ - run_begin_) / 2;  // these have more pairs than there may be room for
   }
   post_run();
 }
 
-/// To choose among very many pairs takes as long as to find them: the rank's threads share the samples.
+/// Chooses and keeps pairs. With very many pairs that takes as long as the search, so the rank's threads share the samples.
 void PairStage::hold(const std::vector<PairRecord>& pairs) {
   constexpr std::size_t kPairsOfATask = 1 << 16;
   const std::size_t samples = run_end_ - run_begin_;

@@ -18,7 +18,7 @@ RefinedDocking refined_docking(Docking docking, const RefinedRecord& record) {
           record.radius};
 }
 
-/// A work group each.
+/// The work for so many dockings, one work group each.
 WorkSize work_of(std::size_t dockings, DockingLanes lanes) {
   return {dockings * items_of_docking(lanes), 1, items_of_docking(lanes)};
 }
@@ -33,7 +33,7 @@ RefineStage::RefineStage(DeviceLibrary& library)
       refined_(library.session()),
       terms_(library.session()) {}
 
-/// Gives how many there are.
+/// Writes the dockings to the device and gives their number.
 std::uint32_t RefineStage::upload(const std::vector<Docking>& dockings) {
   const MatchRecord& match = library_->match();
   const ShapeRange own{match.first_shape, match.first_shape + match.shapes};

@@ -10,7 +10,7 @@ class RefineStage {
  public:
   explicit RefineStage(DeviceLibrary& library);
 
-  /// Throws std::out_of_range for a docking whose shape is not in the shard.
+  /// Posts the refinement. Throws std::out_of_range for a docking whose shape is not in the shard.
   void post(const std::vector<Docking>& dockings);
   std::vector<RefinedDocking> take();
   void post_measure(const std::vector<Docking>& dockings);

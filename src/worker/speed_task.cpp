@@ -21,7 +21,7 @@ constexpr int kCopies = 50;
 constexpr int kCanvas_px = 320;
 constexpr std::size_t kMostSamples = 100;
 
-/// A curve with lobes, other ones for each number.
+/// A curve with lobes, different for each number.
 Shape blob(int number, const PadParameters& pad) {
   constexpr int kPoints = 256;
   constexpr float kRadius_px = 100;
@@ -37,7 +37,7 @@ Shape blob(int number, const PadParameters& pad) {
   return make_shape(traced, pad);
 }
 
-/// Shapes in a ring about the canvas' middle.
+/// Stamps the shapes in a ring round the middle of the canvas.
 void stamp_ring(FreeField& free, const std::vector<Shape>& shapes) {
   constexpr float kRing_px = 0.27f * kCanvas_px;
   constexpr float kScale_px = 0.2f * kCanvas_px;
@@ -49,7 +49,7 @@ void stamp_ring(FreeField& free, const std::vector<Shape>& shapes) {
   }
 }
 
-/// Some of them evenly from all.
+/// Some samples of the target curve, spread evenly over all.
 std::vector<TargetSample> samples_of(const FreeField& free, const CollageSettings& settings) {
   const OpenedField opened(free, settings.pieces);
   TargetCurve curve(settings.pieces, settings.match.pad);

@@ -1,5 +1,5 @@
-// A small matching task on formula shapes, to measure devices by: the questions of a round, of about the kind and
-// length that a collage asks for a piece.
+// A small matching task on formula shapes, to measure the speed of devices: the questions of one round, about as long as
+// those that a collage asks for one piece.
 #pragma once
 
 #include <vector>
@@ -18,10 +18,10 @@ struct SpeedTask {
   std::vector<TargetSample> samples;
 };
 
-/// For PADs of these parameters, so that the kernels are those of the job.
+/// Makes the task for PADs of these parameters, so that the kernels are those of the job.
 SpeedTask make_speed_task(const PadParameters& pad);
 
-/// Counts, docks and refines. What the matcher remembers of the round before does not help.
+/// Counts, docks and refines. The matcher cannot use what it remembers of earlier rounds.
 void do_speed_task(Matcher& matcher, const SpeedTask& task);
 
 }  // namespace tessera::worker

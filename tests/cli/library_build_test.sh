@@ -35,7 +35,7 @@ grep -qF "$(printf 'skipped\t%s\t%s' "$PWD/drawings/old.gif" "$reason")" own.lef
 cp own.left_out.txt list_before.txt
 build 2 drawings/nothing.svg
 cmp list_before.txt own.left_out.txt || fail "the list of a library that stays was replaced"
-grep -q $'^skipped\t.*/nothing.svg\tnothing to be seen' output || fail "no reasons beside a library that stays"
+grep -q $'^skipped\t.*/nothing.svg\tshows nothing' output || fail "no reasons beside a library that stays"
 echo "ok numbers"
 
 rm -f own.*
@@ -45,7 +45,7 @@ grep -qF 'own.h5 was not written: no usable shape in 2 files: 0 shapes, 2 skippe
   fail "another message"
 grep -qF "$(printf 'skipped\t%s\t%s' "$PWD/drawings/old.gif" "$reason")" own.left_out.txt ||
   fail "another reason when named"
-grep -q 'nothing.svg.*nothing to be seen; an image needs transparency' own.left_out.txt ||
+grep -q 'nothing.svg.*shows nothing; an image needs transparency' own.left_out.txt ||
   fail "does not say what to do"
 rm own.left_out.txt
 mkdir -p own.left_out.txt/kept
@@ -66,7 +66,7 @@ cp drawings/bean.svg line_art
 build 0 line_art
 grep -qE '1 encloses twice what it covers or more, which leaves gaps; .*: spectacles.svg$' output ||
   fail "does not say which drawings --fill-holes would help"
-grep -q 'little but what it encloses; --fill-holes takes that for the shape, or fill it: ring.svg' output ||
+grep -q 'an outline with hardly any area; fill it, or let --fill-holes take what it encloses: ring.svg' output ||
   fail "another reason for thin lines"
 build 0 line_art --fill-holes
 grep -q 'fill-holes' output && fail "--fill-holes is advised where it was given"

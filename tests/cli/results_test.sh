@@ -156,7 +156,7 @@ run 0 campaign job.toml --seeds 1-2 --out campaign
 expect_word 'not ranked: campaign/seed_1/card.json: not found'
 run 2 rank campaign/seed_1
 run 0 draw campaign/seed_1 --png --quiet
-expect_word 'drawn without a word in the card: campaign/seed_1/card.json: not found'
+expect_word 'the card does not tell of this drawing: campaign/seed_1/card.json: not found'
 mv campaign/seed_1/job.toml before.toml
 mkdir campaign/seed_1/job.toml
 run 1 campaign job.toml --seeds 1-2 --out campaign
@@ -193,7 +193,7 @@ cmp before.toml beside_job/job.toml || fail "a job file was replaced by a result
 mkdir -p strangers
 echo mine >strangers/collage.png
 run 2 collage job.toml --out strangers --quiet
-expect_word 'strangers/collage.png: is there, and no run of tessera left it'
+expect_word 'strangers/collage.png: exists, and no run of tessera wrote it'
 [[ $(cat strangers/collage.png) == mine ]] || fail "a stranger's picture was replaced"
 echo "ok strangers' files"
 

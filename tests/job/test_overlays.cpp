@@ -203,9 +203,10 @@ TEST_F(Overlaid, MistakesNameKeyAndFile) {
   const std::string clear = image("clear.png", cv::Mat(10, 20, CV_8UC4, cv::Scalar()));
   EXPECT_EQ(mistake(clear), "a.toml: colour.image: " + clear + " is transparent all over");
   const std::string good = image("a.png", two_halves({400, 200}));
-  EXPECT_EQ(mistake(good, false), "a.toml: colour.image: " + folder_.path("library.h5") +
-                                      " does not know the colours of shape1's parts, as libraries of older versions; "
-                                      "build it again");
+  EXPECT_EQ(mistake(good, false),
+            "a.toml: colour.image: " + folder_.path("library.h5") +
+                " does not know the colours of shape1's parts, because an older version built it; "
+                "build it again");
   canvas_ = make_seamless_canvas(200, 100, true, true);
   EXPECT_EQ(mistake(good), "a.toml: colour.image: found with canvas.seamless, allowed: a canvas that does not repeat");
 }

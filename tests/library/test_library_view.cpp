@@ -176,7 +176,7 @@ TEST_F(LibraryViews, ChooseByStyle) {
   const std::string old = write("old.h5", animals_);
   EXPECT_NE(message_of([&] {
               names(LibraryView({.files = {old}, .names = {}, .style = {{"cat"}, 1, {}}}));
-            }).find("does not know the style of cat, as libraries of older versions; build it again"),
+            }).find("does not know the style of cat, because an older version built it; build it again"),
             std::string::npos);
 }
 

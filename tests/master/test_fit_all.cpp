@@ -293,13 +293,13 @@ TEST_F(ForeignSearch, SizesThatNoSearchComesTo) {
 TEST_F(ForeignSearch, ABestAttemptOutOfAllProportion) {
   const CheckpointState whole = state_;
   state_.best.placements[0].shape = ShapeId{12};
-  expect_complaint("a piece of an attempt out of all proportion");
+  expect_complaint("a piece of its best attempt with an impossible size or place");
   state_ = whole;
   state_.best.placements[0].canvas_from_shape.tx = 1e30f;
-  expect_complaint("a piece of an attempt out of all proportion");
+  expect_complaint("a piece of its best attempt with an impossible size or place");
   state_ = whole;
   state_.best.placements[0].canvas_from_shape.a = 900;
-  expect_complaint("more pieces of an attempt than have room");
+  expect_complaint("its best attempt has far more pieces than fit");
 }
 
 }  // namespace test_fit_all

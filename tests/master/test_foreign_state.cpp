@@ -35,7 +35,7 @@ TEST_F(ForeignState, PiecesInAnotherPlace) {
   state_.pool.clear();
   state_.stale.clear();
   state_.matched.clear();
-  expect_complaint("its pieces do not give the free region that it was written for");
+  expect_complaint("its pieces leave another free region than the saved one");
 }
 
 TEST_F(ForeignState, ShapesThatDoNotExist) {
@@ -53,11 +53,11 @@ TEST_F(ForeignState, CandidatesThatDoNotExist) {
 TEST_F(ForeignState, AbsurdPoses) {
   for (const float absurd : {1e30f, -1e9f, std::numeric_limits<float>::quiet_NaN()}) {
     state_.placements[0].canvas_from_shape.ty = absurd;
-    expect_complaint("a piece out of all proportion");
+    expect_complaint("a piece with an impossible size or place");
   }
   for (const float scale_px : {0.f, 1.f, 1e6f}) {
     state_.placements[0].canvas_from_shape = {scale_px, 0, 10, 10};
-    expect_complaint("a piece out of all proportion");
+    expect_complaint("a piece with an impossible size or place");
   }
 }
 
@@ -66,7 +66,7 @@ TEST_F(ForeignState, AbsurdWindows) {
     for (PooledSample& sample : state_.pool) {
       for (Candidate& c : sample.candidates) c.window.x0 = absurd;
     }
-    expect_complaint("a candidate out of all proportion");
+    expect_complaint("a candidate with an impossible size or place");
   }
 }
 
@@ -77,7 +77,7 @@ TEST_F(ForeignState, AbsurdShapeSizes) {
       for (PooledSample& sample : state_.pool) {
         for (Candidate& c : sample.candidates) c.*member = size;
       }
-      expect_complaint("a candidate out of all proportion");
+      expect_complaint("a candidate with an impossible size or place");
       state_ = whole;
     }
   }

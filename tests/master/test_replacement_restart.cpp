@@ -219,33 +219,33 @@ TEST_F(ForeignPhase, AbsurdPoses) {
   for (const float absurd : {1e30f, -1e9f, std::numeric_limits<float>::quiet_NaN()}) {
     const CheckpointState whole = state_;
     state_.loop.moving.back().canvas_from_shape.tx = absurd;
-    expect_complaint("a piece out of all proportion");
+    expect_complaint("a piece with an impossible size or place");
     state_ = whole;
     state_.loop.moving.back().canvas_from_shape.a = absurd;
-    expect_complaint("a piece out of all proportion");
+    expect_complaint("a piece with an impossible size or place");
     state_ = whole;
   }
   state_.loop.moving.back().canvas_from_shape.a = 1e-5f;
   state_.loop.moving.back().canvas_from_shape.b = 0;
-  expect_complaint("a piece out of all proportion");
+  expect_complaint("a piece with an impossible size or place");
 }
 
 TEST_F(ForeignPhase, GivenOnesThatMoved) {
   state_.loop.moving.front().canvas_from_shape.tx += 1;
-  expect_complaint("pieces move that may not");
+  expect_complaint("its replacement phase moves pieces that must stay");
   state_.loop.moving.clear();
   state_.loop.moving.push_back(state_.placements.back());
-  expect_complaint("pieces move that may not");
+  expect_complaint("its replacement phase moves pieces that must stay");
 }
 
 TEST_F(ForeignPhase, PiecesThatMoveWhileTheCanvasIsFilled) {
   state_.loop.phase = LoopPhase::filling;
-  expect_complaint("pieces move that may not");
+  expect_complaint("its replacement phase moves pieces that must stay");
 }
 
 TEST_F(ForeignPhase, MorePiecesThanHaveRoom) {
   state_.loop.moving.insert(state_.loop.moving.end(), 1000, state_.loop.moving.back());
-  expect_complaint("more pieces move than have room");
+  expect_complaint("its replacement phase has far more pieces than fit");
 }
 
 /// More trials than there can be: the phase is over.

@@ -225,14 +225,14 @@ TEST(WarmStart, ACheckpointGoesOnWithTheSamePiecesOnly) {
   };
   EXPECT_EQ(test::message_of(go_on), "");
   s.wishes.given[1].canvas_from_shape.tx += 1;
-  EXPECT_NE(test::message_of(go_on).find("begun with other pieces than [[given]] and start.pieces have now"),
+  EXPECT_NE(test::message_of(go_on).find("the pieces of [[given]] or start.pieces have changed since it was written"),
             std::string::npos);
   s.wishes.given[1].canvas_from_shape.tx -= 1;
   EXPECT_EQ(test::message_of(go_on), "");
   s.wishes.given[1].locked = false;
-  EXPECT_NE(test::message_of(go_on).find("begun with other pieces"), std::string::npos);
+  EXPECT_NE(test::message_of(go_on).find("start.pieces have changed since it was written"), std::string::npos);
   s.wishes.given.pop_back();
-  EXPECT_NE(test::message_of(go_on).find("begun with other pieces"), std::string::npos);
+  EXPECT_NE(test::message_of(go_on).find("start.pieces have changed since it was written"), std::string::npos);
 }
 
 /// Free pieces, which improving may have taken out, count as well: growth begins at them.
@@ -248,7 +248,7 @@ TEST(WarmStart, FreePiecesAreTheSameAfterAnInterruption) {
     SilentObserver silent;
     stopped_collage::run(s, {3, 7}, silent, {&keeper.latest, nullptr}, canvas, library());
   };
-  EXPECT_NE(test::message_of(go_on).find("begun with other pieces"), std::string::npos);
+  EXPECT_NE(test::message_of(go_on).find("start.pieces have changed since it was written"), std::string::npos);
 }
 
 /// From the middle of the canvas to the farthest point of a piece, by the mean of all directions.

@@ -217,7 +217,7 @@ TEST_F(MosaicFilesTest, NeverReplaceWhatIsNoMosaics) {
   folder_.write("m.toml", "seed = 1\n");
   MosaicRequest again = request();
   again.replace = true;
-  EXPECT_NE(refusal(again).find("m.toml: is there and is not of tessera mosaic"), std::string::npos);
+  EXPECT_NE(refusal(again).find("m.toml: exists and was not made by tessera mosaic"), std::string::npos);
   EXPECT_EQ(bytes_of(folder_.path("m.toml")), "seed = 1\n");
   EXPECT_FALSE(fs::exists(folder_.path("m_sizes.png")));  // all is looked at before anything is written
 }

@@ -288,9 +288,9 @@ TEST(Nesting, TheCheckerSeesFaults) {
   layout.pieces[1].shift = {4, 6.001};
   EXPECT_EQ(nest_fault(problem, layout), "piece 1 sticks out");
   layout.pieces[1] = {0, 1, {4, 0}, 0};
-  EXPECT_EQ(nest_fault(problem, layout), "a piece at no angle of its own");
+  EXPECT_EQ(nest_fault(problem, layout), "a piece at an angle that it may not have");
   layout.pieces.pop_back();
-  EXPECT_EQ(nest_fault(problem, layout), "item 0 is there another number of times");
+  EXPECT_EQ(nest_fault(problem, layout), "item 0 has a wrong number of pieces");
 }
 
 TEST(NestCheck, ACrossIsSeenThatHasNoCornerInside) {

@@ -234,7 +234,7 @@ TEST(NestInput, ReadsSvgsThroughADrawer) {
   EXPECT_EQ(
       read_nest_input(inkscape).notes,
       (Texts{inkscape + ": written by Inkscape 0.91, which had 90 px an inch: its shapes take 25.4 x 12.7 mm then, "
-                        "and 23.8 x 11.9 mm at CSS's 96, as they are read here; --dpi 90 or --dpi 96 says which",
+                        "and 23.8 x 11.9 mm at CSS's 96, as they are read here; --dpi 90 or --dpi 96 chooses one",
              inkscape + " says no unit: 1 unit is taken as 1/96 inch, its page is 23.8 x 23.8 mm; width and height "
                         "in mm in the SVG set it, --dpi says how many px an inch has"}));
   const NestInput at_90 = read_nest_input(inkscape, {.px_per_inch = 90, .left_out = {}});

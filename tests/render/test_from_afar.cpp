@@ -167,7 +167,7 @@ TEST_F(Measured, CardsKeepTheFiguresOfTheLatestPixels) {
   const std::string lines =
       "Seen from afar\n  100 px wide             colour 5.70 (CIEDE2000), structure 0.703 (SSIM)\n"
       "  40 px wide              colour 3.50 (CIEDE2000), structure 0.900 (SSIM)\n"
-      "                          (a piece of mean size is a px)\n";
+      "                          (one px for a piece of mean size)\n";
   const std::string drawing = "Drawing\n  drawing time            0.0 s\n";
   for (int i = 0; i < 2; ++i) add_drawing_to_cards(dir, notes);
   add_drawing_to_cards(dir, {.pieces = 2});

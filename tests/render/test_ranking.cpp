@@ -334,7 +334,7 @@ TEST_F(ResultFolders, are_the_folder_or_its_folders) {
   const auto message = [&](const char* folder) { return message_of([&] { find_results(scratch_.path(folder)); }); };
   for (const char* folder : {"all/crashed", "all/unfinished"}) {
     EXPECT_EQ(message(folder),
-              scratch_.path(folder) + ": no result of tessera collage, neither itself nor its folders");
+              scratch_.path(folder) + ": no result of tessera collage, neither in this folder nor in those within it");
   }
   EXPECT_EQ(message("none"), scratch_.path("none") + ": no such folder");
   EXPECT_EQ(message("all/a/job.toml"), scratch_.path("all/a/job.toml") + ": not a folder");

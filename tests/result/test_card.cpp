@@ -141,7 +141,7 @@ TEST(Card, TextIsATableThatFitsATerminal) {
   for (const char* part :
        {"91.23 %", "0.412 %", "0.010 %", "1,234 of 118", "120  (shapes in the library)", "68.3 %", "12,345,678",
         "90.00 %", "12.5 s", "10.0 % / 20.0 %", "40.0 % / 30.0 %", "full", "0.84  (1 = even; over 20.0 to 160.0 px)",
-        "5.7 %  (of the pieces' area; below 28.3 px)", "341.2 px off  (median; 24.1 % of the ",
+        "5.7 %  (of the pieces' area; below 28.3 px)", "341.2 px away  (median; 24.1 % of the ",
         "0.750 px  (the nearest two", "1.2 %  (of the pieces; no other", "+1.23 % of the canvas"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
   }

@@ -150,9 +150,9 @@ TEST(CollageFiles, ADrawingIsNotLostWithACard) {
   DrawingNotes notes{.pieces = 2, .notes = {{"disc", DrawnFrom::thumbnail, "original missing", 1}}};
   notes.cards = add_drawing_to_cards(folder.path(""), notes);
   ASSERT_EQ(notes.cards.size(), 1u);
-  EXPECT_NE(
-      drawing_warning(notes).find("drawn without a word in the card: " + folder.path("card.json") + ": not found"),
-      std::string::npos);
+  EXPECT_NE(drawing_warning(notes).find("the card does not tell of this drawing: " + folder.path("card.json") +
+                                        ": not found"),
+            std::string::npos);
   EXPECT_NE(content_of(folder.path("card.txt")).find("original missing"), std::string::npos);
 }
 

@@ -200,9 +200,9 @@ TEST(CollageWarnings, ALibraryThatCannotShowAnImageIsTold) {
   EXPECT_EQ(unable_library_warning(job.colour, 49, false),
             "a library of 49 shapes has few colours to show colour.image, and few shapes to cover it with (3 to 40 "
             "shapes covered 78 to "
-            "81 % of a picture, 419 covered 84); photos take 500 and more");
-  EXPECT_EQ(unable_library_warning(job.colour, 500, true).substr(0, 95),
-            "nearly all shapes of the library are of one colour, which cannot show colour.image; colour.piec");
+            "81 % of a picture, 419 covered 84); a photo needs 500 or more");
+  EXPECT_EQ(unable_library_warning(job.colour, 500, true).substr(0, 86),
+            "nearly all shapes of the library have one colour and cannot show colour.image; colour.");
   job.colour.pieces = "palette";
   EXPECT_EQ(unable_library_warning(job.colour, 5, true), "");
 }
@@ -244,16 +244,16 @@ TEST(CollageWarnings, WhyPiecesAreNotRelaxed) {
   const auto nothing = [](CollageSettings&) {};
   const std::string not_relaxed = "the pieces are not relaxed, as ";
   EXPECT_EQ(warning(20, 100, nothing), "");
-  EXPECT_EQ(warning(20, 101, nothing),
-            not_relaxed +
-                "sizes from 20 to 101 px are allowed (pieces.scale_px), and for that the largest is 5 times the " +
-                "smallest at most");
+  EXPECT_EQ(
+      warning(20, 101, nothing),
+      not_relaxed +
+          "their sizes differ too much, 20 to 101 px (pieces.scale_px); allowed: a largest of 5 times the smallest");
   EXPECT_EQ(warning(50, 50, nothing),
             not_relaxed + "their sizes are fixed (pieces.scale_px, pieces.sizes, [[shapes]])");
   EXPECT_EQ(warning(20, 100, [](CollageSettings& s) { s.improve.relax = false; }),
             not_relaxed + "improve.relax is false");
   EXPECT_EQ(warning(20, 101, [](CollageSettings& s) { s.pieces.size_map = std::make_shared<SizeMap>(); }),
-            not_relaxed + "their sizes go by the place (pieces.size_map)");
+            not_relaxed + "their sizes depend on the place (pieces.size_map)");
   const auto show = [](CollageSettings& s) {
     s.colour.target = std::make_shared<ColourTarget>(Grid<Texel>(2, 2), 1.f);
   };
@@ -266,7 +266,7 @@ TEST(CollageWarnings, RelaxingThatBringsNothingIsTold) {
   master::CollageResult result;
   result.statistics.trials = 2;
   EXPECT_EQ(nothing_gained_warning(settings, result),
-            "no trial covered more, out of 2: the pieces lie where they lay; with a larger --trials they are "
+            "no trial was an improvement, out of 2: the pieces have not moved; with more --trials pieces are "
             "exchanged, too");
   result.unfinished = true;
   EXPECT_EQ(nothing_gained_warning(settings, result), "");

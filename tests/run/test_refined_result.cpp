@@ -109,12 +109,12 @@ TEST(RefinedResult, ItsPiecesAreNotToBeOthers) {
   EXPECT_EQ(test::message_of([] { check_overrides({"seed=3", "start.grow=outward"}); }), "");
   EXPECT_EQ(
       test::message_of([] { check_overrides({"start.pieces = other"}); }),
-      "--set start.pieces = other: allowed: any key but those of [start] other than start.grow: RESULT is refined");
+      "--set start.pieces = other: the pieces come from RESULT; allowed: start.grow, and the keys of other sections");
   for (const char* key : {"start.keep=free", "start.remove=[1]", "start.lock=[]"}) {
     EXPECT_NE(test::message_of([&] { check_overrides({key}); }), "") << key;
   }
   EXPECT_EQ(test::message_of([] { check_overrides({"quality=good"}); }),
-            "--set quality=good: allowed where a result is refined: --relax --trials N, or improve.trials=N");
+            "--set quality=good: no key to refine a result with; allowed: --relax --trials N, or improve.trials=N");
 }
 
 /// An earlier version did not say.

@@ -72,7 +72,8 @@ TEST(TimeLimit, that_is_empty_is_a_mistake) {
 
 TEST(TimeLimit, of_a_slurm_job_that_is_too_short_is_told) {
   EXPECT_EQ(short_limit_warning(3, 4),
-            "the Slurm job ends in 3 s, and 6 s are kept for checkpoint, files and leaving: nothing will be computed; "
+            "the Slurm job ends in 3 s, and 6 s are reserved for the checkpoint, the files and the end of the ranks: "
+            "nothing will be computed; "
             "give the job more time (sbatch --time)");
   EXPECT_NE(short_limit_warning(2, 0), "");
   EXPECT_EQ(short_limit_warning(3, 0), "");

@@ -71,7 +71,9 @@ TEST(PartsThatFit, WhereAllOfThemHoldTooLittleItIsSaid) {
     FAIL() << "20,000 shapes had room for 4,000";
   } catch (const EnvironmentError& error) {
     const std::string text = error.what();
-    EXPECT_NE(text.find("20000 shapes of the library do not fit, room is for 2000 on \"fast\""), text.npos) << text;
+    EXPECT_NE(text.find("20000 shapes of the library do not fit into their memory; there is room for 2000 on \"fast\""),
+              text.npos)
+        << text;
     EXPECT_NE(text.find("2000 on \"slow\""), text.npos) << text;
     EXPECT_NE(text.find("give the job more ranks, nodes or devices"), text.npos) << text;
   }

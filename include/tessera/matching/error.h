@@ -1,5 +1,5 @@
 /// @file
-/// The one exception that the library throws.
+/// The only exception type that the library throws.
 #pragma once
 
 #include <stdexcept>
@@ -8,8 +8,8 @@
 
 namespace tessera::matching {
 
-/// Input that is of no use, or a machine that failed. The message is one line and names what was found and what is
-/// allowed. Besides it only `std::bad_alloc` leaves a function of the library, and what a Descriptor of yours throws.
+/// Reports unusable input or a failure of the machine. The message is one line and names what was found and what is
+/// allowed. Functions of the library throw nothing else but `std::bad_alloc`, and what your own Descriptor throws.
 class TESSERA_MATCHING_API Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

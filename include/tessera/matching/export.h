@@ -1,5 +1,5 @@
 /// @file
-/// Marks what libtessera-matching.so exports.
+/// Marks the symbols that libtessera-matching.so exports.
 #pragma once
 
 #define TESSERA_MATCHING_API __attribute__((visibility("default")))

@@ -1,8 +1,8 @@
 /// @file
 /// Libraries of shapes, as `tessera library build` makes them (HDF5).
 ///
-/// HDF5 serves one thread at a time. This library takes turns with itself; where your program uses HDF5 too, see that no
-/// other thread does while one of these functions is called.
+/// HDF5 serves one thread at a time. This library takes care of its own calls. Where your program uses HDF5, too, let no
+/// other thread use HDF5 during a call of these functions.
 #pragma once
 
 #include <cstddef>
@@ -16,13 +16,13 @@
 
 namespace tessera::matching {
 
-/// The PADs of a shape are stored at so many smoothing levels; 0 is the coarsest.
+/// The number of smoothing levels at which a shape's PADs are stored; 0 is the coarsest level.
 inline constexpr int kLibraryLevels = 5;
 
-/// A library file, opened for reading. Shapes are read when they are asked for.
+/// A library file, opened for reading. Shapes are read when they are needed.
 class TESSERA_MATCHING_API Library {
  public:
-  /// Throws Error, which names the file, where it is missing, damaged or no library.
+  /// Throws Error that names the file where it is missing, damaged or no library.
   explicit Library(const std::string& path);
   ~Library();
   Library(Library&&) noexcept;
@@ -30,17 +30,17 @@ class TESSERA_MATCHING_API Library {
 
   std::size_t size() const;
 
-  /// The names of all shapes, in the shapes' order. No name occurs twice.
+  /// The names of all shapes, in the order of the shapes. No name occurs twice.
   const std::vector<std::string>& names() const;
 
-  /// The outline of a shape: its outer curve has 512 evenly spaced points. The origin is the centroid of its area, and the
-  /// unit of length is the square root of that area. Throws Error where there is no such shape.
+  /// The outline of a shape. Its outer curve has 512 evenly spaced points. The origin is the centroid of its area, the unit
+  /// of length is the square root of that area. Throws Error where there is no such shape.
   Outline outline(std::size_t shape) const;
 
   /// The PADs of a shape's outer curve at a smoothing level, 0 to kLibraryLevels - 1, in units of its outline.
   std::vector<Pad> pads(std::size_t shape, int level) const;
 
-  /// Width of the Gaussian of a level, in units of the outlines: 0.177, and half as wide from level to level.
+  /// The width of a level's Gaussian, in units of the outlines: 0.177 at level 0, and half as wide at each next level.
   static double smoothing(int level);
 
   /// The parameters with which the library's PADs were made: levels on each side, and the turning of level 0.

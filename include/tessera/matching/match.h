@@ -11,10 +11,10 @@
 
 namespace tessera::matching {
 
-/// A part of a curve, as arclengths from its first point in its units, from < to. `to` is larger than the curve's length where
-/// the part goes on beyond the first point of a closed curve.
+/// A part of a curve, as arclengths from the curve's first point in its units; from < to. `to` exceeds the curve's length
+/// where the part continues over the first point of a closed curve.
 struct CurvePart {
-  std::size_t curve = 0;  ///< of the outline
+  std::size_t curve = 0;  ///< index of the curve in its outline
   double from = 0;
   double to = 0;
 };
@@ -23,29 +23,31 @@ struct CurvePart {
 struct MatchedRun {
   CurvePart of_a;
   CurvePart of_b;
-  bool reversed = false;  ///< B runs against A's direction, as lines without an interior may
+  bool reversed = false;  ///< B runs in the opposite direction, which is possible for lines without an interior
 };
 
 /// One way to lay B onto A.
 struct Match {
   Similarity a_from_b;
   std::vector<MatchedRun> runs;
-  double part_of_a = 0;  ///< matched arclength as a part of the length of all of A's curves, 0 to 1
+  double part_of_a = 0;  ///< matched arclength divided by the length of all of A's curves, 0 to 1
   double part_of_b = 0;
-  double similarity = 0;  ///< how closely B follows A within the runs: 1 on it, 0 at the largest distance that counts
-  /// How much follows one another, and how closely: 1 of an outline and itself. The length that B follows, by closeness, as a
-  /// part of the geometric mean of both lengths. Unrelated silhouettes reach 0.2 to 0.4 by parts that are alike.
+  /// how closely B follows A within the runs: 1 where they are equal, 0 at the largest distance that counts
+  double similarity = 0;
+  /// How much of both follows one another, and how closely. It is the length that B follows, weighted by closeness and
+  /// divided by the geometric mean of both lengths. An outline and itself have 1. Unrelated silhouettes reach 0.2 to 0.4,
+  /// because parts of them are similar.
   double score = 0;
 };
 
-/// Lays B onto A, where as much as possible of their curves follow one another (paper, section 3.3 and Fig. 14). B may be
-/// turned, scaled and moved, but not mirrored; it may be a part of A, or have a part in common with it.
+/// Finds poses of B on A at which as much as possible of their curves follow one another (paper, section 3.3 and Fig. 14).
+/// B may be turned, scaled and moved, but not mirrored. It may be a part of A, or have a part in common with A.
 ///
-/// Poses come from curves that have a 64th of the length of all curves, or more; shorter ones are followed where such a pose
-/// lays them onto each other.
+/// Poses are derived from curves that have at least a 64th of the length of all curves. Shorter curves are followed where
+/// such a pose lays them onto each other.
 ///
-/// Returns the `most` best matches, the best first; their poses differ. Empty where nothing matches. Throws Error as
-/// check() does. It may be called by several threads at once.
+/// Returns the `most` best matches with different poses, the best first. Empty where nothing matches. Throws Error as
+/// check() does. Several threads may call it at once.
 TESSERA_MATCHING_API std::vector<Match> match(const Outline& a, const Outline& b, std::size_t most = 1);
 
 }  // namespace tessera::matching

@@ -1,5 +1,5 @@
 /// @file
-/// All of the library Tessera::matching.
+/// Includes all headers of the library Tessera::matching.
 #pragma once
 
 #include "tessera/matching/descriptor.h"

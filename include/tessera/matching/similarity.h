@@ -6,7 +6,7 @@
 
 namespace tessera::matching {
 
-/// A point or a direction. Its unit is that of the curves it belongs to.
+/// A point or a direction, in the unit of the curves it belongs to.
 struct Point {
   double x = 0;
   double y = 0;
@@ -27,7 +27,7 @@ struct Similarity {
   /// Units of the target for one unit of the source.
   double scale() const { return std::hypot(a, b); }
 
-  /// In (-pi, pi], from the x axis towards the y axis: clockwise on a picture, where y points down.
+  /// The rotation in (-pi, pi], from the x axis towards the y axis: clockwise on a picture, where y points down.
   double rotation_rad() const { return std::atan2(b, a); }
 
   Similarity inverse() const {
@@ -36,7 +36,7 @@ struct Similarity {
   }
 };
 
-/// First `inner`, then `outer`.
+/// The transform that applies `inner` first, then `outer`.
 inline Similarity operator*(const Similarity& outer, const Similarity& inner) {
   const Point t = outer.apply({inner.tx, inner.ty});
   return {outer.a * inner.a - outer.b * inner.b, outer.b * inner.a + outer.a * inner.b, t.x, t.y};

@@ -7,7 +7,7 @@
 
 namespace tessera::matching {
 
-/// "0.1.0", of the library that the program runs with.
+/// The version of the library that the program runs with, such as "0.1.0".
 TESSERA_MATCHING_API const char* version();
 
 }  // namespace tessera::matching

@@ -17,7 +17,7 @@ herr_t keep_description(unsigned, const H5E_error2_t* entry, void* text) {
   return 0;
 }
 
-/// Of a failed system call HDF5 tells a long story, with the time and a pointer; the system's own words are enough.
+/// The system's own words in HDF5's long message about a failed system call, which has a time and a pointer in it.
 std::string system_message_in(const std::string& text) {
   constexpr std::string_view kBefore = "error message = '";
   const std::size_t at = text.find(kBefore);

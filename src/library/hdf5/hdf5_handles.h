@@ -1,4 +1,4 @@
-// A thin layer over the HDF5 C API: handles that close themselves, failures as exceptions, no printing.
+// A thin layer over the HDF5 C API: handles that close themselves, failures as exceptions, no output on stderr.
 #pragma once
 
 #include <hdf5.h>
@@ -11,18 +11,18 @@
 
 namespace tessera {
 
-/// A failed HDF5 call or content that breaks the library format. Whoever knows the file's name turns it into an
+/// A failed HDF5 call, or content that breaks the library format. The caller that knows the file's name turns it into an
 /// InputError (reading) or EnvironmentError (writing).
 class Hdf5Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// To be called before the first use of HDF5 in the process. HDF5's clean-up at exit crashes where a file could not be
-/// flushed (disk full) or was damaged; we close all that we open, and need none.
+/// Prepares HDF5; to be called before its first use in the process. It switches off HDF5's clean-up at exit, which crashes
+/// where a file could not be flushed (disk full) or was damaged. We close all that we open and need no clean-up.
 void prepare_hdf5();
 
-/// HDF5 prints its error stack on stderr by default; while this lives, the current thread does not.
+/// Keeps HDF5 from printing its error stack on stderr, for the current thread, while this object lives.
 class Hdf5Silence {
  public:
   Hdf5Silence() {
@@ -39,10 +39,10 @@ class Hdf5Silence {
   void* printer_data_ = nullptr;
 };
 
-/// What HDF5 says about the last failed call of this thread: its innermost message.
+/// HDF5's innermost message about the last failed call of this thread.
 std::string last_hdf5_message();
 
-/// Passes an id or status through. Throws Hdf5Error "<what>: <HDF5's message>" where it is negative.
+/// Returns `result`, an id or status. Where it is negative, throws Hdf5Error "<what>: <HDF5's message>".
 template <class Result>
 Result hdf5_checked(Result result, const std::string& what) {
   if (result < 0) throw Hdf5Error(what + ": " + last_hdf5_message());
@@ -62,7 +62,7 @@ class Hdf5Handle {
   }
 
   hid_t get() const { return id_; }
-  /// False where closing failed, which for a file means that its last bytes did not reach the disk.
+  /// Closes the identifier. False where that failed: for a file, its last bytes did not reach the disk.
   bool close() {
     const hid_t id = std::exchange(id_, H5I_INVALID_HID);
     return id < 0 || H5Idec_ref(id) >= 0;
@@ -72,11 +72,11 @@ class Hdf5Handle {
   hid_t id_ = H5I_INVALID_HID;
 };
 
-/// Another descriptor of the open file. Throws EnvironmentError where no descriptor is left.
+/// Another descriptor of the open file. Throws EnvironmentError where the process has no descriptor left.
 FileDescriptor descriptor_of(hid_t file);
 
-/// Every link on the way to an object must be a hard one: soft and external links could lead to other files. Throws
-/// Hdf5Error, which begins with `what`.
+/// Checks that every link on the way to an object is a hard one, because soft and external links could lead to other files.
+/// Throws Hdf5Error that begins with `what`.
 void check_hard_links(hid_t file, const std::string& path, const std::string& what);
 
 }  // namespace tessera

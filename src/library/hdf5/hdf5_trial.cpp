@@ -20,9 +20,9 @@ namespace tessera {
 namespace {
 
 constexpr unsigned kMostCpu_s = 20;
-constexpr unsigned kMost_s = 600;  // by the clock: disks of clusters are slow at times, and jobs are suspended
+constexpr unsigned kMost_s = 600;  // by the clock, because disks of clusters are slow at times and jobs are suspended
 
-/// A crash is what the child is for: no message of MPI about it, no core file.
+/// Runs `read` in the child, which is there to crash: MPI says nothing about it, and no core file is written.
 [[noreturn]] void run_in_child(const std::function<void()>& read) {
   for (const int number : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGALRM}) std::signal(number, SIG_DFL);
   const rlimit no_core{0, 0};
@@ -39,8 +39,9 @@ constexpr unsigned kMost_s = 600;  // by the clock: disks of clusters are slow a
 }
 
 #ifdef __SANITIZE_ADDRESS__
-/// The sanitizer's allocator, unlike the C library's, is copied by a fork with its locks as they are: where another
-/// thread holds one, the child waits for ever. Then there is no trial; forged files are tested without other threads.
+/// With a sanitizer there is no trial where other threads run. Unlike the C library's allocator, the sanitizer's is copied
+/// by a fork with its locks: where another thread holds one, the child waits for ever. Forged files are tested without
+/// other threads.
 bool has_other_threads() {
   const std::filesystem::directory_iterator threads("/proc/self/task");
   return std::distance(begin(threads), end(threads)) > 1;

@@ -53,10 +53,10 @@ std::vector<std::string> read_texts(const ColumnReader& column, std::size_t begi
   return texts;
 }
 
-/// Offsets [begin, end], the last one being the end of the last group. Groups have least to most of `rows` rows.
+/// Reads offsets [begin, end]; the last one is the end of the last group. Each group has `least` to `most` of `rows` rows.
 std::vector<std::uint64_t> read_offsets(const ColumnReader& first, std::size_t begin, std::size_t end, std::size_t rows,
                                         std::size_t least, std::size_t most) {
-  // Stored signed, which numpy computes better with; a negative one is out of range here.
+  // They are stored as signed numbers, which suit numpy better; a negative one is out of range here.
   std::vector<std::uint64_t> offsets = first.read<std::uint64_t>(begin, end + 1);
   for (std::size_t i = 0; i < offsets.size(); ++i) {
     if (offsets[i] > rows) out_of_range(first);
@@ -65,7 +65,7 @@ std::vector<std::uint64_t> read_offsets(const ColumnReader& first, std::size_t b
   return offsets;
 }
 
-/// lengths: l_{n-1} .. l_0 r_0 .. r_{n-1}.
+/// `lengths` holds l_{n-1} .. l_0 r_0 .. r_{n-1}.
 ArclengthPyramid make_sample(const float* lengths, const Vec2* keypoints, float convexity, std::size_t n) {
   ArclengthPyramid sample;
   std::reverse_copy(lengths, lengths + n, sample.left.begin());

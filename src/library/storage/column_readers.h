@@ -1,5 +1,5 @@
-// Reads the parts of a library file: one class for each group of columns. All throw Hdf5Error where it is damaged.
-// Those that return numbers return the digest (part_digest.h) of what they read, one for each shape.
+// Reads the parts of a library file, with one class for each group of columns. All classes throw Hdf5Error where it is
+// damaged. read() functions with numbers as result return a digest (part_digest.h) of what they read for each shape.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace tessera {
 
-/// Shapes [begin, end) of the file and where they are to be read to.
+/// The shapes [begin, end) of the file, and the shapes in memory that are filled from them.
 struct ShapeBatch {
   std::size_t begin;
   std::size_t end;
@@ -23,7 +23,7 @@ struct ShapeBatch {
   std::size_t count() const { return end - begin; }
 };
 
-/// Names, lengths and colours.
+/// Reads names, lengths and colours.
 class HeadReader {
  public:
   HeadReader(hid_t file, const layout::Columns& columns);
@@ -58,7 +58,7 @@ class FieldReader {
   ColumnReader distance_, scale_, extent_;
 };
 
-/// One smoothing level.
+/// Reads one smoothing level.
 class LevelReader {
  public:
   LevelReader(hid_t file, const layout::LevelColumns& columns, std::size_t level);
@@ -72,7 +72,7 @@ class LevelReader {
   ColumnReader points_, perimeter_, lengths_, keypoints_, convexity_;
 };
 
-/// Some bytes for each shape.
+/// Reads some bytes for each shape.
 class BytesReader {
  public:
   /// A shape has at most `most` bytes.
@@ -86,10 +86,10 @@ class BytesReader {
   ColumnReader first_, bytes_;
 };
 
-/// Paths, hash, geometry and thumbnail.
+/// Reads paths, hash, geometry and thumbnail.
 class ArtworkReader {
  public:
-  /// `folder`: where the library lies now.
+  /// `folder`: the present folder of the library.
   ArtworkReader(hid_t file, const layout::Columns& columns, const std::filesystem::path& folder);
   void read(const ShapeBatch& range) const;
   std::vector<const ColumnReader*> columns() const;

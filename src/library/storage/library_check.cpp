@@ -13,7 +13,7 @@ namespace {
 
 using namespace layout;
 
-/// One shape's way through the checks, which all report alike.
+/// Checks one shape; all checks report in the same form.
 class ShapeCheck {
  public:
   ShapeCheck(const Shape& shape, const StyleFeatures& style) : shape_(shape), style_(style) {}

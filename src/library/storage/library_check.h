@@ -1,5 +1,5 @@
-// The limits of the library format (docs/library-format.md), checked on a shape before it is written; the reader checks
-// the same limits column by column.
+// Checks the limits of the library format (docs/library-format.md) on a shape before it is written. The reader checks the
+// same limits column by column.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace tessera {
 
 /// Whether all `count` numbers from `values` on are finite and within [least, most].
 bool all_within(const float* values, std::size_t count, float least, float most);
-/// Its numbers are in the ranges of docs/library-format.md.
+/// Whether the numbers of the style are in the ranges of docs/library-format.md.
 bool is_style(const StyleFeatures& style);
 bool all_within(const Vec2* values, std::size_t count, float least, float most);
 

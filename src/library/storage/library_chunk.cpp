@@ -12,7 +12,7 @@ static_assert(std::endian::native == std::endian::little, "the columns are used 
 
 constexpr std::size_t kChecksumBytes = 4;
 
-/// What our writer stores at most: deflating adds a thousandth to bytes that do not shrink.
+/// The most bytes that our writer stores: deflating adds a thousandth to bytes that do not shrink.
 std::size_t most_stored_bytes(const ChunkPacking& packing) { return packing.bytes + packing.bytes / 500 + 64; }
 
 std::vector<std::uint8_t> stored_bytes(hid_t data_set, std::span<const hsize_t> corner, const ChunkPacking& packing,
@@ -33,7 +33,7 @@ std::uint32_t little_endian(std::span<const std::uint8_t> bytes) {
   return value;
 }
 
-/// The bytes without their checksum.
+/// Checks the checksum at the end and returns the bytes without it.
 std::span<const std::uint8_t> checked(std::span<const std::uint8_t> stored, const std::string& what) {
   if (stored.size() < kChecksumBytes) throw Hdf5Error(what + ": it is too short");
   const auto content = stored.first(stored.size() - kChecksumBytes);
@@ -52,7 +52,7 @@ std::vector<std::uint8_t> inflated(std::span<const std::uint8_t> packed, std::si
   return result;
 }
 
-/// Shuffled: first the first byte of every element, then the second, and so on.
+/// Undoes shuffling, which stores the first byte of every element, then the second byte, and so on.
 std::vector<std::uint8_t> unshuffled(const std::vector<std::uint8_t>& shuffled, std::size_t element_bytes) {
   const std::size_t elements = shuffled.size() / element_bytes;
   std::vector<std::uint8_t> result(shuffled.size());

@@ -12,9 +12,9 @@ namespace {
 
 using layout::Column;
 
-// Small enough that a rank's range wastes little at its ends, large enough to compress and to be worth a disk access.
+// Small enough that little is wasted at the ends of a rank's range, large enough to compress and to be worth a disk access.
 constexpr std::size_t kChunkBytes = 32 << 10;    // a field: the master reads shapes one at a time
-constexpr std::size_t kMaxChunkBytes = 1 << 20;  // that a reader accepts
+constexpr std::size_t kMaxChunkBytes = 1 << 20;  // the largest that a reader accepts
 constexpr unsigned kDeflateLevel = 4;
 
 std::string name_of(const Column& column) { return "data set " + column.path; }
@@ -97,8 +97,8 @@ Hdf5Handle open_data_set(hid_t file, const Column& column) {
   return {H5Dopen2(file, column.path.c_str(), H5P_DEFAULT), name_of(column)};
 }
 
-/// Chunked storage is always inside the file. To be asked before anything else: the extent of a virtual data set is
-/// found by opening other files.
+/// Checks that the data set is chunked, because chunked storage is always inside the file. To be called before anything
+/// else: for a virtual data set HDF5 finds the extent by opening other files.
 Hdf5Handle chunked_properties(hid_t data_set, const std::string& what) {
   Hdf5Handle properties(H5Dget_create_plist(data_set), what);
   if (H5Pget_layout(properties.get()) != H5D_CHUNKED) throw Hdf5Error(what + " is not chunked");
@@ -111,7 +111,7 @@ void check_type(hid_t data_set, const Column& column) {
     throw Hdf5Error(name_of(column) + " is of a wrong type");
 }
 
-/// Returns the rows.
+/// Checks the dimensions and returns the number of rows.
 std::size_t check_dims(hid_t data_set, const Column& column) {
   const std::string what = name_of(column);
   const Hdf5Handle space(H5Dget_space(data_set), what);
@@ -127,7 +127,7 @@ std::size_t check_dims(hid_t data_set, const Column& column) {
 
 struct Filter {
   H5Z_filter_t kind;
-  unsigned value;  // the first one of its parameters
+  unsigned value;  // the first of its parameters
   friend bool operator==(const Filter&, const Filter&) = default;
 };
 
@@ -143,7 +143,8 @@ std::vector<Filter> filters_of(hid_t properties, const std::string& what) {
   return filters;
 }
 
-/// Ours, in the order in which they pack: older versions deflated every column. Any level of deflating inflates alike.
+/// Checks that the filters are ours, in the order in which they pack, and returns whether one deflates. Older versions
+/// deflated every column. All levels of deflating inflate alike.
 bool is_deflated(hid_t properties, const Column& column) {
   std::vector<Filter> filters = filters_of(properties, name_of(column));
   for (Filter& filter : filters) {
@@ -157,7 +158,7 @@ bool is_deflated(hid_t properties, const Column& column) {
   throw Hdf5Error(name_of(column) + " is packed by other filters than this program's");
 }
 
-/// Returns the rows of a chunk. Chunks span whole rows.
+/// Checks the chunks, which hold whole rows, and returns the number of rows in a chunk.
 std::size_t check_chunk(hid_t properties, const Column& column) {
   std::array<hsize_t, H5S_MAX_RANK> chunk{};
   hdf5_checked(H5Pget_chunk(properties, H5S_MAX_RANK, chunk.data()), name_of(column));

@@ -1,5 +1,5 @@
-// One column of a library file: a data set whose first dimension counts rows. Writing appends; reading takes any range
-// of rows and touches only the chunks that hold it. Both throw Hdf5Error, which names the data set.
+// One column of a library file: a data set whose first dimension counts rows. Writing appends rows. Reading takes any range
+// of rows and touches only the chunks that hold it. Both throw Hdf5Error that names the data set.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +13,14 @@
 
 namespace tessera {
 
-/// Creates the data set: chunked, with checksums, units and description; shuffled and deflated where the column says
+/// Creates the data set: in chunks, with checksums, units and a description; shuffled and deflated where the column says
 /// so.
 class ColumnWriter {
  public:
   ColumnWriter(hid_t file, const layout::Column& column);
 
   std::size_t rows() const { return rows_; }
-  /// `data` holds rows x elements_per_row(column) elements in the column's type, row by row.
+  /// `data` holds rows x elements_per_row(column) elements of the column's type, row by row.
   void append(const void* data, std::size_t rows);
 
  private:
@@ -29,19 +29,20 @@ class ColumnWriter {
   std::size_t rows_ = 0;
 };
 
-/// Opens the data set of an untrusted file. Refuses what is not exactly such a column: another type or shape, links or
-/// storage outside the file, other filters than our writer's. Every chunk is checked when it is read (library_chunk.h).
+/// Opens the data set of an untrusted file. Refuses anything but such a column: other types or shapes, links or storage
+/// outside the file, other filters than our writer's. Every chunk is checked when it is read (library_chunk.h).
 class ColumnReader {
  public:
   ColumnReader(hid_t file, const layout::Column& column);
-  /// Nothing where the file has no data set of this name, as files of older versions.
+  /// Empty where the file has no data set of this name, like files of older versions.
   static std::optional<ColumnReader> if_present(hid_t file, const layout::Column& column);
 
   const layout::Column& column() const { return column_; }
   std::size_t rows() const { return rows_; }
-  /// Bytes in the file.
+  /// The bytes of the column in the file.
   std::uint64_t stored_bytes() const;
-  /// Bytes of all rows in memory; whether there is something behind them is not known yet.
+  /// The bytes of all rows in memory, as the file declares them; whether the file really holds data for them is not
+  /// checked.
   std::uint64_t declared_bytes() const;
 
   /// Rows [begin, end), 0 <= begin <= end <= rows(). Element is the column's type (char for text).

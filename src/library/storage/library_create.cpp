@@ -9,7 +9,7 @@
 namespace tessera {
 namespace {
 
-/// Nothing where something stands under the name.
+/// Creates the file. An invalid handle where the name is taken.
 Hdf5Handle create_exclusively(const std::string& name, hid_t creation, hid_t access) {
   const hid_t file = H5Fcreate(name.c_str(), H5F_ACC_EXCL, creation, access);
   std::error_code error;
@@ -33,9 +33,9 @@ void create_level_group(hid_t file, std::size_t k) {
 }  // namespace
 
 NewLibraryFile create_library_file(const std::string& path) {
-  check_can_be_written(path);  // what would show in HDF5's words
+  check_can_be_written(path);  // finds problems first that HDF5 would report in obscure words
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), "file");
-  // The newest format has checksums over all of its metadata, which the reader relies on.
+  // The newest format has checksums over all of its metadata, on which the reader relies.
   hdf5_checked(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110), "file");
   hdf5_checked(H5Pset_file_locking(access.get(), false, true), "file");  // often missing on cluster file systems
   const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), "file");

@@ -1,4 +1,4 @@
-// The beginning of a library file: the file itself, its attributes and groups.
+// Creates a library file with its attributes and groups.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,8 @@
 
 namespace tessera {
 
-/// A library that is being written. HDF5 closes the file before it is removed: the last member goes first.
+/// A library that is being written. The members are destroyed from the last to the first, so HDF5 closes the file before it
+/// is removed.
 struct NewLibraryFile {
   std::unique_ptr<TemporaryFile> disk;
   Hdf5Handle hdf5;
@@ -19,7 +20,7 @@ struct NewLibraryFile {
 /// Throws EnvironmentError where the file cannot be created, Hdf5Error where HDF5 fails.
 NewLibraryFile create_library_file(const std::string& path);
 
-/// Writes format, version and PAD parameters, and makes the groups; those of the smoothing levels get their parameters.
+/// Writes format, version and PAD parameters, and makes the groups; the groups of smoothing levels get their parameters.
 /// Throws Hdf5Error.
 void write_library_header(hid_t file, const PadParameters& pad);
 

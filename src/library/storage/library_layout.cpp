@@ -64,7 +64,7 @@ std::size_t elements_per_row(const Column& column) {
 
 std::size_t row_bytes(const Column& column) { return element_bytes(column) * elements_per_row(column); }
 
-// A table, a column a row.
+// The table of columns, one in each row.
 Columns library_columns(int pad_levels) {
   Columns c{
       .name = text("/shapes/name", kNameBytes, "file name without extension, unique"),

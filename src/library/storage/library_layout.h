@@ -1,5 +1,5 @@
-// What a library file consists of (docs/library-format.md): the names, types, shapes and units of its columns and
-// attributes. A column is a data set whose first dimension grows; reader and writer are both made from this list.
+// The content of a library file (docs/library-format.md): names, types, shapes and units of its columns and attributes. A
+// column is a data set whose first dimension grows. Reader and writer are both made from this list.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 namespace tessera::layout {
 
 inline constexpr char kFormat[] = "tessera-library";
-/// Counted up with every change that an old reader would misread. A reader takes its own version only.
+/// Rises with every change that an old reader would misread. A reader takes only its own version.
 inline constexpr int kVersion = 1;
 
 inline constexpr char kFormatAttribute[] = "format";
@@ -34,19 +34,24 @@ inline constexpr std::size_t kSha256Bytes = std::tuple_size_v<Sha256>;
 /// Digests of a shape: outline, field, then its smoothing levels.
 inline constexpr std::size_t kPartDigests = 2 + kSmoothingLevels.size();
 
-/// Sane maxima, checked when written and when read, before anything is allocated.
+/// Upper bounds, checked when writing and, before anything is allocated, when reading.
 inline constexpr std::size_t kMaxShapes = 4'000'000;
-inline constexpr std::size_t kMaxRows = std::size_t(1) << 40;  // of any column: so many times 64 KiB can be counted
-inline constexpr std::size_t kMaxCurvesPerShape = 1'000;       // the builder fills holes below 0.3 % of the area
-/// The builder gives the outer curve 512 points, and holes in proportion to it: 127 times its length would be 65,536.
+// of any column; 64 KiB for each row can still be counted
+inline constexpr std::size_t kMaxRows = std::size_t(1) << 40;
+inline constexpr std::size_t kMaxCurvesPerShape = 1'000;  // the builder fills holes below 0.3 % of the area
+/// The builder gives the outer curve 512 points, and holes in proportion. 65,536 points belong to holes of 127 times its
+/// length.
 inline constexpr std::size_t kMaxPointsPerShape = 65'536;
-inline constexpr int kMaxThumbnailSide_px = 192;               // as silhouette.cpp makes them
-inline constexpr std::size_t kMaxThumbnailBytes = 160u << 10;  // RGBA of 192 x 192 px that does not shrink: 148,000
-inline constexpr std::size_t kMaxOriginalBytes = 20u << 20;    // kMaxArtworkFileBytes: no larger file is artwork
-/// All columns in memory, in parts of the file's size. An honest library has 1.2, with originals that deflate well 4; a
-/// forged one could have 1,000. So a file asks for no more memory than its own size leads to expect.
+inline constexpr int kMaxThumbnailSide_px = 192;  // as silhouette.cpp makes them
+// RGBA of 192 x 192 px that does not compress takes 148,000
+inline constexpr std::size_t kMaxThumbnailBytes = 160u << 10;
+inline constexpr std::size_t kMaxOriginalBytes = 20u << 20;  // kMaxArtworkFileBytes: larger files are no artwork
+/// The size of all columns in memory, divided by the size of the file, is at most this. An honest library has 1.2, with
+/// embedded files that deflate well 4; a forged one could have 1,000. So a file never asks for far more memory than its
+/// size suggests.
 inline constexpr std::uint64_t kMaxInflation = 16;
-inline constexpr float kMaxCoordinate = 1e4f;  // shape units, lengths too; a shape of area 1 that long is a hairline
+// shape units, lengths too; a shape of area 1 and this length is a hairline
+inline constexpr float kMaxCoordinate = 1e4f;
 inline constexpr float kLeastLength = 1e-6f;
 inline constexpr float kMaxLab = 200;
 inline constexpr float kMaxDrawnScale_px = 1e6f;
@@ -58,8 +63,8 @@ enum class Element { float32, int16, int32, int64, uint64, uint8, text };
 struct Column {
   std::string path;
   Element element;
-  std::size_t text_bytes;             // of Element::text, which is UTF-8 that ends with NULs; otherwise 0
-  std::vector<std::size_t> row_dims;  // empty: one number a row
+  std::size_t text_bytes;             // UTF-8, filled up with NULs; 0 for other elements
+  std::vector<std::size_t> row_dims;  // empty: one number in a row
   std::string units;
   std::string description;
   bool compressed = true;

@@ -23,7 +23,7 @@ constexpr std::uint8_t kOurVersion = 3;
 
 using Superblock = std::array<std::uint8_t, 48>;
 
-/// HDF5 tells it with two numbers and in words of its own.
+/// Throws where the file is cut off. HDF5 reports this only in numbers and obscure words.
 void check_is_whole(const std::string& path, const FileDescriptor& file, const Superblock& head, std::size_t got) {
   const std::uint64_t bytes = size_of(path, file);
   std::uint64_t all = head.size();
@@ -33,7 +33,7 @@ void check_is_whole(const std::string& path, const FileDescriptor& file, const S
                    " bytes are there; copy it again, or build it again with tessera library build");
 }
 
-/// HDF5 1.10 parses older formats without checksums, and not safely where they are damaged.
+/// Refuses older HDF5 formats: HDF5 1.10 reads them without checksums, and not safely where they are damaged.
 void check_superblock(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw InputError(path + ": no such file, or not readable");
@@ -51,7 +51,7 @@ void check_superblock(const std::string& path) {
 
 Hdf5Handle open_library(const std::string& path) {
   check_superblock(path);
-  // No code from outside: filters of a foreign file are not searched for.
+  // Keeps HDF5 from loading foreign code: it must not search for filters that a file names.
   H5PLset_loading_state(0);
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), "file");
   hdf5_checked(H5Pset_file_locking(access.get(), false, true), "file");  // often missing on cluster file systems

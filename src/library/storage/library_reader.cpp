@@ -15,13 +15,13 @@
 namespace tessera {
 namespace {
 
-constexpr std::size_t kBatchShapes = 64;  // bounds what is held twice while reading
+constexpr std::size_t kBatchShapes = 64;  // limits the memory that is held twice while reading
 
 bool is_one_of(const std::string& path, std::initializer_list<const layout::Column*> columns) {
   return std::any_of(columns.begin(), columns.end(), [&](const layout::Column* c) { return c->path == path; });
 }
 
-/// What `read` returns; InputError of the file where it is damaged.
+/// The result of `read`. A damaged file becomes an InputError that names the file.
 template <class Read>
 auto naming_the_file(const std::string& path, Read read) {
   const Hdf5Silence silence;
@@ -65,7 +65,7 @@ struct LibraryFile::State {
   std::vector<ShapeHead> heads(std::size_t begin, std::size_t end) const;
   LibrarySummary summary() const;
   std::vector<Shape> read(std::size_t begin, std::size_t end, const LibraryParts& parts) const;
-  /// Returns the digests of what was read, which agree with those that are stored.
+  /// Returns the digests of what was read; they agree with the stored ones.
   std::vector<PartDigests> read_batch(const ShapeBatch& range, const LibraryParts& parts) const;
 
   std::string path;
@@ -79,7 +79,7 @@ struct LibraryFile::State {
   BytesReader original;
   std::optional<ColumnReader> part_digest, variant_of, style;
   SegmentPlaces segments;
-  std::shared_ptr<const FileDescriptor> bytes;  // of the file that is open, whatever its name leads to by now
+  std::shared_ptr<const FileDescriptor> bytes;  // of the open file, even if its name leads elsewhere by now
   std::vector<LevelReader> levels;
 };
 
@@ -100,7 +100,7 @@ std::vector<const ColumnReader*> LibraryFile::State::columns() const {
   return all;
 }
 
-/// Every column has a row for each shape, but for those that hold what offsets lead to.
+/// Checks that every column has a row for each shape, but for columns that offsets lead to.
 void LibraryFile::State::check_rows() const {
   if (head.shapes() == 0) throw Hdf5Error("the library is empty");
   if (head.shapes() > layout::kMaxShapes) throw Hdf5Error("too many shapes");
@@ -114,7 +114,7 @@ void LibraryFile::State::check_rows() const {
   }
 }
 
-/// Data sets may claim any size without bytes behind them, or with bytes that inflate a thousandfold.
+/// Checks the declared sizes: data sets may claim any size without data, or with data that inflate a thousandfold.
 void LibraryFile::State::check_declared_bytes() const {
   std::uint64_t declared = 0;
   for (const ColumnReader* column : columns()) declared += column->declared_bytes();
@@ -151,7 +151,8 @@ std::vector<PartDigests> LibraryFile::State::read_batch(const ShapeBatch& range,
   return found;
 }
 
-/// Of a library without stored ones they are those of all that is in it: the same, but every part has to be read.
+/// The digests of the shapes [begin, end). Where the library stores none, they are computed from all parts, which gives the
+/// same numbers.
 std::vector<PartDigests> LibraryFile::State::digests(std::size_t begin, std::size_t end) const {
   if (part_digest) return stored_digests(begin, end);
   std::vector<Shape> shapes(end - begin);
@@ -159,7 +160,7 @@ std::vector<PartDigests> LibraryFile::State::digests(std::size_t begin, std::siz
                     {.outline = true, .field = true, .levels = ~0u, .artwork = false, .original = false});
 }
 
-/// The first of a silhouette is its own, and lies before the others.
+/// Reads and checks variants: the first shape of a silhouette is its own variant, and comes before the others.
 std::vector<std::uint32_t> LibraryFile::State::variants(std::size_t begin, std::size_t end) const {
   std::vector<std::uint32_t> variants(end - begin);
   std::iota(variants.begin(), variants.end(), std::uint32_t(begin));

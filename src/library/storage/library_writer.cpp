@@ -28,7 +28,7 @@ class LevelWriter {
         keypoints_(file, columns.keypoints),
         convexity_(file, columns.convexity) {}
 
-  /// Returns the digest of what was written, as do the others here.
+  /// Like all append() functions here, returns the digest of what was written.
   std::uint64_t append(const LevelCurve& level, int n) {
     std::vector<float> lengths, convexity;
     std::vector<Vec2> keypoints;
@@ -50,7 +50,8 @@ class LevelWriter {
   ColumnWriter points_, perimeter_, lengths_, keypoints_, convexity_;
 };
 
-/// Rows of any number for each shape: the data and where each shape's begin, with the end as the last offset.
+/// Writes any number of rows for each shape: the data, and the offset at which each shape's rows begin. The last offset is
+/// the end.
 class RaggedWriter {
  public:
   RaggedWriter(hid_t file, const layout::Column& first, const layout::Column& data)
@@ -75,8 +76,8 @@ bool are_multiples(const std::vector<float>& distances, float step) {
   return std::all_of(distances.begin(), distances.end(), [&](float d) { return std::round(d / step) * step == d; });
 }
 
-/// What one step of the field's 16 bits is worth. The largest distance of a field that came from a library is rounded:
-/// its step is the one nearby that gives all its distances, so that a copy has the bits of what it was copied from.
+/// The size of one step of the field's 16 bits. The largest distance of a field that came from a library is rounded. Then
+/// the step is a near one that reproduces all its distances, so that a copy has the same bits.
 float step_of(const ShapeField& field) {
   constexpr int kRoundings = 4;
   const std::vector<float>& distances = field.distance.data();
@@ -91,7 +92,7 @@ float step_of(const ShapeField& field) {
   return step;
 }
 
-/// 16 bits, with a step for each shape: a step is about a ten-thousandth of a shape unit.
+/// A field in 16 bits, with a step for each shape: about a ten-thousandth of a shape unit.
 struct QuantisedField {
   explicit QuantisedField(const ShapeField& field) : step(step_of(field)) {
     distance.reserve(field.distance.data().size());
@@ -155,7 +156,7 @@ class ArtworkWriter {
   void append(const Artwork& artwork) {
     const std::int32_t size[2] = {artwork.width_px, artwork.height_px};
     path_.append(artwork.path);
-    // Of a copied shape the artwork may lie where its library was moved to.
+    // The artwork of a copied shape may lie where its library was moved to.
     beside_.append(path_from_library(artwork.path_beside_library.empty() ? artwork.path : artwork.path_beside_library));
     sha256_.append(artwork.sha256.value_or(Sha256{}).data(), 1);
     const auto reader = std::int32_t(artwork.reader);
@@ -168,7 +169,7 @@ class ArtworkWriter {
   }
 
  private:
-  /// Empty where it would be too long.
+  /// The path relative to the library. Empty where it would be too long.
   std::string path_from_library(const std::string& path) const {
     if (path.empty()) return {};
     const std::string relative = std::filesystem::path(path).lexically_relative(folder_);
@@ -205,7 +206,7 @@ class OutlineWriter {
   RaggedWriter curves_;
 };
 
-/// What models are made of, as it will be read.
+/// The shape in the form in which it will be read; its models are made of this.
 Shape as_read(const Shape& shape, const QuantisedField& field) {
   Shape read = shape;
   read.artwork = {};
@@ -222,7 +223,7 @@ struct LibraryWriter::State {
         pad(parameters),
         file(create_library_file(target)) {}
 
-  /// Members are destroyed from the last to the first: the columns before their file.
+  /// Members are destroyed from the last to the first, so the columns are closed before their file.
   struct Content {
     Content(hid_t file, const layout::Columns& columns, const PadParameters& pad, const std::filesystem::path& folder)
         : name(file, columns.name),
@@ -318,7 +319,7 @@ void LibraryWriter::finish() {
   State& state = *state_;
   try {
     state.content->segments.finish();
-    // Flushed while the columns are open: closing a column cannot report that the disk is full.
+    // Flushes while the columns are open, because closing a column cannot report that the disk is full.
     hdf5_checked(H5Fflush(state.file.hdf5.get(), H5F_SCOPE_GLOBAL), "flush");
     state.content.reset();
     if (!state.file.hdf5.close()) throw Hdf5Error("close: " + last_hdf5_message());

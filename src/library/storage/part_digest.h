@@ -1,5 +1,5 @@
-// A number for one part of a shape as its columns hold it (outline, field, a smoothing level). The library file stores
-// it, so that a library is known by a few bytes a shape, and every part that is read is compared with it.
+// A digest of one part of a shape as its columns hold it (outline, field, a smoothing level). The library file stores it,
+// so that a few bytes for each shape identify the library, and every part that is read is compared with it.
 #pragma once
 
 #include <array>
@@ -36,7 +36,7 @@ class PartDigest {
   }
 
  private:
-  /// One word follows from the one before; four chains side by side take a third of the time of one.
+  /// Words are digested in four independent chains, which takes a third of the time of one chain.
   static constexpr std::size_t kLanes = 4;
 
   void add_bytes(const char* bytes, std::size_t count) {
@@ -66,7 +66,7 @@ inline std::uint64_t field_digest(std::span<const std::int16_t> quantised, float
   return PartDigest().add(quantised).add(step).add(extent).value();
 }
 
-/// A smoothing level as it lies in the file.
+/// A smoothing level in the form of the file.
 struct LevelRows {
   std::span<const Vec2> points;
   float perimeter;

@@ -8,7 +8,7 @@
 namespace tessera {
 namespace {
 
-/// Writes from `at` on what is put, one after the other.
+/// Writes values one after the other, from `at` on.
 class RowWriter {
  public:
   explicit RowWriter(std::uint8_t* at) : begin_(at), at_(at) {}

@@ -1,4 +1,4 @@
-// Models as they lie in a library file (segment_layout.h).
+// The bytes of models in a library file (segment_layout.h).
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace tessera {
 
-/// `models`: with the levels of `kind`, kSegmentShapes of them, or what is left at the end of the library. `owners`: in
-/// the same order.
+/// The bytes of a segment. `models` have the levels of `kind`; there are kSegmentShapes of them, or fewer at the end of the
+/// library. `owners` are in the same order.
 std::vector<std::uint8_t> segment_bytes(const SegmentKind& kind, std::span<const ShapeModel> models,
                                         std::span<const SegmentOwner> owners);
 

@@ -33,7 +33,7 @@ Hdf5Handle create_group(hid_t file) {
   return group;
 }
 
-/// Bytes in one piece, so that any part of them can be read by its place.
+/// Writes bytes in one piece, so that any part of them can be read by its place.
 void write_in_one_piece(hid_t group, const std::string& name, const std::vector<std::uint8_t>& bytes) {
   const hsize_t size = bytes.size();
   const Hdf5Handle space(H5Screate_simple(1, &size, nullptr), name);
@@ -45,13 +45,13 @@ void write_in_one_piece(hid_t group, const std::string& name, const std::vector<
   hdf5_checked(H5Dwrite(data_set.get(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), name);
 }
 
-/// Where the bytes of a segment begin in the file; it must be as write_in_one_piece() makes it.
+/// The place of a segment in the file. It must be stored as write_in_one_piece() does it.
 std::uint64_t place_of(hid_t file, const std::string& name, std::size_t bytes) {
   const std::string path = std::string(kGroup) + "/" + name;
   const std::string what = "data set " + path;
   check_hard_links(file, path, what);
   const Hdf5Handle data_set(H5Dopen2(file, path.c_str(), H5P_DEFAULT), what);
-  // Before anything else: the extent of a virtual data set is found by opening other files.
+  // Checked before anything else: for a virtual data set HDF5 finds the extent by opening other files.
   const Hdf5Handle properties(H5Dget_create_plist(data_set.get()), what);
   if (H5Pget_layout(properties.get()) != H5D_CONTIGUOUS || H5Pget_external_count(properties.get()) != 0) {
     throw Hdf5Error(what + " is not in one piece");

@@ -1,4 +1,4 @@
-// The models of a library as data sets of its file, a segment each (segment_layout.h).
+// The models of a library as data sets of its file, one for each segment (segment_layout.h).
 #pragma once
 
 #include <memory>
@@ -12,14 +12,14 @@
 
 namespace tessera {
 
-/// Makes the models of the shapes that are written, segment by segment: some 170 MB are held.
+/// Makes and writes the models of shapes, segment by segment. It holds some 170 MB.
 class SegmentWriter {
  public:
   SegmentWriter(hid_t file, const PadParameters& pad);
 
-  /// `shape` as it will be read.
+  /// Adds a shape in the form in which it will be read.
   void append(const Shape& shape, const SegmentOwner& owner);
-  /// Writes the last segment. Throws Hdf5Error, as append().
+  /// Writes the last segment. Throws Hdf5Error, like append().
   void finish();
 
  private:
@@ -33,17 +33,17 @@ class SegmentWriter {
   std::vector<SegmentOwner> owners_;
 };
 
-/// Where the segments lie in the file of a library of so many shapes.
+/// The places of the segments in the file of a library.
 struct SegmentPlaces {
   std::vector<std::uint64_t> begins;
   std::uint64_t bytes = 0;
 };
 
-/// Nothing where the file has no models, or those of another version: then they are made when shapes are loaded. Throws
-/// Hdf5Error where they are damaged.
+/// Finds the segments. Empty where the file has no models, or models of another version; models are then made when shapes
+/// are loaded. Throws Hdf5Error where they are damaged.
 SegmentPlaces segment_places(hid_t file, const PadParameters& pad, std::uint32_t shapes);
 
-/// All smoothing levels.
+/// The kind of segments that a library file holds: with all smoothing levels.
 SegmentKind library_segments(const PadParameters& pad);
 
 }  // namespace tessera

@@ -1,11 +1,10 @@
-// How the models of up to kSegmentShapes shapes that follow one another in a library lie in its file, so that ranks
-// need not make them again (docs/library-format.md, "Models"): sections of rows of equal length, and at the end of each
-// row a number that tells whether it is what was written for this shape. Numbers are as in memory, little-endian.
-//
-//   sketches, contours    a row a shape
-//   of each smoothing level:
-//     pads                a row a shape
-//     keypoints           a row a PAD
+// The layout of the models of up to kSegmentShapes consecutive shapes in a library file, stored so that ranks need not make
+// them again (docs/library-format.md, "Models"). It has sections with rows of equal length. A number at the end of each row
+// tells whether it is the row that was written for this shape. Numbers are stored as in memory, little-endian.
+//   sketches, contours    a row for each shape
+//   for each smoothing level:
+//     pads                a row for each shape
+//     keypoints           a row for each PAD
 //     order               of an index of the level's PADs, shape by shape: uint32
 #pragma once
 
@@ -24,19 +23,19 @@ namespace tessera {
 
 static_assert(std::endian::native == std::endian::little, "segments are written as they lie in memory");
 
-/// Counted up with every change of the models or of their layout. Those of other versions are not read.
+/// Rises with every change of the models or of their layout. Models of other versions are not read.
 inline constexpr int kModelsVersion = 2;
 
-/// What a row is of: digests of all of a shape that its models are made of, as its columns hold it.
+/// The shape that a row belongs to: digests of all data of the shape that its models are made of.
 struct SegmentOwner {
-  std::uint64_t contour = 0;  // outline, field, and what the head says
+  std::uint64_t contour = 0;  // outline, field, and the lengths and colours of the head
   std::array<std::uint64_t, kSmoothingLevels.size()> level{};
 };
 
 /// `head`: its lengths and colours count.
 SegmentOwner segment_owner(const Shape& head, const PartDigests& digests);
 
-/// By which dockings are judged at first.
+/// Contour points and numbers used for the first, cheap test of a docking.
 struct SketchRow {
   float perimeter;
   float radius;
@@ -49,7 +48,7 @@ struct SketchRow {
   std::array<Vec2, (kMaxInteriorPoints + kInteriorStride - 1) / kInteriorStride> interior;
 };
 
-/// At which they begin, and by which they are refined.
+/// Contour points at which dockings begin, and points and colours for their refinement.
 struct ContourRow {
   std::uint32_t interior_points;
   std::array<Vec2, kBoundaryPoints> boundary;
@@ -60,7 +59,7 @@ struct ContourRow {
   std::array<float, kColourCells> colour_part;
 };
 
-/// Which models a file holds.
+/// The kind of models that a file holds.
 struct SegmentKind {
   int pad_levels = 5;
   std::vector<int> levels;  // smoothing levels, ascending
@@ -69,12 +68,12 @@ struct SegmentKind {
 };
 
 using RowCheck = std::uint64_t;       // at the end of a row
-using KeypointCheck = std::uint32_t;  // the lower half of one
+using KeypointCheck = std::uint32_t;  // the lower half of a RowCheck
 
-/// Of one smoothing level. Bytes.
+/// The place of one smoothing level in a segment, in bytes.
 struct LevelSection {
   int level;
-  std::size_t samples;  // of a shape
+  std::size_t samples;  // of one shape
   std::size_t pads_at;
   std::size_t pads_row;  // elements, then scale lengths (float), then convexities (int8), the check
   std::size_t keypoints_at;
@@ -86,8 +85,8 @@ struct SegmentLayout {
   SegmentLayout(const SegmentKind& kind, std::uint32_t shapes);
 
   std::uint32_t shapes;
-  std::size_t elements;         // of a PAD
-  std::size_t keypoint_points;  // of a PAD
+  std::size_t elements;         // of one PAD
+  std::size_t keypoint_points;  // of one PAD
   std::size_t sketches_at = 0;
   std::size_t contours_at;
   std::vector<LevelSection> levels;
@@ -97,7 +96,7 @@ struct SegmentLayout {
   static constexpr std::size_t kContourBytes = sizeof(ContourRow) + sizeof(RowCheck);
 };
 
-/// The number at the end of a row. `number`: of a PAD within its level, else 0.
+/// The number at the end of a row. `number`: of a PAD within its level; 0 for other rows.
 RowCheck row_check(const std::uint8_t* row, std::size_t bytes, std::uint64_t owner, std::uint64_t number = 0);
 
 SketchRow sketch_row(const ShapeModel& model);

@@ -18,7 +18,7 @@ T value_at(const std::uint8_t* bytes) {
   return value;
 }
 
-/// Whether the check at the end of a row of `bytes`, itself included, is right.
+/// Whether the check at the end of a row is right. `bytes` includes the check.
 bool is_row_of(const std::uint8_t* row, std::size_t bytes, std::uint64_t owner) {
   const std::size_t content = bytes - sizeof(RowCheck);
   return value_at<RowCheck>(row + content) == row_check(row, content, owner);
@@ -29,13 +29,14 @@ bool are_keypoints_of(const std::uint8_t* row, std::size_t bytes, std::uint64_t 
   return value_at<KeypointCheck>(row + content) == KeypointCheck(row_check(row, content, owner, sample));
 }
 
-/// PAD `j` of a row of `samples`.
+/// PAD number `j` of a row with `samples` PADs.
 LibraryPad pad_at(const std::uint8_t* row, std::size_t j, std::size_t samples, std::size_t elements) {
   const std::uint8_t* const lengths = row + samples * elements * sizeof(std::uint16_t);
   const std::uint8_t* const signs = lengths + samples * sizeof(float);
   LibraryPad pad;
   const std::uint8_t* const own = row + j * elements * sizeof(std::uint16_t);
-  for (std::size_t e = 0; e < pad.pad.element.size(); ++e) {  // so many times always: no call for each PAD
+  // always as many, so that the compiler makes no call for each PAD
+  for (std::size_t e = 0; e < pad.pad.element.size(); ++e) {
     if (e < elements) pad.pad.element[e] = value_at<std::uint16_t>(own + e * sizeof(std::uint16_t));
   }
   pad.scale_length = value_at<float>(lengths + j * sizeof(float));
@@ -43,7 +44,7 @@ LibraryPad pad_at(const std::uint8_t* row, std::size_t j, std::size_t samples, s
   return pad;
 }
 
-/// False where a number is none that a PAD has.
+/// False where a number cannot be one of a PAD.
 bool is_library_pad(const LibraryPad& pad) {
   return std::abs(pad.convexity) <= 1 && pad.pad == library_pad(pad.pad) &&
          pad.scale_length == library_length(pad.scale_length) &&
@@ -113,7 +114,7 @@ std::vector<std::uint8_t> SegmentReader::read(std::uint32_t segment, std::size_t
   return data;
 }
 
-/// A row a shape, from `section_at` on.
+/// Reads a row for each shape, from `section_at` on.
 template <class Row, class SetRow>
 void SegmentReader::add_rows(std::span<ShapeModel> models, const Part& part, std::size_t section_at, SetRow set_row,
                              const char* what) const {
@@ -135,7 +136,7 @@ void SegmentReader::add_contours(std::span<ShapeModel> models, const Part& part)
   add_rows<ContourRow>(models, part, layout_of(part.segment).contours_at, set_contour, "a contour");
 }
 
-/// Calls set_pad(shape of the part, PAD of the level, LibraryPad) for all.
+/// Calls set_pad(number of the shape in the part, number of the PAD in the level, LibraryPad) for all PADs.
 template <class SetPad>
 void SegmentReader::read_pads(const Part& part, int level, SetPad&& set_pad) const {
   const SegmentLayout& layout = layout_of(part.segment);
@@ -156,7 +157,7 @@ void SegmentReader::read_pads(const Part& part, int level, SetPad&& set_pad) con
 
 std::vector<LibraryPad> SegmentReader::pads(const ShapeRange& range, const std::vector<int>& levels,
                                             std::span<const SegmentOwner> owners) const {
-  std::size_t sources = 0;  // of a shape
+  std::size_t sources = 0;  // of one shape
   for (const int level : levels) sources += section_of(whole_, level).samples;
   std::vector<LibraryPad> pads(range.size() * sources);
   for (const Part& part : parts_of(range, owners)) {

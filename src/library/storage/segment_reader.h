@@ -1,5 +1,5 @@
-// Reads models out of a library file (segment_layout.h), as many at a time and as much of them as is wanted. The file
-// is anyone's: what is read is checked.
+// Reads models, or parts of them, from a library file (segment_layout.h). The file is untrusted: everything that is read is
+// checked.
 #pragma once
 
 #include <cstdint>
@@ -16,29 +16,29 @@ namespace tessera {
 
 class SegmentReader {
  public:
-  /// `path`: for messages. `begins`: where each segment begins in the file; the last one has what is left of `shapes`.
+  /// `path`: for messages. `begins`: the places of the segments in the file. The last segment holds the rest of `shapes`.
   SegmentReader(std::string path, std::shared_ptr<const FileDescriptor> file, SegmentKind kind, std::uint32_t shapes,
                 std::vector<std::uint64_t> begins);
 
   const SegmentKind& kind() const { return kind_; }
 
-  /// Shapes [begin, end) with these smoothing levels, which the file has. `owners`: of these shapes. Throws InputError
-  /// that names the file where something is damaged, as do all others.
+  /// The models of the shapes in `range` with these smoothing levels, which the file must have. `owners`: of these shapes.
+  /// Like all functions here, throws InputError that names the file where something is damaged.
   std::vector<ShapeModel> models(const ShapeRange& range, const std::vector<int>& levels, const ModelParts& parts,
                                  std::span<const SegmentOwner> owners) const;
-  /// All PADs of each of the shapes, those of one smoothing level after those of another.
+  /// All PADs of each shape, one smoothing level after the other.
   std::vector<LibraryPad> pads(const ShapeRange& range, const std::vector<int>& levels,
                                std::span<const SegmentOwner> owners) const;
-  /// Models with boundary, tangents, interior and colours, of shapes that follow one another within one segment.
+  /// Models with boundary, tangents, interior and colours, for consecutive shapes within one segment.
   std::vector<ShapeModel> contours(const ShapeRange& range, std::span<const SegmentOwner> owners) const;
-  /// The key points of one PAD, into `points`: 2 n + 1 of them.
+  /// Reads the 2 n + 1 key points of one PAD into `points`.
   void keypoints(ShapeId shape, int level, std::uint32_t sample, const SegmentOwner& owner,
                  ModelSample::Step* points) const;
-  /// Of the shapes of a range within one segment, shape by shape: an order of their PADs.
+  /// An order of the PADs of a level, for the shapes of a range within one segment; PADs are numbered shape by shape.
   std::vector<std::uint32_t> pad_order(const ShapeRange& range, int level) const;
 
  private:
-  struct Part;  // of a range, within one segment
+  struct Part;  // the part of a range within one segment
   static std::vector<Part> parts_of(const ShapeRange& range, std::span<const SegmentOwner> owners);
 
   const SegmentLayout& layout_of(std::uint32_t segment) const;
@@ -60,7 +60,7 @@ class SegmentReader {
   SegmentKind kind_;
   std::uint32_t shapes_;
   std::vector<std::uint64_t> begins_;
-  SegmentLayout whole_;  // of kSegmentShapes
+  SegmentLayout whole_;  // layout of a segment of kSegmentShapes shapes
   SegmentLayout last_;
 };
 

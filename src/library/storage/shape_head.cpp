@@ -9,7 +9,8 @@
 namespace tessera {
 namespace {
 
-constexpr std::size_t kDigestRows = 64;  // part of the digest's definition: columns are added so many rows at a time
+// part of the digest's definition: so many rows of a column are added at a time
+constexpr std::size_t kDigestRows = 64;
 
 template <class Element, class Get>
 void add_column(const std::vector<ShapeHead>& heads, Digest& digest, Get get) {
@@ -19,7 +20,7 @@ void add_column(const std::vector<ShapeHead>& heads, Digest& digest, Get get) {
   digest.add_all(std::span<const Element>(column));
 }
 
-/// As the file holds them: filled up with NULs.
+/// Adds names as the file holds them: filled up with NULs.
 void add_names(const std::vector<ShapeHead>& heads, Digest& digest) {
   std::vector<char> names(heads.size() * layout::kNameBytes, '\0');
   for (std::size_t i = 0; i < heads.size(); ++i)

@@ -1,4 +1,4 @@
-// The little that a shape of a library is known by, and the digest of a library made of it.
+// The few data that identify a shape of a library, and the digest of a library that is made of them.
 #pragma once
 
 #include <array>
@@ -29,9 +29,9 @@ struct ShapeHead {
   std::uint64_t outline_digest() const { return part_digest[0]; }
 };
 
-/// ShapeLibrary::content_digest() of so many shapes; `heads` gives those of any range. Where every shape is its own
-/// variant nothing is added for that, and the drawings' sizes do not count (LibraryChoice says where they do): so a
-/// library has the digest which it had before there were either.
+/// ShapeLibrary::content_digest() of so many shapes; `heads` returns the heads of any range. Variants are added only where
+/// there are any, and the sizes of drawings do not count (see LibraryChoice): so the digests of older libraries stay the
+/// same.
 std::uint64_t digest_of_heads(const PadParameters& pad, std::size_t shapes,
                               const std::function<std::vector<ShapeHead>(std::size_t begin, std::size_t end)>& heads);
 

@@ -1,4 +1,4 @@
-// The shapes of a run, wherever they lie: one library file (library_file.h) or a choice from several (library_view.h).
+// The shapes of a run: from one library file (library_file.h) or chosen from several (library_view.h).
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace tessera {
 
-/// Which parts of the shapes to read; the others stay empty. Names, perimeters, radii and colours always come.
+/// The parts of shapes to read; other parts stay empty. Names, perimeters, radii and colours are always read.
 struct LibraryParts {
   bool outline = true;
   bool field = true;
@@ -26,23 +26,23 @@ class ShapeLibrary {
  public:
   virtual ~ShapeLibrary() = default;
 
-  /// For messages: the file, or the files.
+  /// The file, or the files, for messages.
   virtual const std::string& path() const = 0;
   virtual std::size_t size() const = 0;
   virtual PadParameters pad_parameters() const = 0;
-  /// A digest of all that decides about a collage: PAD parameters, names, lengths, colours, outlines, fields, smoothing
-  /// levels, in their order, and which shapes are variants; artwork does not count. Two libraries with the same digest
-  /// give the same collage, wherever they lie. Throws as read().
+  /// A digest of all data that decide about a collage: PAD parameters, names, lengths, colours, outlines, fields and
+  /// smoothing levels in their order, and which shapes are variants. Artwork does not count. Two libraries with the same
+  /// digest give the same collage. Throws as read().
   virtual std::uint64_t content_digest() const = 0;
-  /// For each shape the first one with the same silhouette, in other colours; mostly itself. Throws as read().
+  /// The first shape with the same silhouette, perhaps in other colours, for each shape; mostly itself. Throws as read().
   virtual std::vector<std::uint32_t> variant_of() const = 0;
-  /// What each shape's drawing looks like; unknown in libraries of older versions. Throws as read().
+  /// The style of each shape's drawing; unknown in libraries of older versions. Throws as read().
   virtual std::vector<StyleFeatures> styles() const = 0;
-  /// For each shape the one that it is the mirror image of: the same drawing, mirrored. Mostly itself.
+  /// The shape whose mirror image it is (the same drawing, mirrored), for each shape; mostly itself.
   virtual std::vector<std::uint32_t> drawings() const = 0;
-  /// Shapes [begin, end). Throws InputError that names file and data set where what is read is damaged.
+  /// The shapes [begin, end). Throws InputError that names file and data set where the data are damaged.
   virtual std::vector<Shape> read(std::size_t begin, std::size_t end, const LibraryParts& parts) const = 0;
-  /// The models as they lie in the file; nothing where they must be made of the shapes. The library outlives them.
+  /// The models that the file holds; null where they must be made of the shapes. The library outlives them.
   virtual std::shared_ptr<const ModelSource> stored_models(const MatchingContext&) const { return {}; }
 
  protected:

@@ -1,4 +1,4 @@
-// Reads from the library file what matching needs of it.
+// Reads the models of shapes that matching needs.
 #pragma once
 
 #include <memory>
@@ -9,12 +9,13 @@
 
 namespace tessera {
 
-/// The models with the levels that the context uses. A few shapes at a time are read whole, as the models need a
+/// The models with the levels that the context uses. Only a few whole shapes are in memory at a time: models need a
 /// twentieth of their memory.
 std::vector<ShapeModel> read_models(const ShapeLibrary& library, const ShapeRange& range,
                                     const MatchingContext& context);
 
-/// As they are stored in the library's file, or read and made when it is asked. The library outlives it.
+/// The models stored in the library's file. Where there are none, a source that reads shapes and makes their models when
+/// asked. The library outlives it.
 std::shared_ptr<const ModelSource> models_of(const ShapeLibrary& library, const MatchingContext& context);
 
 }  // namespace tessera

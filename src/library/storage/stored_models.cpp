@@ -8,13 +8,13 @@
 namespace tessera {
 namespace {
 
-/// Read by one thread at a time; a few microseconds each.
+/// One thread at a time reads so many, each in a few microseconds.
 constexpr std::size_t kPadsAtATime = 512;
 constexpr std::uint32_t kContoursAtATime = 32;
 
-/// Some of a list of shapes, which follow one another within one segment: one call to the file reads all of them.
+/// Consecutive shapes of a list that lie within one segment: one call to the file reads all of them.
 struct Run {
-  std::size_t place;  // of the first in the list
+  std::size_t place;  // of the first shape in the list
   ShapeRange shapes;
 };
 

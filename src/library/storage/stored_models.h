@@ -1,4 +1,4 @@
-// The models of a library whose file holds them (segment_layout.h): read as much of them as a matcher needs.
+// The models of a library whose file holds them (segment_layout.h). It reads only the parts that a matcher needs.
 #pragma once
 
 #include <functional>
@@ -13,10 +13,10 @@ namespace tessera {
 
 class StoredModels : public ModelSource {
  public:
-  /// Of shapes [begin, end) of the library.
+  /// Gives the owners of the shapes [begin, end) of the library.
   using Owners = std::function<std::vector<SegmentOwner>(const ShapeRange&)>;
 
-  /// The reader's segments have the PADs and levels of the context. `owners` is called once for each range.
+  /// The reader's segments must have the PADs and levels of the context. `owners` is called once for each range.
   StoredModels(std::shared_ptr<const SegmentReader> segments, const MatchingContext& context, Owners owners);
 
   std::vector<ShapeModel> models(const ShapeRange& range, const ModelParts& parts) const override;
@@ -30,11 +30,11 @@ class StoredModels : public ModelSource {
   std::shared_ptr<const SegmentReader> segments_;
   std::vector<int> levels_;
   Owners owners_of_;
-  /// Of these shapes; kept for single reads where ranges follow one another, as a matcher asks for them.
+  /// The owners of these shapes. They are kept for single reads where a matcher asks for consecutive ranges.
   std::vector<SegmentOwner> owners_in(const ShapeRange& range) const;
   std::span<const SegmentOwner> kept_owners(const ShapeRange& range) const;
 
-  mutable std::vector<SegmentOwner> owners_;  // of the shapes from first_owned_ on, as far as models were read
+  mutable std::vector<SegmentOwner> owners_;  // of the shapes from first_owned_ on whose models were read
   mutable std::uint32_t first_owned_ = 0;
 };
 

@@ -21,7 +21,7 @@ struct Chunk {
   std::span<const std::uint8_t> content;
 };
 
-/// Takes the first chunk off; one without a kind where there is none.
+/// Takes off the first chunk. Where there is none, returns one without a kind.
 Chunk take_chunk(std::span<const std::uint8_t>& bytes) {
   if (bytes.size() < kFrameBytes) return {};
   const std::size_t length = big_endian(bytes);
@@ -32,7 +32,7 @@ Chunk take_chunk(std::span<const std::uint8_t>& bytes) {
 }
 
 bool is_header(const Chunk& chunk) {
-  // Bit depth 8, colour type RGBA, the one compression, the one filtering, no interlacing.
+  // Bit depth 8, colour type RGBA, the only compression, the only filtering, not interlaced.
   constexpr std::uint8_t kKind[] = {8, 6, 0, 0, 0};
   if (chunk.kind != "IHDR" || chunk.content.size() != kHeaderBytes) return false;
   const auto is_side = [](std::uint32_t px) { return px >= 1 && px <= std::uint32_t(layout::kMaxThumbnailSide_px); };

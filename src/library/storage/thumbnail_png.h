@@ -1,5 +1,5 @@
-// What a thumbnail of a library may be, told from its bytes before anyone decodes it: a PNG may claim any size and hold
-// compressed texts and profiles.
+// Checks the bytes of a library's thumbnail before anyone decodes it: a PNG may claim any size and hold compressed texts
+// and profiles.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 namespace tessera {
 
-/// A PNG of 8-bit RGBA, not interlaced, layout::kMaxThumbnailSide_px a side or less, made of its header, its pixels
-/// and its end alone, as silhouette.cpp writes it. Checksums and pixels are the decoder's matter.
+/// Whether it is a PNG as silhouette.cpp writes it: 8-bit RGBA, not interlaced, each side at most
+/// layout::kMaxThumbnailSide_px, with header, pixels and end only. The decoder checks checksums and pixels.
 bool is_thumbnail_png(std::span<const std::uint8_t> bytes);
 
 }  // namespace tessera

@@ -9,7 +9,7 @@ bool overlaps_little(const Candidate& candidate) {
   return candidate.terms.overlap_px2 <= kMaxOverlap * scale_px * scale_px;
 }
 
-/// With padding the areas are those of grown pieces, and the outlines themselves are apart.
+/// With padding, `areas` are those of grown pieces, and the outlines themselves are apart.
 bool overlaps_little(const Candidate& candidate, const ExactAreas& areas, float padding_px) {
   const float scale_px = candidate.canvas_from_shape.scale();
   return padding_px > 0 || areas.overlap_px2 <= kMaxOverlap * scale_px * scale_px;

@@ -1,4 +1,4 @@
-// May this candidate stand as a piece, by its terms alone? No overlap may show, and it must touch something.
+// Whether a candidate may stand as a piece, judged by its terms alone: no overlap may show, and it must touch something.
 #pragma once
 
 #include "core/collage/exact_terms.h"
@@ -6,9 +6,9 @@
 
 namespace tessera::master {
 
-/// Whether the overlap that the contour samples saw does not show.
+/// Whether the overlap at the contour samples is too small to show.
 bool overlaps_little(const Candidate& candidate);
-/// Whether the exact areas agree that no overlap shows. The contour samples see no overlap where lines lie on lines.
+/// Whether the exact areas agree that no overlap shows. Contour samples alone see no overlap where lines lie on lines.
 bool overlaps_little(const Candidate& candidate, const ExactAreas& areas, float padding_px);
 /// Whether enough of the candidate's boundary lies on the target curve.
 bool touches(const Candidate& candidate);

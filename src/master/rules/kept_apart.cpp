@@ -8,7 +8,7 @@
 namespace tessera::master {
 namespace {
 
-/// To say that a point is near a piece a few of its points are enough.
+/// To find that a point is near a piece, every 16th outline point is compared first.
 constexpr std::size_t kNearPointStride = 16;
 
 bool nearer_than(float reach_px, const std::vector<Vec2>& a, const std::vector<Vec2>& b, Vec2 b_moved_by) {
@@ -88,7 +88,7 @@ bool KeptApart::may_stand(ShapeId shape, const Similarity& canvas_from_shape, fl
   return true;
 }
 
-/// Whether one of the points is farther from all of the pieces.
+/// Whether one of the points is farther than `distance_px` from all of the pieces.
 bool KeptApart::any_beyond(float distance_px, const std::vector<Boundary>& pieces, const AnyPoint& any_point) const {
   const auto near_piece = [&](Vec2 point, const Boundary& piece) {
     for (std::size_t i = 0; i < piece.points_px.size(); i += kNearPointStride) {

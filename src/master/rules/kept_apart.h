@@ -1,5 +1,5 @@
-// Pieces that keep a distance from their like: those of one silhouette (pieces.apart_px), or those that a wish names
-// together. And those that keep away from where their like lay before it was taken out.
+// Distances that pieces keep from their like: from pieces of the same silhouette (pieces.apart_px), or of the shapes that a
+// wish names together. Pieces also keep away from places where their like was taken out.
 #pragma once
 
 #include <cstddef>
@@ -19,37 +19,37 @@ namespace tessera::master {
 /// Whether pieces of any shape keep a distance.
 bool any_kept_apart(const CollageSettings& settings);
 
-/// Distances are those between outlines, which is what is seen; along each outline points are compared, and half of
-/// their spacing is added, so that what stands is as far apart as was wished for, or farther by a 200th of its outline.
+/// Measures distances between outlines, because these are what is seen. It compares points along each outline and adds half
+/// of their spacing: pieces are as far apart as wished for, or farther by a 200th of the outline.
 class KeptApart {
  public:
-  /// `shapes` outlives it. `period` is that of the canvas: across a seam the distance is kept, too.
+  /// `shapes` outlives it. `period` is that of the canvas: the distance is kept across a seam, too.
   KeptApart(const CollageSettings& settings, ShapeSource& shapes, const Period& period);
 
-  /// Whether pieces of any shape keep a distance, or do not come back to where they lay.
+  /// Whether there is any rule: pieces keep a distance, or do not come back to where they lay.
   bool matters() const { return matters_; }
-  /// Whether pieces of this shape keep a distance at all.
+  /// Whether pieces of this shape keep a distance from their like.
   bool concerns(ShapeId shape) const { return company_of(shape).distance_px > 0; }
 
-  /// Whether it is from each other that they keep one.
+  /// Whether pieces of these two shapes keep a distance from each other.
   bool are_like(ShapeId a, ShapeId b) const { return company_of(a).key() == company_of(b).key(); }
 
   void add(const Placement& placement);
   void forget_placements() { placed_.clear(); }
 
-  /// Whether a piece may stand there beside those that were added, and does not come back to where its like lay
-  /// (Wishes::not_back). Only near its like the shape is looked at; `radius`: its own, shape units.
+  /// Whether a piece may stand there beside the added ones and does not come back to where its like lay (Wishes::not_back).
+  /// It reads the shape only near its like. `radius`: of the shape, in shape units.
   bool may_stand(ShapeId shape, const Similarity& canvas_from_shape, float radius);
 
-  /// Says whether something holds of any point of a boundary, canvas px; mostly it is asked about few of them.
+  /// Whether `holds` is true for any point of a boundary, canvas px. Few points are asked about in most cases.
   using AnyPoint = std::function<bool(const std::function<bool(Vec2)>& holds)>;
-  /// Of so many shapes those that could stand at none of these points, ascending: all of them are too near to pieces
-  /// that were added. Matching need not look for them.
+  /// The shapes below `shapes` that could stand at none of the boundary's points, ascending, because all points are too
+  /// near to pieces that were added. Matching need not look for them.
   std::vector<ShapeId> shut_out(std::uint32_t shapes, const AnyPoint& any_point) const;
 
  private:
   struct Company {
-    bool wished = false;  // by name; else: of one silhouette
+    bool wished = false;  // a wish names them together; otherwise they share a silhouette
     std::uint32_t id = 0;
     float distance_px = 0;
 
@@ -73,12 +73,12 @@ class KeptApart {
   Wishes wishes_;
   ShapeSource& shapes_;
   Period period_;
-  std::map<ShapeId, std::vector<Similarity>> not_back_;                     // where they lay, by silhouette
+  std::map<ShapeId, std::vector<Similarity>> not_back_;                     // former poses, by silhouette
   std::map<std::pair<bool, std::uint32_t>, std::vector<Boundary>> placed_;  // by company
 };
 
-/// Those of the placements that keep the distances from their like among those before them and do not come back to
-/// where their like lay, and the first `given`, which stand in any case. `period` is that of the canvas.
+/// The placements that keep the distances from their like among the placements before them, and do not come back to where
+/// their like lay. The first `given` stand in any case. `period` is that of the canvas.
 std::vector<Placement> without_too_near(const std::vector<Placement>& placements, std::size_t given,
                                         const CollageSettings& settings, ShapeSource& shapes, const Period& period);
 

@@ -11,7 +11,7 @@
 namespace tessera::master {
 namespace {
 
-/// Squares of neighbours overlap.
+/// The square in which a piece looks for neighbours. Squares of neighbours overlap.
 Window surroundings(const Similarity& canvas_from_shape, Vec2 moved_px = {}) {
   const float reach_px = kNeighbourReach * canvas_from_shape.scale();
   const Vec2 centre = canvas_from_shape.translation() + moved_px;

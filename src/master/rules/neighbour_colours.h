@@ -1,4 +1,4 @@
-// Neighbours of like or unlike colours: what a candidate's colour is worth beside the pieces that stand round it.
+// Neighbours of like or unlike colours: what a candidate's colour is worth beside the pieces around it.
 #pragma once
 
 #include <cstdint>
@@ -13,15 +13,15 @@ namespace tessera::master {
 
 class NeighbourColours {
  public:
-  /// `period` is that of the canvas: across a seam pieces are neighbours, too.
+  /// `period` is that of the canvas: pieces are neighbours across a seam, too.
   NeighbourColours(const ColourWish& wish, const Period& period);
 
-  /// A piece of this placement stands from now on.
+  /// Adds a piece that stands from now on.
   void add(const Placement& placement);
   void forget_placements();
 
-  /// 1 to 0, by the neighbour whose colour is the least welcome: it falls as pieces are placed, and does not depend on
-  /// their order. 1 where neighbours do not matter.
+  /// A factor from 1 to 0, by the neighbour whose colour is the least welcome. It falls as pieces are placed, in any order.
+  /// 1 where the job has no wish about neighbours.
   float worth(ShapeId shape, const Similarity& canvas_from_shape) const;
 
  private:
@@ -31,7 +31,7 @@ class NeighbourColours {
   ColourWish wish_;
   Period period_;
   std::vector<Placement> placed_;
-  TileIndex index_;  // of placed_, by the squares in which their neighbours' begin, canvas px
+  TileIndex index_;  // of placed_, by squares that overlap for neighbours, canvas px
 };
 
 }  // namespace tessera::master

@@ -9,7 +9,7 @@
 namespace tessera::master {
 namespace {
 
-/// Files of results have poses to three decimals, of px and degrees.
+/// Whether the pose leaves `poses` only by rounding: files of results write px and degrees with three decimals.
 bool is_rounded_out_of(const PoseRange& poses, Similarity pose) {
   constexpr float kRounding_px = 0.0006f;
   constexpr float kRounding_rad = 1e-5f;
@@ -71,7 +71,7 @@ bool OpenShapes::update(const std::vector<ShapeId>& shut_out, double free_px2) {
 float OpenShapes::most_scale_for(const std::vector<ShapeId>& missing, double free_px2) const {
   std::vector<WantedPieces> left;
   for (const ShapeId shape : missing) {
-    if (shapes_.drawing(shape) != shape) continue;  // one of the two takes the places of both
+    if (shapes_.drawing(shape) != shape) continue;  // a drawing and its mirror image count once
     const StanceList& stances = region_stances_.list(shape);
     left.push_back({{stances.min_scale_px, stances.max_scale_px}, double(scoring_.missing_uses(shape))});
   }
@@ -100,7 +100,7 @@ Shortage OpenShapes::shortage() const {
   double missing_px2 = 0;
   for (std::uint32_t i = 0; i < region_stances_.open_shapes(); ++i) {
     const ShapeId shape = region_stances_.open_shape(i);
-    if (shapes_.drawing(shape) != shape) continue;  // one of the two takes the places of both
+    if (shapes_.drawing(shape) != shape) continue;  // a drawing and its mirror image count once
     const StanceList& stances = region_stances_.list(shape);
     const double px2 = double(stances.min_scale_px) * double(stances.max_scale_px);
     wanted_px2 += scoring_.least_uses(shape) * px2;

@@ -35,7 +35,7 @@ Vec2 deepest_px(const Canvas& canvas) {
   return best_px;
 }
 
-/// Where zones or pieces are, at every kStep-th node; at least somewhere.
+/// Marks the nodes, every kStep-th, that zones or pieces cover; at least the node of the first piece.
 Grid<std::uint8_t> seed_at(const Canvas& canvas, const std::vector<Placement>& standing, ShapeSource& shapes,
                            Vec2 first_piece_px) {
   const Grid<float>& nodes = canvas.distance.value;

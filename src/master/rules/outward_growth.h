@@ -1,4 +1,5 @@
-// Growing outward (paper, Fig. 15): pieces dock to what stands, never to the canvas' edge, those near the seed first.
+// Growth outward (paper, Fig. 15): pieces dock to what stands and never to the canvas' edge. Places near the seed come
+// first.
 #pragma once
 
 #include <vector>
@@ -13,25 +14,25 @@ namespace tessera::master {
 
 class OutwardGrowth {
  public:
-  /// The seed is what stands at first: zones of the canvas, and `standing` pieces. Where nothing does, it is the place
-  /// of the first piece.
+  /// The seed is the zones of the canvas and the `standing` pieces. Where there are none, it is the place of the first
+  /// piece.
   OutwardGrowth(const Canvas& canvas, const PieceSettings& pieces, const std::vector<Placement>& standing,
                 ShapeSource& shapes);
 
-  /// Whether pieces may dock here: on the boundary of what stands. `free` is that of the canvas.
+  /// Whether pieces may dock at this point, that is, on the boundary of what stands. `free` is that of the canvas.
   bool may_dock(const FreeField& free, Vec2 canvas_px) const;
 
-  /// What is left (0..1) of a candidate's score there: less the further it is from the seed.
+  /// A factor (0..1) for the score of a candidate at this point: it falls with the distance from the seed.
   float nearness(Vec2 canvas_px) const;
 
-  /// Deepest in the canvas; of places as deep, the one nearest to its middle.
+  /// The point of the canvas that is deepest inside; of several, the one nearest to the middle.
   Vec2 first_piece_px() const { return first_piece_px_; }
 
  private:
   CanvasField zones_;  // Canvas::keep_out
-  float kept_px_;      // round zones, and within the canvas' edge
+  float kept_px_;      // px, round zones and within the canvas' edge
   float on_edge_px_;
-  float fading_px_;  // over which nearness falls to 1 / e
+  float fading_px_;  // px over which nearness falls to 1 / e
   Vec2 first_piece_px_;
   Grid<float> to_seed_px_;  // at every kStep-th node of the canvas
   Vec2 origin_;

@@ -12,7 +12,7 @@
 namespace tessera::master {
 namespace {
 
-/// Each that is not listed is its own.
+/// Completes the list: each shape that is not listed stands for itself.
 std::vector<ShapeId> filled_up(std::vector<ShapeId> listed, std::uint32_t shapes) {
   for (std::uint32_t shape = std::uint32_t(listed.size()); shape < shapes; ++shape) listed.push_back(ShapeId(shape));
   return listed;
@@ -44,7 +44,7 @@ void Scoring::forget_placements() {
   neighbours_.forget_placements();
 }
 
-/// Of this drawing alone: the same outline in other colours is another one.
+/// Pieces of this drawing alone: the same outline in other colours is another drawing.
 int Scoring::uses_of(ShapeId shape) const {
   const std::vector<Placed>& placed = placed_[silhouette(shape)];
   return int(
@@ -79,7 +79,7 @@ float Scoring::preference(const Candidate& candidate) const {
   return of_repetition(candidate) * neighbours_.worth(candidate.shape, candidate.canvas_from_shape);
 }
 
-/// Repetition costs something, or one shape that fits everywhere fills the canvas.
+/// The cost of repetition. Without it one shape that fits everywhere would fill the canvas.
 float Scoring::of_repetition(const Candidate& candidate) const {
   const std::vector<Placed>& placed = placed_[silhouette(candidate.shape)];
   if (placed.empty()) return 1;

@@ -1,4 +1,4 @@
-// What candidates are worth to the collage as it is: the objective, less the cost of repetition (paper section 4).
+// The worth of candidates to the present collage: the objective, less the cost of repetition (paper section 4).
 #pragma once
 
 #include <cstdint>
@@ -16,37 +16,36 @@ namespace tessera::master {
 
 class Scoring {
  public:
-  /// `silhouettes`: for each shape of the library the first one with its silhouette; empty: each is its own. Shapes of
-  /// one silhouette repeat each other. `period` is that of the canvas: copies across a seam are near, too. `drawings`:
-  /// for each shape the one that it is the mirror image of, mostly itself; empty: there are no mirror images. Uses are
-  /// those of the drawing, however it stands.
+  /// `silhouettes`: for each shape of the library, the first shape with its silhouette; shapes of one silhouette repeat
+  /// each other. Empty: each shape has its own. `drawings`: for each shape, the shape whose mirror image it is, mostly
+  /// itself; uses are counted by drawing. Empty: there are no mirror images. `period` is that of the canvas: copies across
+  /// a seam are near, too.
   Scoring(const CollageSettings& settings, const StanceTable& stances, std::vector<ShapeId> silhouettes = {},
           const Period& period = {}, std::vector<ShapeId> drawings = {});
 
-  /// A piece of this placement stands from now on.
+  /// Adds a piece that stands from now on.
   void count(const Placement& placement);
   void forget_placements();
 
-  /// Whether it matters at all how often a shape stands.
+  /// Whether the job limits how often a shape stands.
   bool limits_uses() const { return uses_.any(); }
-  /// Whether at one pose they cover the same: a silhouette in other colours does, its mirror image does not.
+  /// Whether the two cover the same area at the same pose. A silhouette in other colours does, its mirror image does not.
   bool look_alike(ShapeId a, ShapeId b) const {
     return silhouette(a) == silhouette(b) && is_mirror_image(a) == is_mirror_image(b);
   }
-  /// Whether another one of the shape may stand.
+  /// Whether one more piece of the shape may stand.
   bool may_use(ShapeId shape) const;
-  /// How many of the shape are wanted at least.
+  /// The least number of pieces of the shape that are wanted.
   int least_uses(ShapeId shape) const { return uses_.least(shape); }
-  /// How many fewer of the shape stand than are wanted at least.
+  /// The number of pieces of the shape that are missing to the least number.
   int missing_uses(ShapeId shape) const;
-  /// Those that may not stand for the moment, ascending: where some are `missing`, ascending, all
-  /// others.
+  /// The shapes that may not stand at the moment, ascending. Where some are `missing` (ascending), all others are closed.
   std::vector<ShapeId> closed_shapes(const std::vector<ShapeId>& missing) const;
-  /// The objective of the candidate's terms, times the weight that is wished for and what its colours are worth there.
+  /// The objective of the candidate's terms, times the wished weight and what its colours are worth there.
   float score(const Candidate& candidate) const;
-  /// The part (0..1) of its score that is left to a candidate by what stands already: the smaller, the more there are of
-  /// its silhouette, above all close by and in the same colours, and the less its neighbours' colours are welcome. It
-  /// falls as pieces are placed, and never rises but by forget_placements().
+  /// A factor (0..1) for the score, by the pieces that stand. It is smaller the more of them share the candidate's
+  /// silhouette, above all close by and in the same colours, and the less welcome its neighbours' colours are. It falls as
+  /// pieces are placed, and rises only by forget_placements().
   float preference(const Candidate& candidate) const;
 
  private:

@@ -1,4 +1,4 @@
-// What is missing in a collage of the pieces that must find a place.
+// The pieces that a collage lacks although they must find a place.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@ namespace tessera::master {
 
 struct Shortage {
   std::uint64_t pieces = 0;
-  double placed = 1;  // the part of all wanted pieces that stands, by their areas at the middle of their sizes
+  double placed = 1;  // part of the wanted pieces that stands, by their areas at the middle of their sizes
 };
 
 }  // namespace tessera::master

@@ -21,7 +21,7 @@ GivenPieces::GivenPieces(const Canvas& canvas, const Wishes& wishes, ShapeSource
   }
 }
 
-/// Those that are free in the region stand in the order in which the job gives them: nothing has moved them yet.
+/// The free pieces of the region still stand in the job's order, as nothing has moved them yet.
 StandingPieces GivenPieces::when_begun(std::uint32_t region, const std::vector<Placement>& standing) const {
   auto free = free_in_[region].begin();
   std::vector<Placement> given;

@@ -1,5 +1,5 @@
-// What stands when a region of the canvas is begun, and which of it improving may move there. Of the pieces that a job
-// gives and that are free each may move while the region is filled in which it lies; in all others it stands still.
+// The pieces that stand when a region of the canvas is begun, and how many of them must stay. A free piece of the job may
+// move only while the region is filled in which it lies.
 #pragma once
 
 #include <cstddef>
@@ -15,18 +15,18 @@ namespace tessera::master {
 
 struct StandingPieces {
   std::vector<Placement> pieces;
-  std::size_t given = 0;  // so many of them, the first ones, stand to the end of the region
+  std::size_t given = 0;  // the first `given` stay to the end of the region
 };
 
 class GivenPieces {
  public:
   GivenPieces(const Canvas& canvas, const Wishes& wishes, ShapeSource& shapes);
 
-  /// When nothing is placed yet.
+  /// The pieces of the first region, before anything is placed.
   StandingPieces at_first() const { return when_begun(0, all_); }
-  /// `standing`: what stands when the region is begun, the locked pieces first.
+  /// The pieces of a region that is begun now. `standing`: the pieces of the collage, the locked ones first.
   StandingPieces when_begun(std::uint32_t region, const std::vector<Placement>& standing) const;
-  /// As when_begun() had it, of which `given` are known.
+  /// The result of when_begun(), made again from the pieces that stay (`given`).
   StandingPieces when_begun_with(std::uint32_t region, std::vector<Placement> given) const;
 
   std::size_t size() const { return all_.size(); }

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kLeastCandidate_px2 = 0.06 * kElement_px2;
 constexpr double kSolidCandidate = 0.7;
-/// Pixels of all ways that are tried at a time.
+/// Upper bound of the pixels of all ways that run at a time.
 constexpr double kMostMapped_px2 = 6e6;
 
 cv::Mat elements_of(const cv::Mat& mask) {
@@ -36,10 +36,10 @@ double usual_area_px2(const std::vector<RegionBox>& regions) {
   return sum;
 }
 
-/// Takes label maps, in their size.
+/// Receives label maps in their own size.
 using Take = std::function<void(const cv::Mat&)>;
 
-/// Bright or dark elements, whichever make more solid regions of a usual size: in the best two of the levels.
+/// Finds bright or dark elements, whichever give more solid regions of a usual size, in the best two levels.
 void by_levels(const cv::Mat& bgr, const Take& take) {
   const LevelMasks masks = level_masks(bgr);
   std::vector<LabelRuns> better;
@@ -63,7 +63,7 @@ void by_colours(const cv::Mat& lab, const Take& take) {
   for (const int colour_count : {3, 4, 5}) take(elements_of(colour_mask(lab, colour_count)));
 }
 
-/// Basins shallower than `depth` are one with their neighbours.
+/// Merges basins shallower than `depth` with their neighbours.
 cv::Mat deep_basins(const cv::Mat& relief, const cv::Mat& basins, double depth) {
   return merged_basins(relief, basins, [depth](float saddle, float floor) { return saddle - floor < depth; });
 }
@@ -78,7 +78,7 @@ void by_gradient(const cv::Mat& lab, const Take& take) {
 }
 
 struct Leaves {
-  double depth;  // of the basins that the tree starts from
+  double depth;  // of the basins that the tree begins with
   double solidity_power;
 };
 
@@ -93,7 +93,7 @@ void by_merges(const cv::Mat& lab, const BoundaryKind& kind, const std::vector<L
   }
 }
 
-/// A way to find elements, which gives its maps to `take`, one after the other.
+/// A way to find elements; it gives its maps to `take`, one after the other.
 using Way = std::function<void(const Take& take)>;
 
 std::vector<Way> ways_to_find(const cv::Mat& bgr, const cv::Mat& lab) {
@@ -113,7 +113,7 @@ std::vector<Way> ways_to_find(const cv::Mat& bgr, const cv::Mat& lab) {
   };
 }
 
-/// The maps that a way finds, at `size`.
+/// The maps of one way, scaled to `size`.
 std::vector<LabelRuns> maps_of(const Way& way, cv::Size size) {
   std::vector<LabelRuns> maps;
   way([&](const cv::Mat& labels) {
@@ -129,7 +129,7 @@ std::vector<LabelRuns> maps_of(const Way& way, cv::Size size) {
 std::vector<LabelRuns> candidate_maps(const cv::Mat& bgr, const cv::Mat& lab, cv::Size size) {
   const std::vector<Way> ways = ways_to_find(bgr, lab);
   std::vector<std::vector<LabelRuns>> found(ways.size());
-  std::vector<std::exception_ptr> thrown(ways.size());  // not every backend of parallel_for_ carries them over
+  std::vector<std::exception_ptr> thrown(ways.size());  // not every backend of parallel_for_ passes them on
   const auto go = [&](std::size_t way) {
     try {
       found[way] = maps_of(ways[way], size);

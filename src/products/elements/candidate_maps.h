@@ -1,4 +1,4 @@
-// Several ways to find elements in one picture.
+// Finds elements in one picture in several ways, each of which gives maps of labels.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -8,9 +8,9 @@
 
 namespace tessera {
 
-/// `bgr`: CV_8UC3, elements kElement_px wide. `lab`: smooth_lab(bgr). Gives the label maps of each way, in `size`; they
-/// differ where the picture is hard. The larger the picture, the fewer ways are tried at a time: each takes some 40 bytes
-/// a pixel while it lasts.
+/// `bgr`: CV_8UC3, with elements kElement_px wide. `lab`: smooth_lab(bgr). Returns the label maps of all ways, in `size`;
+/// they differ where the picture is hard. For a larger picture fewer ways run at a time, because each takes some 40 bytes a
+/// pixel.
 std::vector<LabelRuns> candidate_maps(const cv::Mat& bgr, const cv::Mat& lab, cv::Size size);
 
 }  // namespace tessera

@@ -10,7 +10,7 @@
 namespace tessera {
 namespace {
 
-/// 007 of 250.
+/// The number with as many digits as `count` has: 007 of 250.
 std::string number_text(std::size_t number, std::size_t count) {
   const std::string text = std::to_string(number);
   return std::string(std::to_string(count).size() - text.size(), '0') + text;

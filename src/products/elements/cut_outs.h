@@ -1,4 +1,4 @@
-// The elements of photographs as drawings that a library can be built from: small pictures with transparency, embedded.
+// Turns the elements of photographs into drawings for a library: small pictures with transparency, embedded.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +13,17 @@
 namespace tessera {
 
 struct CutOut {
-  std::string path;   // of no file: that of the photo, and in it PHOTO_001.png; tells cut-outs apart
-  std::string photo;  // path
+  std::string path;   // of no real file: PHOTO_001.png in the photo's path; tells cut-outs apart
+  std::string photo;  // path of the photo
   std::vector<std::uint8_t> png;
 };
 
-/// `picture`, `labels`: see cut_element. Numbers are those of the overview.
+/// Cuts out the elements. `picture`, `labels`: see cut_element(). The numbers are those of the overview.
 std::vector<CutOut> cut_outs(const std::string& photo, const cv::Mat& picture, const LabelRuns& labels,
                              const std::vector<PhotoElement>& elements);
 
-/// For build_library, of the cut-outs' paths. Their PNGs become Artwork::original, the photo Artwork::path. Drawers and
-/// cut-outs must outlive the loader.
+/// A loader for build_library() that takes the cut-outs' paths. Their PNGs become Artwork::original, the photo
+/// Artwork::path. Drawers and cut-outs must outlive the loader.
 ShapeLoader cut_out_loader(Drawers& drawers, const std::vector<CutOut>& cut_outs, const TracingSettings& settings);
 
 }  // namespace tessera

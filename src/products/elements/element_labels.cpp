@@ -20,13 +20,13 @@
 namespace tessera {
 namespace {
 
-/// Two working copies: small parts are found in the finer one, large elements with much texture in the coarser one.
+/// Scale of the finer of two working copies. It shows small parts; the coarser one shows large elements with much texture.
 constexpr double kFiner = 1.4;
-/// A copy larger than the photo by more than this shows nothing more.
+/// Copies that are enlarged more than this show nothing more.
 constexpr double kMostZoom = 4;
-/// Of the finer copy.
+/// Pixels of the finer copy, at most.
 constexpr double kMostWorking_px2 = 6e6;
-/// By which a size may be wrong, and so by which the copy may be smaller than it should be.
+/// Factor by which a size may be wrong, and by which the copy may be smaller than it should be.
 constexpr double kSizeTolerance = 1.4;
 /// Smaller copies hold no element.
 constexpr int kLeastSide_px = kElement_px / 2;
@@ -39,7 +39,7 @@ void check(const cv::Mat& photo, double element_px) {
                                 " px; it must be a number above 0");
 }
 
-/// Of the coarser copy by the photo.
+/// Scale of the coarser copy, relative to the photo.
 double zoom_for(cv::Size photo, double element_px) {
   const double wanted = std::min(kMostZoom, kElement_px / element_px);
   const double possible = std::sqrt(kMostWorking_px2 / (double(photo.width) * photo.height)) / kFiner;

@@ -10,11 +10,11 @@
 namespace tessera {
 namespace {
 
-/// Of the local brightness, in element sides.
+/// The Gaussian for the local brightness; the factor is in sides of an element.
 constexpr double kNeighbourhood_px = kElement_px * 0.625;
 constexpr std::array kLevels = {-0.6, -0.3, 0.};
 
-/// By the local mean and standard deviation.
+/// The grey, relative to its local mean, in local standard deviations.
 cv::Mat normalised_grey(const cv::Mat& bgr) {
   cv::Mat grey, mean, variance;
   cv::cvtColor(bgr, grey, cv::COLOR_BGR2GRAY);
@@ -27,7 +27,7 @@ cv::Mat normalised_grey(const cv::Mat& bgr) {
   return grey / (variance + 2);
 }
 
-/// Area of regions of a usual size that fill their box.
+/// The area of regions of a usual size that fill their bounding box.
 double compact_area_px2(const cv::Mat& mask) {
   cv::Mat labels, stats, centroids;
   const int count = cv::connectedComponentsWithStats(mask, labels, stats, centroids, 4);

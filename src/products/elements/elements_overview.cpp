@@ -11,9 +11,9 @@ namespace {
 const cv::Scalar kWhite(255, 255, 255), kBlack(0, 0, 0), kLine(40, 60, 230);
 constexpr double kMostPixels = 16e6;
 
-/// As the element is shown.
+/// An element and the scale at which it is shown.
 struct Shown {
-  double zoom;  // of the overview by the photo
+  double zoom;  // of the overview, relative to the photo
   const PhotoElement& element;
 
   double size_px() const { return zoom * std::sqrt(element.area_px2); }
@@ -21,7 +21,7 @@ struct Shown {
 
 cv::Point scaled(cv::Point point, double zoom) { return {int(point.x * zoom), int(point.y * zoom)}; }
 
-/// A number that fits into the element, readable on light and on dark.
+/// Writes a number that fits into the element and is readable on light and dark colours.
 void write_number(cv::Mat& picture, const Shown& shown, std::size_t number) {
   constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
   const std::string text = std::to_string(number);
@@ -54,7 +54,7 @@ cv::Mat elements_overview(const cv::Mat& photo, const LabelRuns& labels, const s
   cv::Mat picture = photo;
   if (zoom < 1) cv::resize(photo, picture, scaled({photo.cols, photo.rows}, zoom), 0, 0, cv::INTER_AREA);
   cv::cvtColor(picture, picture, cv::COLOR_BGRA2BGR);
-  picture.convertTo(picture, -1, 0.7, 0.3 * 255);  // white
+  picture.convertTo(picture, -1, 0.7, 0.3 * 255);  // towards white
   for (const PhotoElement& element : elements) draw_outline(picture, labels, {zoom, element});
   for (std::size_t i = 0; i < elements.size(); ++i) write_number(picture, {zoom, elements[i]}, i + 1);
   return picture;

@@ -1,4 +1,5 @@
-// The program keeps freed memory (program/run_main.cpp): between two steps that each take much of it, it is given back.
+// Gives freed memory back to the system between two steps that take much of it; otherwise the program keeps it
+// (program/run_main.cpp).
 #pragma once
 
 #include <malloc.h>

@@ -17,8 +17,8 @@ using Vector = cv::Vec<double, kFeatures>;
 using Matrix = cv::Matx<double, kFeatures, kFeatures>;
 
 constexpr std::size_t kGapSample = 20000;
-/// Log-likelihoods (twice) of element against gap: a region below the first that also lies within the second of the gap
-/// looks like gap.
+/// Twice the log-likelihood ratio of element against gap, and a squared distance from the gap's look. A region below the
+/// first limit and within the second looks like gap.
 constexpr double kLikeGap = -1;
 constexpr double kWithinGap = 12;
 
@@ -28,7 +28,7 @@ cv::Mat blurred(const cv::Mat& map, double sigma_px) {
   return result;
 }
 
-/// A Gaussian of features around their median.
+/// A Gaussian distribution of features around their median.
 class Appearance {
  public:
   Appearance(const cv::Mat& features, const cv::Mat& mask) {
@@ -50,7 +50,7 @@ class Appearance {
     }
   }
 
-  /// Squared distance in standard deviations.
+  /// The squared distance in standard deviations.
   double distance2(const Feature& feature) const {
     const Vector d = Vector(feature) - median_;
     return d.dot(Vector((inverse_ * d).val));
@@ -80,7 +80,7 @@ struct Likeness {
   double from_gap = 0;
 };
 
-/// Means over each label's pixels.
+/// The means over each label's pixels.
 std::vector<Likeness> likeness_of(const cv::Mat& labels, const cv::Mat& features, const Appearance& element,
                                   const Appearance& gap) {
   const std::vector<RegionBox> regions = region_boxes(labels);

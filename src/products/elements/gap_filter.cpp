@@ -11,16 +11,16 @@
 namespace tessera {
 namespace {
 
-constexpr double kLeastGap = 0.02;  // of the picture
+constexpr double kLeastGap = 0.02;  // part of the picture
 constexpr int kLeastElement_px2 = 100;
-/// An element of the gap's look is surrounded by gap for more than this part,
+/// An element that looks like gap is surrounded by gap for more than this part of its boundary,
 constexpr double kLeastOpen = 0.5;
-/// and differs from it by more than this part of what elements usually do.
+/// and differs from that gap by more than this part of the usual difference.
 constexpr double kLeastContrast = 0.5;
 
 struct Surroundings {
   double open = 0;      // part of the ring around the region that is gap
-  double contrast = 0;  // of the region's inside to that gap: CIE Lab, a and b times 1.5
+  double contrast = 0;  // between the region's inside and that gap: CIELAB, a and b times 1.5
 };
 
 Surroundings surroundings_of(const cv::Mat& labels, const cv::Mat& lab, int label, const cv::Rect& box) {
@@ -54,7 +54,7 @@ std::vector<Surroundings> all_surroundings(const cv::Mat& labels, const cv::Mat&
   return surroundings;
 }
 
-/// Of those that do not look like gap.
+/// The usual contrast of regions that do not look like gap.
 double usual_contrast(const std::vector<Surroundings>& surroundings, const std::vector<char>& is_like_gap) {
   std::vector<double> contrasts;
   for (std::size_t i = 1; i < surroundings.size(); ++i) {
@@ -74,7 +74,7 @@ cv::Mat without_gap_regions(const cv::Mat& labels, const cv::Mat& bgr, const cv:
   const std::vector<RegionBox> regions = region_boxes(labels);
   const std::vector<Surroundings> surroundings = all_surroundings(labels, lab, regions);
   cv::Mat kept = labels.clone();
-  // Twice: what was found to be gap teaches how the gap looks.
+  // Twice, because the regions that the first round finds to be gap improve the model of the gap.
   for (int round = 0; round < 2; ++round) {
     if (cv::countNonZero(gap) < kLeastGap * double(labels.total())) break;
     if (cv::countNonZero(element) < kLeastElement_px2) break;

@@ -5,7 +5,7 @@
 namespace tessera {
 
 GroundLight::GroundLight(const cv::Mat& lab, const cv::Mat& is_ground) {
-  constexpr double kRidge = 1e-6;  // few pixels do not say all terms
+  constexpr double kRidge = 1e-6;  // keeps the fit solvable where few pixels do not determine all terms
   auto normal = cv::Matx<double, kTerms, kTerms>::eye() * kRidge;
   auto sums = cv::Matx<double, kTerms, 3>::zeros();
   for (int y = 0; y < lab.rows; ++y) {

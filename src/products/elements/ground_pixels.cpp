@@ -14,16 +14,16 @@ namespace {
 
 /// Side of the cells of gap that are judged as a whole, px of the working copy.
 constexpr int kCell_px = 3;
-/// Of an element's edge, which is soft, px of the photo.
+/// Width of the soft edge of an element, px of the photo.
 constexpr int kSoftEdge_px = 2;
-/// Less than this of either kind teaches nothing.
+/// Samples with fewer pixels teach nothing.
 constexpr int kLeastSample_px2 = 100;
 
-/// The largest working copy: its features take some 70 bytes a pixel.
+/// Upper bound of the working copy: its features take some 70 bytes a pixel.
 constexpr double kMostGround_px2 = 2e6;
 
-/// Of the photo, so that an element of the median size is kElement_px large, as the features of appearance want it, or
-/// smaller where there are very many.
+/// Scale of the working copy, relative to the photo. An element of the median size becomes kElement_px large, as the
+/// features need it, or smaller where there are very many.
 double working_zoom(const LabelRuns& labels) {
   const double possible = std::min(1., std::sqrt(kMostGround_px2 / std::max(1., double(labels.size().area()))));
   std::vector<double> areas;
@@ -42,7 +42,7 @@ cv::Mat resized(const cv::Mat& picture, cv::Size size, int filter) {
   return result;
 }
 
-/// CV_32S: the pixels of each cell of the mask have a number of their own, from 1.
+/// Numbers the cells of the mask, from 1: each pixel has its cell's number, CV_32S.
 cv::Mat cells_of(const cv::Mat& mask) {
   const int columns = (mask.cols + kCell_px - 1) / kCell_px;
   cv::Mat cells = cv::Mat::zeros(mask.size(), CV_32S);
@@ -54,8 +54,8 @@ cv::Mat cells_of(const cv::Mat& mask) {
   return cells;
 }
 
-/// Of the gap what looks like most of it rather than like elements. Twice: elements that were not found blur at first
-/// what gap looks like.
+/// The part of the gap that looks like most of the gap rather than like elements. It judges twice, because elements that
+/// were not found spoil the first model of the gap.
 cv::Mat like_gap(const cv::Mat& bgr, const cv::Mat& gap, const cv::Mat& element) {
   const cv::Mat features = appearance_features(bgr), cells = cells_of(gap);
   cv::Mat like = gap.clone();
@@ -70,7 +70,8 @@ cv::Mat like_gap(const cv::Mat& bgr, const cv::Mat& gap, const cv::Mat& element)
   return like;
 }
 
-/// With what was not judged, as elements have a part in it, and with single cells that look otherwise.
+/// The part of the photo that is ground. It includes cells that were not judged because elements cover part of them, and
+/// single cells that look different.
 double part_of_photo(const cv::Mat& like_gap, const cv::Mat& is_gap) {
   cv::Mat whole;
   cv::morphologyEx(like_gap, whole, cv::MORPH_CLOSE, round_window(2 * kCell_px + 1));

@@ -11,30 +11,31 @@
 namespace tessera {
 namespace {
 
-/// Large patches keep more of what the ground looks like; narrow joints have small ones only.
+/// Sides of patches. Large patches keep more of the ground's look; narrow joints hold only small ones.
 constexpr std::array kPatchSides_px = {64, 48, 32, 24, 16, 12, 8, kLeastPatch_px};
-/// So many places that do not overlap are enough for a ground that does not repeat itself at sight.
+/// The number of places without overlap at which a ground shows no visible repetition.
 constexpr int kEnoughPlaces = 48;
-/// A patch lies over its neighbours by this part of its side.
+/// The part of its side by which a patch overlaps its neighbours.
 constexpr double kOverlap = 1. / 3;
-/// Patches that are looked at for each place.
+/// The most patches that are compared for each place.
 constexpr std::size_t kMostCandidates = 2000;
-/// One of those is taken that fit nearly as well as the best: by this factor, and this much of each channel.
+/// The patch is drawn from those that fit nearly as well as the best: within this factor, plus so many steps of each
+/// channel.
 constexpr double kTolerance = 1.1;
 constexpr int kNoise = 1;
-/// Light changes over so many sides of a patch and more.
+/// Light is estimated over a window of so many sides of a patch.
 constexpr double kLight_patches = 1.5;
-/// In steps of this part of it.
+/// Cells for each side of that window.
 constexpr double kCellsOfWindow = 8;
 
-/// Where a patch of this side lies wholly in the ground: CV_8U, at its upper left corner.
+/// The places where a patch of this side lies wholly in the ground: CV_8U, at its upper left corner.
 cv::Mat patch_places(const cv::Mat& ground, int side_px) {
   cv::Mat places;
   cv::erode(ground, places, cv::Mat::ones(side_px, side_px, CV_8U), {0, 0}, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
   return places;
 }
 
-/// How many of them do not overlap, as taken from top to bottom.
+/// The number of these places without overlap, taken from top to bottom.
 int places_apart(cv::Mat places, int side_px) {
   int count = 0;
   for (int y = 0; y < places.rows; ++y) {
@@ -48,7 +49,7 @@ int places_apart(cv::Mat places, int side_px) {
   return count;
 }
 
-/// The mean colour of the ground round each cell of `cell_px` pixels each way, over a window: CV_32FC3.
+/// The mean colour of the ground over a window around each cell of `cell_px` pixels: CV_32FC3.
 cv::Mat light_of(const cv::Mat& photo, const cv::Mat& ground, int cell_px, double window_px) {
   const cv::Size cells((photo.cols + cell_px - 1) / cell_px, (photo.rows + cell_px - 1) / cell_px);
   cv::Mat sum = cv::Mat::zeros(cells, CV_32FC3), weight = cv::Mat::zeros(cells, CV_32F);
@@ -70,7 +71,7 @@ cv::Mat light_of(const cv::Mat& photo, const cv::Mat& ground, int cell_px, doubl
   return light;
 }
 
-/// The cells beside a pixel, and how near the second one is.
+/// The two cells beside a pixel, and the share of the second one.
 struct BetweenCells {
   int first = 0, second = 0;
   float share = 0;
@@ -82,8 +83,8 @@ BetweenCells cells_beside(int pixel, int cell_px, int cells) {
   return {first, std::min(first + 1, cells - 1), at - float(first)};
 }
 
-/// The photo with the same light everywhere, CV_8UC3: the ground's mean in place of what it is over a large window. The
-/// light, which changes slowly, is known for cells of many pixels, so that a large photo takes no more room than it must.
+/// The photo with the same light everywhere, CV_8UC3: the mean over a large window is replaced by the ground's mean. The
+/// light changes slowly and is kept for cells of many pixels, so that a large photo takes little memory.
 cv::Mat evened_out(const cv::Mat& photo, const cv::Mat& ground, double window_px) {
   const int cell_px = std::max(1, int(window_px / kCellsOfWindow));
   const cv::Mat light = light_of(photo, ground, cell_px, window_px);
@@ -107,7 +108,7 @@ cv::Mat evened_out(const cv::Mat& photo, const cv::Mat& ground, double window_px
   return even;
 }
 
-/// The torus that is filled, patch by patch, from left to right and from top to bottom.
+/// The torus that is filled patch by patch, from left to right and from top to bottom.
 class Quilt {
  public:
   Quilt(const cv::Mat& source, const cv::Mat& places, int patch_px, int side_px)
@@ -137,10 +138,10 @@ class Quilt {
   }
 
  private:
-  /// Pixels of a row of the patch that are there already, one beside the other.
+  /// Pixels in a row of the patch that are there already, one beside the other.
   struct SharedRun {
     std::ptrdiff_t source_offset;      // from the patch's first pixel, bytes
-    std::vector<std::uint8_t> values;  // three each
+    std::vector<std::uint8_t> values;  // three for each pixel
   };
 
   int wrapped(int at) const { return at % side_px_; }
@@ -161,7 +162,7 @@ class Quilt {
     return runs;
   }
 
-  /// Squared; stops where it is more than `most`.
+  /// The squared difference; it stops where it exceeds `most`.
   double difference(const std::vector<SharedRun>& shared, cv::Point candidate, double most) const {
     const std::uint8_t* first = source_.ptr(candidate.y) + 3 * candidate.x;
     double sum = 0;
@@ -169,7 +170,7 @@ class Quilt {
       const std::uint8_t* source = first + run.source_offset;
       const std::uint8_t* there = run.values.data();
       const int length = int(run.values.size());
-      int of_run = 0;  // a patch's row has 192 values at most
+      int of_run = 0;  // a row of a patch has at most 192 values
       for (int i = 0; i < length; ++i) of_run += (source[i] - there[i]) * (source[i] - there[i]);
       sum += of_run;
       if (sum > most) break;
@@ -177,11 +178,11 @@ class Quilt {
     return sum;
   }
 
-  /// How often patches were taken from about there.
+  /// How many patches were taken near this place.
   int& uses_near(cv::Point candidate) { return uses_.at<int>(candidate / patch_px_); }
 
-  /// What fits well, the better the more often something near it was taken before: otherwise what is smooth, and fits
-  /// everywhere, would spread.
+  /// Chooses a patch that fits well. It prefers patches from places near which others were taken before; otherwise smooth
+  /// patches, which fit everywhere, would spread.
   cv::Point chosen_for(cv::Point corner) {
     const std::vector<SharedRun> shared = shared_with(corner);
     double noise = 1;
@@ -202,8 +203,7 @@ class Quilt {
     return chosen;
   }
 
-  /// For each row of a strip of differences, `width` px wide, the column of the path from its top to its bottom along
-  /// which they are least.
+  /// The path from top to bottom of a strip of differences along which they are least: a column for each row.
   static std::vector<int> cheapest_path(const cv::Mat& differences) {
     cv::Mat sums = differences.clone();
     for (int y = 1; y < sums.rows; ++y) {
@@ -225,13 +225,13 @@ class Quilt {
     return path;
   }
 
-  /// What the patch keeps of the left strip of `differences`, `width` px wide: taken from `kept`, CV_8U.
+  /// Clears `kept` (CV_8U) on the left of the path through the left strip of `differences`, `width` px wide.
   static void cut_left(const cv::Mat& differences, int width, cv::Mat kept) {
     const std::vector<int> path = cheapest_path(differences.colRange(0, width));
     for (int y = 0; y < kept.rows; ++y) kept.row(y).colRange(0, path[std::size_t(y)]).setTo(0);
   }
 
-  /// The same from another side: turned there and back.
+  /// The same from another side: turns the pictures there and back.
   template <class Turn>
   static void cut_from(const Turn& turn, const cv::Mat& differences, int width, cv::Mat kept) {
     cv::Mat turned, turned_kept;
@@ -241,14 +241,14 @@ class Quilt {
     turn(turned_kept, kept);
   }
 
-  /// Where the patch is laid over what is there: beyond the seams along which the two differ least.
+  /// The part of the patch that is laid over what is there: beyond the seams along which the two differ least.
   cv::Mat kept_part(std::size_t row, std::size_t column, const cv::Mat& differences) const {
     cv::Mat kept(patch_px_, patch_px_, CV_8U, cv::Scalar(255));
     const std::size_t last = starts_.size() - 2;
     const auto overlap = [&](std::size_t i) { return patch_px_ - (starts_[i + 1] - starts_[i]); };
     const auto mirror = [](const cv::Mat& from, cv::Mat& to) { cv::flip(from, to, 1); };
     const auto transpose = [](const cv::Mat& from, cv::Mat& to) { cv::transpose(from, to); };
-    const auto turn_over = [](const cv::Mat& from, cv::Mat& to) {  // its own inverse
+    const auto turn_over = [](const cv::Mat& from, cv::Mat& to) {  // is its own inverse
       cv::transpose(from, to);
       cv::flip(to, to, -1);
     };
@@ -286,7 +286,7 @@ class Quilt {
   const int side_px_;
   cv::Mat quilt_;
   cv::Mat filled_;
-  cv::Mat uses_;                       // of each square of patch_px_ of the source
+  cv::Mat uses_;                       // for each square of patch_px_ in the source
   std::vector<cv::Point> candidates_;  // upper left corners in the source
   std::vector<int> starts_;            // of the patches in both directions, and the end
   std::mt19937 random_;

@@ -10,18 +10,18 @@
 namespace tessera {
 namespace {
 
-/// Of the edge's opacity: hides the stairs of the pixels and moves no edge.
+/// Blur of the edge's opacity: it hides the stairs of pixels and does not move the edge.
 constexpr double kEdgeBlur_px = 0.8;
 /// Room for the blurred edge.
 constexpr int kRim_px = 3;
-/// How far colours go on beyond the edge.
+/// How far colours continue beyond the edge.
 constexpr double kColourReach_px = 1.5;
-/// From where a pixel has an influence on them.
+/// How far a pixel influences these colours.
 constexpr int kReach_px = 8;
-/// Pixels whose colours are made at a time.
+/// The most pixels whose colours are made at a time.
 constexpr int kMostAtATime_px2 = 1'000'000;
 
-/// Where the mask is empty, what is near in it.
+/// Fills places where the mask is empty with the near colours inside it.
 cv::Mat colours_beyond(const cv::Mat& bgr, const cv::Mat& mask) {
   cv::Mat weight, sum;
   mask.convertTo(weight, CV_32F, 1.0 / 255);
@@ -66,7 +66,7 @@ FoundElements find_elements(const LabelRuns& labels, const ElementSizes& sizes) 
 }
 
 cv::Mat cut_element(const cv::Mat& photo, const LabelRuns& labels, const PhotoElement& element) {
-  // What lies beyond the photo is only rim: no element reaches its edge.
+  // Beyond the photo there is only rim, because no element reaches the photo's edge.
   const cv::Rect around(element.box.tl() - cv::Point(kRim_px, kRim_px), element.box.br() + cv::Point(kRim_px, kRim_px));
   const cv::Rect window = around & cv::Rect({}, photo.size());
   const cv::Mat mask = solid_part(labels.mask_of(std::size_t(element.label), window));

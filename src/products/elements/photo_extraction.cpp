@@ -24,7 +24,7 @@
 namespace tessera {
 namespace {
 
-/// Of a map of labels: 100 MB. Elements that are wide enough have half of them at most.
+/// Limit of a label map: 100 MB. Maps of wide elements need less than half of that.
 constexpr std::size_t kMostRuns = 8'000'000;
 
 std::string size_text(const cv::Size& size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
@@ -53,13 +53,13 @@ cv::Mat decoded(const PhotoFile& photo, int times, Drawers& drawers) {
 
 /// Label maps of copies of a photo.
 struct FoundMaps {
-  std::optional<cv::Mat> apart;  // elements_on_plain_ground
-  cv::Mat searched;              // elements_in_copies; empty where that was not needed
+  std::optional<cv::Mat> apart;  // from elements_on_plain_ground()
+  cv::Mat searched;              // from elements_in_copies(); empty where that was not needed
 };
 
 bool any_of(const std::vector<bool>& marks) { return std::find(marks.begin(), marks.end(), true) != marks.end(); }
 
-/// The photo is not held afterwards, nor during the search, which takes as much room.
+/// Makes the maps. The photo is not in memory during the search, which needs as much, nor afterwards.
 FoundMaps found_maps(const PhotoFile& photo, const ExtractionSettings& settings, Drawers& drawers) {
   const bool has_size = settings.element_px > 0;
   FoundMaps maps;
@@ -84,7 +84,7 @@ FoundMaps found_maps(const PhotoFile& photo, const ExtractionSettings& settings,
   return maps;
 }
 
-/// The photo's labels: what lies apart, with what touches as the search has it.
+/// The photo's labels: elements that lie apart, and touching ones as the search separated them.
 LabelRuns labels_from(const FoundMaps& maps, const cv::Mat& picture) {
   if (!maps.apart) return labels_of_photo(picture, maps.searched);
   const bool is_of_its_size = maps.apart->size() == picture.size();
@@ -99,7 +99,7 @@ std::size_t touching_count(const LabelRuns& labels, const std::vector<PhotoEleme
                                    [&](const PhotoElement& element) { return touch[std::size_t(element.label)]; }));
 }
 
-/// Before the photo is there.
+/// Reads labels from another program. Called before the photo is in memory.
 cv::Mat given_labels(const std::string& path, Drawers& drawers) {
   const cv::Mat labels = connected_labels(drawers.labels(read_regular_file(path, kMaxPhotoBytes), path));
   if (run_count(labels) > kMostRuns)

@@ -10,13 +10,13 @@
 namespace tessera {
 namespace {
 
-/// Of the square root of an element's area: how wide a margin may be, and how far its inside lies from its edge.
+/// Parts of the square root of an element's area: the width of a margin, and the distance of its inside from its edge.
 constexpr double kMostMargin = 0.08;
 constexpr double kInside = 0.12;
-/// The largest window that is looked at pixel by pixel; of a larger one a copy is.
+/// The largest window that is examined pixel by pixel; of a larger one a reduced copy is used.
 constexpr double kMostWindow_px2 = 2e6;
 
-/// Pixels of the window that are so near to the edges of the photo which the element reaches.
+/// Marks pixels of the window that are near to edges of the photo that the element reaches.
 cv::Mat near_edges(const cv::Rect& window, const cv::Rect& box, const cv::Size& photo, int margin_px) {
   cv::Mat near = cv::Mat::zeros(window.size(), CV_8U);
   const auto mark = [&](const cv::Rect& strip) { near((strip & window) - window.tl()).setTo(255); };
@@ -40,8 +40,8 @@ cv::Mat at_size(const cv::Mat& picture, cv::Size size, int filter) {
   return result;
 }
 
-/// What of the element is margin: a mask of the window, or empty where there is nothing to tell by. `near`: of the
-/// window, near_edges().
+/// The margin in the element: a mask of the window, or empty where it cannot be told. `near`: of the window, from
+/// near_edges().
 cv::Mat margin_of(const cv::Mat& photo, const cv::Mat& element, const cv::Mat& gap, const cv::Mat& near,
                   double size_px) {
   cv::Mat depth_px;

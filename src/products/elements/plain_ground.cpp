@@ -14,31 +14,33 @@
 namespace tessera {
 namespace {
 
-/// The pixels of the copy in which elements are found, and of the one that the ground's colour is taken from.
+/// Pixels of the copy in which elements are found, and of the copy from which the ground's colour is estimated.
 constexpr double kMostLookedAt_px2 = 6e6, kMostFitted_px2 = 1e5;
-/// The Gaussian that takes out the noise of single pixels and of a JPEG's blocks.
+/// The Gaussian that removes the noise of single pixels and of JPEG blocks.
 constexpr double kSmooth_px = 1;
-/// Pixels of the photo's edge may be ground where they are so near to the edge's median (CIELAB), before the light is known.
+/// Largest difference (CIELAB) of a pixel at the photo's edge from the edge's median, for it to count as ground before the
+/// light is known.
 constexpr float kFirstReach = 25;
 constexpr int kFits = 8;
-/// The median difference of ground from its light (CIELAB) is its deviation. A pixel is ground up to kReach deviations, or
-/// kLeastReach. A ground with a larger deviation than the last is not plain.
+/// Ground differs from its light (CIELAB) by a median, its deviation. A pixel is ground up to kReach deviations, or
+/// kLeastReach if that is more. A ground with a deviation above kMostDeviation is not plain.
 constexpr float kReach = 4, kLeastReach = 5, kMostDeviation = 3.5F;
-/// The edge is a band as wide as kEdge of the photo's shorter side. Plain ground shows in so much of it.
+/// The edge is a band of width kEdge, as a part of the photo's shorter side. Plain ground must be seen in kLeastAtEdge of
+/// it.
 constexpr double kEdge = 0.03, kLeastAtEdge = 0.75;
-/// The part of the ground that must hang together: joints between stones do not.
+/// The part of the ground that must be connected. Joints between stones are not.
 constexpr double kLeastTogether = 0.9;
-/// Elements differ from the ground by so many times its reach, or they are the ground's own roughness.
+/// Elements must differ from the ground by so many times its reach. Otherwise they are the ground's own roughness.
 constexpr double kLeastStandingOut = 2;
-/// A pixel is a shadow where it is the ground's colour made darker (kSameHue: the rest, colours from 0 to 1), and differs
-/// from the ground by less than kMostShadow of what elements do.
+/// A pixel is a shadow if its colour is the ground's colour made darker (except for kSameHue, colours from 0 to 1) and
+/// differs from the ground by less than kMostShadow of the elements' difference.
 constexpr double kMostShadow = 0.4, kSameHue = 0.04;
-/// An element ends where the difference is half of what it is so far inside.
+/// An element ends where the difference is half of the difference so many px further inside.
 constexpr int kEdgeReach_px = 2;
-/// A photo with a shorter side than this holds no elements.
+/// A photo with a shorter side holds no elements.
 constexpr int kLeastPhoto_px = 16;
 
-/// How far the colours of two pictures are apart at each pixel: CV_32F.
+/// The distance of the colours of two pictures at each pixel: CV_32F.
 cv::Mat difference_of(const cv::Mat& a, const cv::Mat& b) {
   cv::Mat all(a.size(), CV_32F);
   for (int y = 0; y < a.rows; ++y) {
@@ -48,7 +50,7 @@ cv::Mat difference_of(const cv::Mat& a, const cv::Mat& b) {
   return all;
 }
 
-/// Marks pixels of the ground's colour that are darker than it: CV_8U.
+/// Marks pixels whose colour is the ground's colour made darker: CV_8U.
 cv::Mat shadow_like(const cv::Mat& bgr, const cv::Mat& ground_bgr) {
   cv::Mat all(bgr.size(), CV_8U);
   for (int y = 0; y < bgr.rows; ++y) {
@@ -69,7 +71,7 @@ cv::Mat copy_of(const cv::Mat& photo, double most_px2) {
   return copy;
 }
 
-/// CV_32FC3, 0 to 1.
+/// The smoothed picture, CV_32FC3, 0 to 1.
 cv::Mat smooth_of(const cv::Mat& bgr) {
   cv::Mat smooth;
   bgr.convertTo(smooth, CV_32FC3, 1. / 255);
@@ -138,7 +140,7 @@ std::optional<Ground> plain_ground(const cv::Mat& photo) {
     if (cv::countNonZero(is_ground) == 0) return {};
     light.emplace(lab, is_ground);
     const cv::Mat away = difference_of(lab, light->over(lab.size()));
-    // The edge alone at first, where ground is most likely; at last all that is like it.
+    // The first fits use only the edge, where ground is most likely; the last ones all pixels that are like it.
     const cv::Mat all = fit < kFits / 2 ? edge : cv::Mat(lab.size(), CV_8U, cv::Scalar(255));
     deviation = median_of(away, all & (away < reach));
     reach = std::max(kLeastReach, kReach * deviation);
@@ -148,8 +150,8 @@ std::optional<Ground> plain_ground(const cv::Mat& photo) {
   return Ground{*light, reach};
 }
 
-/// Marks what belongs to elements, as it differs enough from the ground and is no shadow: CV_8U. Nothing where elements
-/// stand out too little.
+/// Marks pixels of elements, which differ enough from the ground and are no shadow: CV_8U. Empty where elements differ too
+/// little.
 std::optional<cv::Mat> standing_out(const cv::Mat& bgr, const Ground& ground) {
   cv::Mat lab, inside;
   cv::cvtColor(bgr, lab, cv::COLOR_BGR2Lab);

@@ -1,4 +1,4 @@
-// Elements that lie apart on a plain ground: pieces of a jigsaw on a table, leaves on paper, coins on cloth.
+// Finds elements that lie apart on a plain ground: pieces of a jigsaw on a table, leaves on paper, coins on cloth.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -6,11 +6,11 @@
 
 namespace tessera {
 
-/// A label map (products/elements/segmentation/region_labels.h) in which each part of the photo that stands out from its ground is one
-/// region, connected by its pixels' sides and without holes; regions that touch are one. Nothing where the ground is not
-/// plain: it must be seen along most of the photo's edge, in one piece round the elements, in one colour but for the
-/// light, which may change slowly over the photo, and for noise. Soft shadows count as ground. `photo`: CV_8UC3 or
-/// CV_8UC4, BGR first. The map is of the photo's size, or smaller where the photo is larger than 6 megapixels.
+/// A label map (products/elements/segmentation/region_labels.h) of the parts of the photo that differ from its ground. Each
+/// is one region without holes, connected by sides of pixels; regions that touch are one. Empty where the ground is not
+/// plain. It must be seen along most of the photo's edge, in one piece around the elements, and in one colour; slow changes
+/// of light and noise are allowed. Soft shadows count as ground. `photo`: CV_8UC3 or CV_8UC4, BGR first. The map has the
+/// photo's size, or less where the photo exceeds 6 megapixels.
 std::optional<cv::Mat> elements_on_plain_ground(const cv::Mat& photo);
 
 }  // namespace tessera

@@ -8,9 +8,9 @@
 namespace tessera {
 namespace {
 
-/// Both are parts of how thick a region is where it is thickest. Where two elements touch, the region is thinner than
-/// kNeck; a part beyond such a neck is an element where it is thicker than kLeastElement. The tab of a jigsaw's piece is
-/// a third as thick as the piece: it is none.
+/// Parts of a region's largest thickness. Where two elements touch, the region is thinner than kNeck. A part beyond such a
+/// neck is an element if it is thicker than kLeastElement. The tab of a jigsaw piece is a third as thick as the piece, so
+/// it is none.
 constexpr double kNeck = 0.35, kLeastElement = 0.6;
 
 bool is_several(const cv::Mat& region) {
@@ -45,7 +45,7 @@ LabelRuns with_touching_apart(const LabelRuns& apart, const std::vector<bool>& t
   std::vector<std::vector<LabelRun>> runs(1);
   std::vector<bool> is_replaced(touch.size(), false);
   for (std::size_t label = 1; label < searched.regions().size(); ++label) {
-    std::map<int, int> shared_px2;  // with the ground and each region
+    std::map<int, int> shared_px2;  // with the ground and with each region
     for (const LabelRun& run : searched.runs_of(label)) {
       for (int x = run.x; x < run.x + run.length; ++x) ++shared_px2[whole.at<int>(run.y, x)];
     }

@@ -1,4 +1,4 @@
-// Regions of a map that are several elements which touch.
+// Finds regions of a map that are several touching elements.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -8,12 +8,12 @@
 
 namespace tessera {
 
-/// Of each label whether its region falls into parts that are much alike in thickness where it is cut at its necks, as two
-/// coins that touch do. [0] is unused.
+/// Whether each label's region, cut at its necks, gives parts of similar thickness, like two coins that touch. [0] is
+/// unused.
 std::vector<bool> touching_regions(const LabelRuns& labels);
 
-/// Both maps are of one photo. The regions of `apart`, but those that `touch` marks are replaced by the regions of
-/// `searched` that lie in them, where there are such. Solid regions stay solid.
+/// Both maps belong to one photo. Returns the regions of `apart`; but a region that `touch` marks is replaced by the
+/// regions of `searched` inside it, if there are any. Solid regions stay solid.
 LabelRuns with_touching_apart(const LabelRuns& apart, const std::vector<bool>& touch, const LabelRuns& searched);
 
 }  // namespace tessera

@@ -11,11 +11,11 @@ namespace tessera {
 namespace {
 
 constexpr double kSmallest_px2 = 60;
-/// Colours less apart (CIE Lab, a and b times 1.5) are one.
+/// Smaller differences of colours (CIELAB, a and b times 1.5) do not count.
 constexpr double kMarginContrast = 4;
-/// What is left of a region if it is cut at all.
+/// Part of a region that must remain, if it is cut at all.
 constexpr double kLeastLeft = 0.5;
-/// From the core (0) to the rim (1).
+/// Place of the cut between the core's colour (0) and the rim's (1).
 constexpr double kCutAt = 0.6;
 
 cv::Vec3f weighted(const cv::Vec3f& lab) { return {lab[0], 1.5F * lab[1], 1.5F * lab[2]}; }
@@ -30,7 +30,7 @@ cv::Vec3f median_of(std::vector<cv::Vec3f>& colours) {
   return median;
 }
 
-/// The part of `mask` to keep; empty = all of it.
+/// The part of `mask` to keep; empty: all of it.
 cv::Mat without_rim(const cv::Mat& mask, const cv::Mat& lab) {
   cv::Mat framed, distance;
   cv::copyMakeBorder(mask, framed, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);

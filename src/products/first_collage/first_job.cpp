@@ -14,15 +14,15 @@
 namespace tessera {
 namespace {
 
-/// The last line of the job begins so, and goes on with the digest of all before it.
+/// The beginning of the job's last line, which continues with the digest of all lines before it.
 constexpr const char* kMark = "# As tessera wrote it: ";
 
-/// Smaller pieces are cruder than the field in which they are placed.
+/// Smaller pieces would be cruder than the field in which they are placed.
 constexpr double kSmallest_px = 8;
 constexpr double kLargestBySmallest = 5;
 constexpr std::size_t kFewestPieces = 150, kMostPieces = 300;
-/// The smallest size, as part of the side of the square that each piece would have. Measured: of 200 pieces that are planned
-/// so, 125 to 180 fill a canvas; the fewer, the more alike the shapes are to rectangles.
+/// The smallest size, as a part of the side of the square that each piece would have. Measured: of 200 pieces planned like
+/// this, 125 to 180 fill a canvas; fewer where the shapes are more like rectangles.
 constexpr double kSmallestByMean = 0.4;
 
 std::string number_text(double value) {
@@ -47,7 +47,7 @@ std::string canvas_lines(const FirstCanvas& canvas) {
 
 FirstSizes first_sizes(double area_px2, std::size_t shapes) {
   const double pieces = double(std::clamp(shapes, kFewestPieces, kMostPieces));
-  // Even, so that half of both sizes is in whole px, and five to one still.
+  // Even, so that half of both sizes is in whole px, and the ratio is exactly five to one.
   const double smallest_px = std::max(kSmallest_px, 2 * std::round(kSmallestByMean * std::sqrt(area_px2 / pieces) / 2));
   return {smallest_px, kLargestBySmallest * smallest_px};
 }

@@ -10,15 +10,14 @@ namespace tessera {
 namespace {
 
 constexpr char kDebianFolder[] = "/usr/share/opencv4/haarcascades";
-/// This cascade finds 93 of 100 faces of the LFW data set with kFewestWindows, and nothing in photos of things and
-/// textures.
+/// With kFewestWindows this cascade finds 93 of 100 faces of the LFW data set, and none in photos of things and textures.
 constexpr char kCascade[] = "haarcascade_frontalface_alt2.xml";
 
-/// px, the longer side of the picture in which faces are looked for.
+/// The longer side of the picture in which faces are searched, px.
 constexpr int kWorkingSide_px = 640;
-/// Smaller faces are not told from texture.
+/// Smaller faces cannot be told from texture.
 constexpr int kSmallest_px = 24;
-/// A face is accepted by 6 to 36 windows, a wall by 5 at most; from kSureWindows on it is certainly one.
+/// A face is accepted by 6 to 36 windows, a wall by 5 at most. With kSureWindows it is certainly a face.
 constexpr int kFewestWindows = 6, kSureWindows = 15;
 
 cv::Mat working_picture(const cv::Mat& image_bgr) {

@@ -12,21 +12,21 @@
 namespace tessera {
 namespace {
 
-/// From a size of the window to the next.
+/// Ratio of one window size to the next.
 constexpr double kScaleStep = 1.1;
-/// Sums of a stage are compared with a little less than its threshold, as where the cascades were trained.
+/// Sums of a stage are compared with a little less than its threshold, as in the training of cascades.
 constexpr double kThresholdSlack = 1e-5;
-/// Grey levels, the standard deviation within a window that holds something.
+/// Least standard deviation of the greys in a window that shows something.
 constexpr double kLeastContrast = 10;
-/// Windows that accept the same thing differ by so much of their side at most.
+/// Windows that accept the same thing differ by at most this part of their side.
 constexpr double kSamePlace = 0.2;
-/// No picture has so many faces, and to find those of one place takes the square of their number.
+/// No picture has more faces, and joining those of one place takes time with the square of their number.
 constexpr std::size_t kMostWindows = 10'000;
-/// px; more is no window but a damaged file.
+/// A larger window, px, comes from a damaged file.
 constexpr int kMostWindow_px = 200;
 
 void require(bool holds) {
-  if (!holds) throw InputError("a cascade whose numbers lead out of it");
+  if (!holds) throw InputError("an index or a rectangle is out of range");
 }
 
 bool same_place(const cv::Rect& a, const cv::Rect& b) {
@@ -40,9 +40,9 @@ cv::Rect mean_of(const cv::Rect& sum, int count) {
   return {part(sum.x), part(sum.y), part(sum.width), part(sum.height)};
 }
 
-/// The mean window of each place that has enough of them.
+/// The mean window of each place with enough windows.
 std::vector<HaarHit> places_of(const std::vector<cv::Rect>& windows, int fewest) {
-  if (windows.empty()) return {};  // cv::partition looks at the first
+  if (windows.empty()) return {};  // cv::partition reads the first element
   std::vector<int> place;
   std::vector<HaarHit> places(std::size_t(cv::partition(windows, place, same_place)));
   for (std::size_t i = 0; i < windows.size(); ++i) {
@@ -61,7 +61,7 @@ std::vector<HaarHit> places_of(const std::vector<cv::Rect>& windows, int fewest)
 
 }  // namespace
 
-/// The picture at one size, so that the window has the size that it was trained with. All sums are of whole numbers.
+/// The picture at one size, so that the window has the size of its training. All sums are of whole numbers.
 class HaarCascade::Layer {
  public:
   Layer(const cv::Mat& grey, cv::Size window_px)
@@ -148,7 +148,7 @@ bool HaarCascade::accepts(const Layer& layer, cv::Point at) const {
 
 void HaarCascade::scan(const Layer& layer, double scale, std::vector<cv::Rect>& accepted) const {
   const cv::Size side(int(std::lround(window_px_.width * scale)), int(std::lround(window_px_.height * scale)));
-  const int step = scale > 2 ? 1 : 2;  // px of the layer: about as fine in all, as OpenCV has it
+  const int step = scale > 2 ? 1 : 2;  // px of the layer; about as fine as in OpenCV
   for (int y = 0; y + window_px_.height <= layer.size_px().height; y += step) {
     for (int x = 0; x + window_px_.width <= layer.size_px().width; x += step) {
       if (accepted.size() == kMostWindows) return;

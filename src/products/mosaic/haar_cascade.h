@@ -1,7 +1,6 @@
-// A cascade of Haar-like features (Viola and Jones 2001): a window slides over the picture at all sizes, and is refused
-// early where it does not hold what the cascade was trained for. The windows that it accepts are those of OpenCV's
-// detector, but for rounding at a threshold. OpenCV's own lies in a library whose development package needs a hundred
-// others.
+// A cascade of Haar-like features (Viola and Jones 2001). A window slides over the picture at all sizes. It is refused
+// early where it does not show what the cascade was trained for. It accepts the same windows as OpenCV's detector, apart
+// from rounding at a threshold. OpenCV's detector is in a library whose development package needs a hundred others.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -9,15 +8,15 @@
 
 namespace tessera {
 
-/// A rectangle of the window, whose sum of greys counts `weight` times.
+/// A rectangle of the window, whose sum of greys is multiplied by `weight`.
 struct HaarPart {
   cv::Rect box_px;
   double weight = 0;
 };
 using HaarFeature = std::vector<HaarPart>;
 
-/// Asks whether a feature, divided by the contrast of the window, is below a threshold. `below`, `from`: what comes
-/// then. A positive number is that of a later node of the tree; any other is minus the number of a leaf.
+/// Compares a feature, divided by the contrast of the window, with a threshold. `below`, `from`: what follows in each case.
+/// A positive number is a later node of the tree; any other number is minus the number of a leaf.
 struct HaarNode {
   int below = 0, from = 0;
   int feature = 0;
@@ -29,7 +28,7 @@ struct HaarTree {
   std::vector<double> leaves;
 };
 
-/// Accepts a window where the leaves of its trees have this sum at least.
+/// Accepts a window where the leaves of its trees have at least this sum.
 struct HaarStage {
   std::vector<HaarTree> trees;
   double threshold = 0;
@@ -37,17 +36,17 @@ struct HaarStage {
 
 struct HaarHit {
   cv::Rect box_px;
-  int windows = 0;  // that were accepted here: the more, the surer
+  int windows = 0;  // number of windows accepted here: the more, the surer
 };
 
 class HaarCascade {
  public:
-  /// Throws InputError where an index or a rectangle leads elsewhere.
+  /// Throws InputError where an index or a rectangle is out of range.
   HaarCascade(cv::Size window_px, std::vector<HaarFeature> features, std::vector<HaarStage> stages);
 
-  /// Slides windows with sides from `smallest_px` to `largest_px` over `grey` (CV_8U) and joins those accepted that
-  /// lie at one place. Returns the places with `fewest` windows or more, the surest first: the same each time, whatever
-  /// the threads.
+  /// Slides windows with sides from `smallest_px` to `largest_px` over `grey` (CV_8U), and joins accepted windows at the
+  /// same place. Returns the places with at least `fewest` windows, the surest first. The result is the same on any number
+  /// of threads.
   std::vector<HaarHit> find(const cv::Mat& grey, int smallest_px, int largest_px, int fewest) const;
 
  private:

@@ -12,7 +12,7 @@
 namespace tessera {
 namespace {
 
-/// The largest that there is has 1 MB.
+/// The largest known cascade has 1 MB.
 constexpr std::size_t kMostBytes = std::size_t(8) << 20;
 constexpr double kMostWhole = 1e6;
 
@@ -27,7 +27,7 @@ const xmlNode* child(const xmlNode* parent, std::string_view name) {
   throw InputError("<" + std::string(name) + "> is missing");
 }
 
-/// The children that are named "_": OpenCV's XML writes each item of a list as such an element.
+/// The children named "_": OpenCV's XML writes each item of a list as such an element.
 std::vector<const xmlNode*> items(const xmlNode* list) {
   std::vector<const xmlNode*> found;
   for (const xmlNode* node = list->children; node; node = node->next) {

@@ -1,4 +1,4 @@
-// Cascades of Haar-like features as Debian's package opencv-data has them, in XML. OpenCV's own parser crashes on damaged
+// Reads cascades of Haar-like features in the XML of Debian's package opencv-data. OpenCV's own parser crashes on damaged
 // files.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace tessera {
 
-/// Throws InputError, which names `path`, where it is no file of a cascade of upright features.
+/// Throws InputError that names `path` where it is no file of a cascade of upright features.
 HaarCascade read_haar_cascade(const std::string& path);
 
 }  // namespace tessera

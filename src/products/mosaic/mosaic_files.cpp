@@ -28,10 +28,10 @@ namespace fs = std::filesystem;
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// In smallest pieces: a narrower face cannot be shown.
+/// Width in smallest pieces: a narrower face cannot be shown.
 constexpr double kNarrowestFace = 4;
 
-/// Of a file that is compared with what is to be written.
+/// Limit of an existing file that is compared with the new one.
 constexpr std::size_t kMostOwnBytes = std::size_t(64) << 20;
 
 cv::Mat read_image(const std::string& path, Drawers& drawers) {
@@ -53,7 +53,7 @@ bool same_file(const std::string& one, const std::string& other) {
   return fs::equivalent(one, other, error);
 }
 
-/// Nothing that is read is written.
+/// Refuses to write over a file that is read.
 void check_is_not_read(const std::string& output, const MosaicRequest& request) {
   std::vector<std::string> read = request.libraries;
   read.push_back(request.image);
@@ -73,15 +73,15 @@ bool holds(const std::string& path, std::span<const std::uint8_t> bytes) {
   return fs::exists(path) && std::ranges::equal(read_regular_file(path, kMostOwnBytes), bytes);
 }
 
-/// What is there may have been edited: it goes only when that is asked for, and only if it is a mosaic's. A map is that
-/// of the job beside it.
+/// Refuses to replace an existing file, which may have been edited. It goes only with --replace, and only if it belongs to
+/// a mosaic. A map belongs to the job beside it.
 void check_replaceable(const std::string& output, std::span<const std::uint8_t> bytes, const MosaicRequest& request) {
   if (!fs::exists(output) || holds(output, bytes)) return;
   if (!fs::exists(request.job) || !is_mosaic_job(read_regular_file(request.job, kMostOwnBytes)))
-    throw InputError(output + ": is there and is not of tessera mosaic; give another name with --job");
+    throw InputError(output + ": exists and was not made by tessera mosaic; give another name with --job");
   if (!request.replace) {
-    throw InputError(output + ": is there already, with another content; tessera collage " + request.job +
-                     " runs the job as it is, --replace writes it anew, --job gives it another name");
+    throw InputError(output + ": exists with other content; tessera collage " + request.job +
+                     " runs the job as it is, --replace overwrites it, --job gives it another name");
   }
 }
 
@@ -96,7 +96,7 @@ void check_regions(int regions) {
                    std::to_string(kMostMosaicRegions));
 }
 
-/// A picture that is stretched marks other places than it was painted for.
+/// Refuses another aspect: a stretched picture would mark other places than it was painted for.
 void check_aspect(cv::Size found, cv::Size image) {
   constexpr double kMostStretched = 0.02;
   const double stretched = double(found.width) * image.height / (double(found.height) * image.width);
@@ -105,7 +105,7 @@ void check_aspect(cv::Size found, cv::Size image) {
   throw InputError("found " + text(found) + " px, allowed: the aspect of the image, " + text(image) + " px");
 }
 
-/// `path`: a grey picture of the image's aspect.
+/// Reads the saliency. `path`: a grey picture with the image's aspect.
 cv::Mat painted_saliency(const std::string& path, cv::Size image, cv::Size size, Drawers& drawers) {
   const cv::Mat picture = drawers.whole_picture(read_regular_file(path, kMaxPhotoBytes), path, kMaxArtworkSide_px);
   try {
@@ -116,7 +116,7 @@ cv::Mat painted_saliency(const std::string& path, cv::Size image, cv::Size size,
   }
 }
 
-/// The file belongs to the machine, not to the request: a damaged one is the fault of the environment.
+/// Reads the cascade. The file belongs to the machine and not to the request, so a damaged one is an EnvironmentError.
 HaarCascade read_cascade(const std::string& path) {
   try {
     return read_haar_cascade(path);
@@ -125,7 +125,7 @@ HaarCascade read_cascade(const std::string& path) {
   }
 }
 
-/// None where they are not looked for.
+/// Finds faces; empty where they are not searched.
 std::optional<std::vector<Face>> faces_for(const MosaicRequest& request, const cv::Mat& image, const MosaicPlan& plan) {
   std::error_code none;
   if (!request.salient.empty() || !fs::exists(request.face_cascade, none)) return std::nullopt;

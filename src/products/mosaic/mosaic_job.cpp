@@ -8,11 +8,11 @@
 namespace tessera {
 namespace {
 
-/// Of the picture, by those of the canvas: drawings are seen as what they are.
+/// Picture px for one canvas px, so that drawings can be recognised.
 constexpr int kPictureScale = 2;
 constexpr int kWidestPicture_px = 12'000;
 
-/// The fewest digits that give the same number.
+/// The number with the fewest digits that give the same number back.
 std::string number_text(double value) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
@@ -88,7 +88,7 @@ std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, const M
          "size_map = " +
          toml_string(files.size_map) +
          "\n"
-         "# No drawing beside itself: px between the outlines of two of it.\n"
+         "# Least distance between two pieces of the same drawing: px between their outlines.\n"
          "apart_px = " +
          number_text(variety.apart_px) +
          "\n"

@@ -1,4 +1,4 @@
-// The job file of a mosaic: few keys, each with a word on what it does, to be edited by hand.
+// Writes the job file of a mosaic: few keys, each with a short explanation, to be edited by hand.
 #pragma once
 
 #include <string>
@@ -10,15 +10,16 @@ namespace tessera {
 
 struct MosaicFiles {
   std::string image;
-  std::vector<std::string> libraries;  // one at least
+  std::vector<std::string> libraries;  // at least one
   std::string size_map;
-  std::string regions;  // the picture of them; empty = none
+  std::string regions;  // the picture of the regions; empty: none
 };
 
-/// How every job of mosaic_job begins, which tells it from files of other kinds.
+/// The beginning of every job of mosaic_job(), which tells it from files of other kinds.
 inline constexpr const char* kMosaicJobMark = "# A mosaic by tessera mosaic";
 
-/// Paths are written as they are in `files`. `shift`: CIEDE2000. `regions`: their colours in files.regions, "#rrggbb".
+/// The text of the job. Paths are written as they are in `files`. `shift`: CIEDE2000. `regions`: the colours of the regions
+/// in files.regions, "#rrggbb".
 std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, const MosaicVariety& variety, double shift,
                        const std::vector<std::string>& regions = {});
 

@@ -9,18 +9,18 @@
 namespace tessera {
 namespace {
 
-/// The smallest and the largest square root of a piece's area. Smaller pieces are cruder than the field.
+/// Square roots of the areas of the smallest and the largest piece. Smaller pieces would be cruder than the field.
 constexpr double kMinScale_px = 16;
 constexpr double kMaxScale_px = 80;
-/// In the mean, small pieces between the others included: what came of the job that mosaic_job writes.
+/// Mean size with the small pieces between the others, measured with the job of mosaic_job().
 constexpr double kMeanScale_px = 22;
 
-/// Of the canvas.
+/// Part of the canvas.
 constexpr double kCoverage = 0.88;
 
-/// Pieces for each square of the smallest size where the largest has the size L: kFilling (smallest / L)^kFillingExponent
-/// + kFillers. Fitted to eight mosaics of 1,100 to 2,600 pieces out of 3,041 shapes, each within 11 % of it: what fits
-/// less well by its outline, as colour counts much, leaves more room for small ones.
+/// Pieces for each square of the smallest size s where the largest has the size L: kFilling (s / L)^kFillingExponent +
+/// kFillers. Fitted to eight mosaics of 1,100 to 2,600 pieces made from 3,041 shapes, each within 11 %. Where colour counts
+/// much, outlines fit less well and leave more room for small pieces.
 constexpr double kFilling = 0.626;
 constexpr double kFillingExponent = 0.81;
 constexpr double kFillers = 0.19;

@@ -1,4 +1,4 @@
-// How large the canvas of a mosaic is and how large its pieces may be, so that about as many come out as are wished.
+// Plans the canvas of a mosaic and the sizes of its pieces, so that about as many pieces result as wished.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@ namespace tessera {
 inline constexpr int kFewestMosaicPieces = 100;
 inline constexpr int kMostMosaicPieces = 40'000;
 
-/// Longer by shorter side of the image at most, so that the largest canvas is one that a job may have.
+/// Largest ratio of the image's sides: the largest canvas is then one that a job may have.
 inline constexpr double kMostMosaicAspect = 8;
 
 struct MosaicPlan {
@@ -19,20 +19,20 @@ struct MosaicPlan {
   double max_scale_px = 0;
 };
 
-/// How much a mosaic avoids to show the same drawing again.
+/// The strength with which a mosaic avoids showing the same drawing again.
 struct MosaicVariety {
-  double apart_px = 0;             // of the canvas, between the outlines of two of the same drawing
-  double repetition_exponent = 0;  // as objective.repetition_exponent of a job
+  double apart_px = 0;             // distance between the outlines of two pieces of the same drawing, canvas px
+  double repetition_exponent = 0;  // the job's objective.repetition_exponent
 };
 
-/// `image`: its size, of the canvas' aspect. Throws InputError that names what was found and what is allowed.
+/// `image`: its size, which has the canvas' aspect. Throws InputError that names what was found and what is allowed.
 MosaicPlan mosaic_plan(cv::Size image, int pieces);
 
-/// `shapes`: of all libraries. Below 100 shapes there is none: drawings that may not lie again leave gaps and give way
-/// to colours that are further off.
+/// `shapes`: in all libraries. Below 100 shapes there is no variety: drawings that may not be repeated would leave gaps,
+/// and less suitable colours would take their places.
 MosaicVariety mosaic_variety(const MosaicPlan& plan, std::size_t shapes);
 
-/// Pieces that a canvas px² gets where the largest may have the size `largest_px`: those that fill it, and the small
+/// Pieces for each px² of canvas where the largest may have the size `largest_px`: those that fill the area, and the small
 /// ones between them.
 double pieces_per_px2(const MosaicPlan& plan, double largest_px);
 

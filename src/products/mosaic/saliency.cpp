@@ -10,40 +10,41 @@
 namespace tessera {
 namespace {
 
-/// An ellipse; all in parts of a face's box.
+/// An ellipse with its saliency; lengths are parts of a face's box.
 struct Spot {
   double x, y, radius_x, radius_y;
   double saliency;
 };
 
-/// Where a face has what it is known by: cascades of eyes find them less surely than they lie there. All within kFace.
+/// The parts by which a face is recognised, at fixed places: cascades of eyes would find them less surely. All lie within
+/// kFace.
 constexpr Spot kFace{0.5, 0.5, 0.46, 0.58, 0.3};
 constexpr Spot kEyesAndMouth[] = {
     {0.29, 0.37, 0.17, 0.12, 0.8}, {0.71, 0.37, 0.17, 0.12, 0.8}, {0.5, 0.79, 0.23, 0.12, 0.8}};
-/// Beyond the radius of an ellipse saliency falls to nothing over this part of the radius.
+/// The part of an ellipse's radius over which saliency falls to 0 outside it.
 constexpr double kBorder = 0.4;
 
-/// In smallest pieces: a wider face needs less.
+/// Width in smallest pieces: a wider face needs less saliency.
 constexpr double kNeedyWidth = 16;
 
-/// Colours of a grey picture differ by so much at most, as JPEG leaves them.
+/// The largest difference of the channels of a grey picture, as JPEG may cause it.
 constexpr int kMostColour = 24;
 
-/// 1 inside, 0 outside, and a soft border.
+/// 1 inside the ellipse, 0 outside, with a soft border.
 double within(const Spot& spot, cv::Point2d at) {
   const double x = (at.x - spot.x) / spot.radius_x, y = (at.y - spot.y) / spot.radius_y;
   const double out = std::clamp((std::sqrt(x * x + y * y) - 1) / kBorder, 0., 1.);
   return 1 - out * out * (3 - 2 * out);
 }
 
-/// `at`: in parts of the face's box.
+/// The saliency of a face. `at`: in parts of its box.
 double saliency_at(cv::Point2d at) {
   double saliency = kFace.saliency * within(kFace, at);
   for (const Spot& spot : kEyesAndMouth) saliency = std::max(saliency, spot.saliency * within(spot, at));
   return saliency;
 }
 
-/// px of a map of `size`: where `face` has any saliency.
+/// The px of a map of `size` where `face` has any saliency.
 cv::Rect reach_of(const Face& face, cv::Size size) {
   const double beyond_x = kFace.radius_x * (1 + kBorder), beyond_y = kFace.radius_y * (1 + kBorder);
   const auto x = [&](double at) { return int(std::floor((face.box.x + at * face.box.width) * size.width)); };

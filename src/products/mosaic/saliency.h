@@ -1,5 +1,5 @@
-// Saliency: the places of a picture that people look at first, whatever the contrast there. These are faces, or what
-// the user has painted in a map.
+// Saliency: the places of a picture that people look at first, whatever the contrast is there. These are faces, or what the
+// user has painted in a map.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -9,11 +9,11 @@
 
 namespace tessera {
 
-/// CV_32F of `size`, 0..1: eyes and mouths most, then faces, with soft borders; less where a face is so large that
-/// larger pieces show it, too. `smallest_px`: a piece, in px of the result.
+/// The saliency of faces, CV_32F of `size`, 0..1: eyes and mouths have most, then faces, with soft borders. It is less for
+/// faces so large that larger pieces show them, too. `smallest_px`: size of the smallest piece, px of the result.
 cv::Mat saliency_of_faces(const std::vector<Face>& faces, cv::Size size, double smallest_px);
 
-/// The same of a grey picture, straight BGRA (CV_8UC4) of any size: black and transparent = 0, white = 1. Throws
+/// The saliency from a grey picture, straight BGRA (CV_8UC4) of any size: black and transparent = 0, white = 1. Throws
 /// InputError where the picture has colours.
 cv::Mat saliency_of_picture(const cv::Mat& bgra, cv::Size size);
 

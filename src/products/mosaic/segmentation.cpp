@@ -12,15 +12,15 @@
 namespace tessera {
 namespace {
 
-/// Steps of CIE Lab: of colours nearer to each other one is both.
+/// Colours nearer to each other than this (CIELAB) become one.
 constexpr double kLeastDifference = 8;
-/// By the smallest piece's size: of the Gaussian with which each place takes the label that prevails around it. What is
-/// narrower than about twice that is lost.
+/// The Gaussian for the majority of labels around each place, in sizes of the smallest piece. Parts narrower than about
+/// twice that disappear.
 constexpr double kMajoritySigma = 0.6;
 constexpr int kMajorityRounds = 3;
-/// By the smallest piece's area: of a part of a region, four pieces of the mean size.
+/// The least area of a part of a region, in areas of the smallest piece: four pieces of the mean size.
 constexpr double kLeastPart = 16;
-/// What a file of canvas.file may have: 50 million, and 8192 each way.
+/// Limits of a canvas.file: 50 million px, and 8192 in each direction.
 constexpr double kMostPicture_px2 = 49e6;
 constexpr double kMostPictureSide_px = 8192;
 
@@ -32,7 +32,7 @@ int count_of(const Labels& labels) {
   return int(most) + 1;
 }
 
-/// Of each label: the mean of the CV_32FC3 `lab`, and 0, 0, 0 where it has no pixel.
+/// The mean of the CV_32FC3 `lab` for each label, and 0, 0, 0 where it has no pixel.
 std::vector<cv::Vec3f> means_of(const cv::Mat& lab, const Labels& labels) {
   std::vector<cv::Vec3d> sums(std::size_t(count_of(labels)), {0, 0, 0});
   std::vector<int> pixels(sums.size(), 0);
@@ -51,7 +51,7 @@ void relabel(Labels& labels, const std::vector<int>& names) {
   for (std::uint8_t& label : labels) label = std::uint8_t(names[label]);
 }
 
-/// Labels that are there get the names 0, 1, ... in their order.
+/// New numbers 0, 1, ... for the labels that occur, in their order.
 std::vector<int> names_of_those_there(const Labels& labels) {
   std::vector<int> names(std::size_t(count_of(labels)), -1);
   for (const std::uint8_t label : labels) names[label] = 0;
@@ -78,7 +78,7 @@ void join_like_colours(const cv::Mat& lab, Labels& labels) {
 
 double smallest_piece_cells(const MosaicPlan& plan) { return plan.min_scale_px / kSizeMapPixel_px; }
 
-/// How much of the surroundings of each place has the label, CV_32F.
+/// The share of the label around each place, CV_32F.
 cv::Mat share_of(const Labels& labels, int label, double sigma_cells) {
   cv::Mat share;
   cv::Mat(labels == label).convertTo(share, CV_32F, 1. / 255);
@@ -98,7 +98,7 @@ void take_majority(Labels& labels, double sigma_cells) {
   labels = winners;
 }
 
-/// 255 in connected parts of one label with so many cells.
+/// Marks with 255 the connected parts of one label that have at least so many cells.
 Labels large_parts(const Labels& labels, double least_cells) {
   const int count = count_of(labels);
   Labels large(labels.size(), std::uint8_t(0));
@@ -115,8 +115,8 @@ Labels large_parts(const Labels& labels, double least_cells) {
   return large;
 }
 
-/// Parts with fewer cells go to those around them, which grow cell by cell, so that each stays connected; where there
-/// are no others, all stays.
+/// Gives parts with fewer cells to the parts around them. These grow cell by cell, so that each stays connected. If there
+/// are no others, nothing changes.
 void join_islands(Labels& labels, double least_cells) {
   Labels settled = large_parts(labels, least_cells);
   std::vector<cv::Point> settled_cells;
@@ -149,7 +149,7 @@ cv::Size picture_size(const MosaicPlan& plan) {
   return {std::max(1, int(scale * whole.width)), std::max(1, int(scale * whole.height))};
 }
 
-/// Between the places of a row or column of cells: the two beside a pixel, and how near the second is.
+/// The two rows or columns of cells beside a pixel, and the share of the second one.
 struct Between {
   int first = 0, second = 0;
   float share = 0;
@@ -165,7 +165,7 @@ std::vector<Between> places_between(int pixels, int cells) {
   return places;
 }
 
-/// `shares`: as many floats a cell as there are labels.
+/// The label of a pixel. `shares`: one channel for each label.
 int label_between(const cv::Mat& shares, const Between& row, const Between& column) {
   const int count = shares.channels();
   const auto cell = [&](int y, int x) { return shares.ptr<float>(y) + std::ptrdiff_t(x) * count; };
@@ -226,8 +226,8 @@ cv::Mat region_picture(const Segmentation& segmentation, const MosaicPlan& plan)
       picture.at<cv::Vec4b>(y, x) = {colour[0], colour[1], colour[2], 255};
     }
   }
-  // An opaque image is cut out of its background, and refused where that is not plain; one with transparency is taken
-  // as it is. No eye sees 254.
+  // An opaque image would be cut out of its background, and refused if that is not plain; an image with transparency is
+  // taken as it is. An alpha of 254 is invisible.
   picture.at<cv::Vec4b>(0, 0)[3] = 254;
   return picture;
 }

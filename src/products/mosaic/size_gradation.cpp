@@ -7,7 +7,7 @@ namespace {
 
 constexpr float kDiagonal = 7.f / 5;
 
-/// Of a row from its neighbour, then along the row from `begin` in steps of `step`.
+/// Lowers a row by its neighbour, then along the row from `begin` in steps of `step`.
 void take_from(const float* neighbour, float* row, int columns, float slope) {
   for (int x = 0; x < columns; ++x) {
     row[x] = std::min(row[x], neighbour[x] + slope);

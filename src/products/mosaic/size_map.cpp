@@ -10,19 +10,19 @@
 namespace tessera {
 namespace {
 
-/// px of the map, of the Gaussian before the steepness is taken: about a third of the smallest piece.
+/// The Gaussian before the steepness is computed, px of the map: about a third of the smallest piece.
 constexpr double kGradientSigma_px = 1.5;
-/// px of the map, of the Gaussian that makes the detail that of a place as large as a piece.
+/// The Gaussian that takes the detail of a place as large as a piece, px of the map.
 constexpr double kPlaceSigma_px = 5;
-/// Steps of CIE Lab a px that no eye sees; with less detail all is flat.
+/// Detail (steps of CIELAB for each px) that no eye sees; with less, everything is flat.
 constexpr double kFlat = 0.5;
-/// With s the size and g the detail, a piece of one colour is wrong by about g s. Of all sizes with the same number of
-/// pieces, the integral of 1 / s², that sum is least where s is as g to the power -1/3.
+/// With the size s and the detail g, a piece of one colour has an error of about g s. For a fixed number of pieces, the
+/// integral of 1 / s², the sum of errors is least where s is proportional to g to the power -1/3.
 constexpr double kDetailExponent = 1. / 3;
-/// By px of the canvas: a piece beside another may be larger by its own width.
+/// Growth of sizes for each px of the canvas: a neighbour of a piece may be larger by the piece's width.
 constexpr double kGrowth = 1;
 
-/// For one level of detail as large as the smallest piece is.
+/// The sizes, given the detail at which pieces are smallest.
 cv::Mat sizes_for(const cv::Mat& detail, double detail_of_smallest, const MosaicPlan& plan) {
   cv::Mat sizes;
   cv::pow(detail_of_smallest / detail, kDetailExponent, sizes);
@@ -60,7 +60,7 @@ cv::Mat largest_sizes(const cv::Mat& detail, const MosaicPlan& plan) {
   double least = 0, most = 0;
   cv::minMaxLoc(detail, &least, &most);
   const double range = std::log(plan.max_scale_px / plan.min_scale_px) / kDetailExponent;
-  double low = std::log(least), high = std::log(most) + range;  // all smallest ... all largest
+  double low = std::log(least), high = std::log(most) + range;  // from all pieces smallest to all largest
   constexpr int kHalvings = 25;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = (low + high) / 2;

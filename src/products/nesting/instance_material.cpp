@@ -12,7 +12,7 @@ using nlohmann::json;
 
 constexpr double kLeast_mm = 1e-3;
 
-/// jagua-rs wrote its keys with capitals once; what was an object then is a bin now.
+/// Refuses the older format of jagua-rs, whose keys have capitals and whose bins are called objects.
 void check_format(const json& instance, const std::string& path) {
   std::string found;
   for (const char* key : {"Items", "Objects", "Strip"}) {

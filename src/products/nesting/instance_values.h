@@ -1,4 +1,4 @@
-// Values of an instance's JSON, checked; `where` names the value in messages.
+// Reads and checks values of an instance's JSON; `where` names the value in messages.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -6,13 +6,13 @@
 
 namespace tessera {
 
-/// For messages. What is written of a list or an object, however deep, is its kind.
+/// The value for messages. A list or an object, however deep, is shown by its kind only.
 std::string shown_value(const nlohmann::json& value);
 
-/// Throws InputError where `object` has no such key.
+/// The value of the key. Throws InputError where `object` has no such key.
 const nlohmann::json& member(const nlohmann::json& object, const char* key, const std::string& where);
 
-/// The value of the key; nothing where there is none, or null.
+/// The value of the key; null where there is none, or JSON's null.
 const nlohmann::json* optional_member(const nlohmann::json& object, const char* key);
 
 /// Throws InputError where the value is no number from `least` to `most`.
@@ -24,7 +24,7 @@ struct InstanceRectangle {
   double x = 0, y = 0, width = 0, height = 0;
 };
 
-/// `data`: of the shape. Throws InputError.
+/// Reads a rectangle. `data`: of the shape. Throws InputError.
 InstanceRectangle rectangle_of(const nlohmann::json& data, const std::string& where);
 
 }  // namespace tessera

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// layout or layout_N, and an ending of a sheet's files.
+/// Whether the name is layout or layout_N with an ending of a sheet's files.
 bool is_of_sheet(std::string_view name) {
   constexpr std::string_view kStem = "layout";
   if (!name.starts_with(kStem)) return false;
@@ -34,7 +34,7 @@ bool is_of_sheet(std::string_view name) {
 
 bool is_ours(std::string_view name) { return is_of_sheet(name) || name == kNestLayoutName || name == kNestCardName; }
 
-/// What a run that was killed may have left.
+/// Whether a run that was killed may have left the file.
 bool is_leftover(std::string_view name) {
   static const std::string ending = temporary_path("");
   return name.ends_with(ending) && is_ours(name.substr(0, name.size() - ending.size()));
@@ -63,12 +63,12 @@ bool begins_with(const fs::path& file, const std::string& words) try {
   std::vector<std::uint8_t> first(words.size());
   read_at(file.string(), open_regular_file(file.string()), 0, first);
   return std::equal(first.begin(), first.end(), words.begin(), words.end());
-} catch (const InputError&) {  // not there, or no file
+} catch (const InputError&) {  // missing, or no file
   return false;
 }
 
-/// The first file in the folder that shows that the folder is not of tessera nest; nothing where it may be written
-/// into. A run that was killed leaves its lock and temporary files, or its card without layout.json.
+/// The first file that shows that the folder is not of tessera nest; empty: the folder may be used. A run that was killed
+/// leaves its lock and temporary files, or its card without layout.json.
 std::string foreign_file(const fs::path& folder) {
   const std::string program(kNestProgram);
   const std::set<std::string> names = names_in(folder);
@@ -82,16 +82,16 @@ std::string foreign_file(const fs::path& folder) {
   return "";
 }
 
-/// The folder, which may be written into.
+/// The folder, after a check that it may be used.
 fs::path checked(const fs::path& folder) {
   const std::string shown = printable_utf8(folder.string());
   std::error_code ignored;
   if (!fs::exists(folder, ignored)) return folder;
   if (!fs::is_directory(folder, ignored))
-    throw InputError("--out " + shown + ": is there and is no folder; give another name");
+    throw InputError("--out " + shown + ": exists and is no folder; give another name");
   if (const std::string file = foreign_file(folder); !file.empty()) {
-    throw InputError("--out " + shown + ": is there, and its " + printable_utf8(file) +
-                     " is not of tessera nest; give another name");
+    throw InputError("--out " + shown + ": exists, and its " + printable_utf8(file) +
+                     " was not made by tessera nest; give another name");
   }
   for (const std::string& name : names_in(folder)) {
     if ((is_ours(name) || is_leftover(name)) && fs::is_directory(fs::symlink_status(folder / name)))
@@ -104,7 +104,7 @@ std::string name_of_sheet(const NestRun& run, int sheet) {
   return run.layout.sheets > 1 ? "layout_" + std::to_string(sheet + 1) : "layout";
 }
 
-/// Writes files under temporary names; those that are not taken over are removed.
+/// Writes files under temporary names, and removes those that do not get their final names.
 class TemporaryFiles {
  public:
   TemporaryFiles(const fs::path& folder, std::size_t all, const BetweenFiles& between)
@@ -123,11 +123,11 @@ class TemporaryFiles {
     TemporaryFile file((folder_ / name).string());
     file.write(bytes);
     file.leave();
-    names_.push_back(name);  // what could not be written is not there
+    names_.push_back(name);  // a file that could not be written does not exist
   }
   void add(const std::string& name, std::string_view text) { add(name, bytes_of(text)); }
 
-  /// All bytes are on the disk when this returns.
+  /// Writes all bytes to the disk.
   void flush() const {
     constexpr std::size_t kAtOnce = 64;
     for (std::size_t first = 0; first < names_.size(); first += kAtOnce) {
@@ -136,7 +136,7 @@ class TemporaryFiles {
     }
   }
 
-  /// All of them, in the order in which they were added, get their own names. They were flushed.
+  /// Gives all files their final names, in the order in which they were added. To be called after flush().
   void take() const { take_left_files(folder_.string(), names_); }
 
  private:
@@ -148,14 +148,14 @@ class TemporaryFiles {
 
 std::size_t files_of_sheet(bool of_library) { return of_library ? 4 : 2; }
 
-/// What the disk takes for files that are written, flushed and renamed together.
+/// The time that the disk takes for files that are written, flushed and renamed together.
 struct DiskSpeed {
-  double wait_s = 0;  // however many there are
-  double file_s = 0;  // more for each
+  double wait_s = 0;  // for any number of files
+  double file_s = 0;  // more for each file
   double seconds(double files) const { return wait_s + file_s * files; }
 };
 
-/// Writes, flushes and removes so many small files. Returns how long that took.
+/// Writes, flushes and removes so many small files, and returns the seconds that it took.
 double seconds_of_trial(const fs::path& folder, std::size_t count) {
   constexpr std::size_t kBytes = 4096;
   const std::string text(kBytes, ' ');
@@ -200,7 +200,8 @@ double NestFolder::seconds_to_write(bool of_library, double sheets) const {
   return count > kFew ? kMargin * measured_disk(folder_).seconds(count) : 0;
 }
 
-/// With layout.json gone the folder has no whole layout, until the new layout.json is there, the last file.
+/// Removes the earlier layout. Without layout.json the folder has no whole layout until the new layout.json, the last file,
+/// is written.
 void NestFolder::remove_earlier() {
   remove_file(folder_ / kNestLayoutName);
   remove_files(folder_, is_of_sheet);
@@ -223,7 +224,7 @@ void NestFolder::draw(const NestRun& run, const BetweenFiles& between) {
     draw_some(run, first, std::min(first + kAtOnce, run.layout.sheets), between);
 }
 
-/// The sheets from `first` to before `end`.
+/// Draws the sheets from `first` to before `end`.
 void NestFolder::draw_some(const NestRun& run, int first, int end, const BetweenFiles& between) {
   const BetweenFiles nothing = [](std::size_t, std::size_t) {};
   TemporaryFiles files(folder_, std::size_t(end - first), nothing);

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostFileBytes = std::size_t(64) << 20;
 constexpr std::size_t kMostFolderPoints = 2'000'000;
-constexpr double kMmOfPx = 25.4 / 96;  // as a drawing without another unit has it
+constexpr double kMmOfPx = 25.4 / 96;  // for drawings without another unit
 
 enum class Kind { instance, svg, dxf, library, other };
 
@@ -60,7 +60,7 @@ class FileReader {
       add_dxf(bytes, shown, printable_utf8(path.stem().string()));
   }
 
-  /// To be called after the last file. Throws InputError where --leave-out or --dpi had nothing to do.
+  /// To be called after the last file. Throws InputError where --leave-out or --dpi had no effect.
   void end(const std::string& path) const {
     if (!not_found_.empty()) {
       const std::string example = example_.empty() ? "" : ", as " + printable_utf8(example_);
@@ -103,15 +103,15 @@ class FileReader {
   const NestReading& reading_;
   NestInput& input_;
   UnknownUnits units_;
-  std::set<std::string> not_found_;  // of the elements to be left out
-  std::string example_;              // an element that could be
+  std::set<std::string> not_found_;  // elements to be left out
+  std::string example_;              // an element that could be left out
   Drawers drawers_{{.processes = 1}};
 };
 
 struct FolderFiles {
   std::vector<fs::path> drawings;
-  std::set<std::string> others;  // called like drawings, and no regular files
-  std::set<std::string> unread;  // of other kinds
+  std::set<std::string> others;  // names of drawings that are no regular files
+  std::set<std::string> unread;  // files of other kinds
 };
 
 FolderFiles drawings_in(const fs::path& folder) {
@@ -135,13 +135,13 @@ FolderFiles drawings_in(const fs::path& folder) {
   return files;
 }
 
-/// A drawing that is alone in its file is found by the file's name, too.
+/// Makes a drawing that is alone in its file known by the file's name, too.
 void answer_to_file(const fs::path& file, NestInput& input) {
   const std::string stem = printable_utf8(file.stem().string());
   if (input.sources.size() == 1 && input.sources.front().drawing.name != stem) input.sources.front().other_name = stem;
 }
 
-/// The drawings of a file in a folder have its name: a single one that alone, several before their own.
+/// Names the drawings of a file in a folder after the file: a single one by its name, several by its name before their own.
 void name_by_file(const fs::path& file, std::size_t first, NestInput& input) {
   const std::string stem = printable_utf8(file.stem().string());
   const bool one = input.sources.size() == first + 1;
@@ -178,7 +178,7 @@ void add_folder(const fs::path& folder, FileReader& reader, NestInput& input) {
   }
   std::size_t points = 0;
   std::string refusal;            // of the first file that cannot be used
-  std::set<std::string> refused;  // the others: all are told at once
+  std::set<std::string> refused;  // the other such files: all are reported at once
   for (const fs::path& file : files) {
     const std::size_t before = input.sources.size();
     try {
@@ -226,7 +226,7 @@ void add_library(const std::string& path, NestInput& input) {
        library.read(0, library.size(), {.outline = true, .field = false, .levels = 0, .artwork = false})) {
     if (!(shape.drawn_scale_px > 0)) {
       throw InputError(shown_path(path) + ": does not say how large \"" + printable_utf8(shape.name) +
-                       "\" was drawn, as of an earlier version; tessera library build makes one that does");
+                       "\" was drawn, because an earlier version built it; tessera library build makes one that does");
     }
     NestSource& source = input.sources.emplace_back();
     source.mm_per_shape = double(shape.drawn_scale_px) * kMmOfPx;
@@ -250,7 +250,7 @@ void make_names_unique(NestInput& input) {
   }
 }
 
-/// A side that goes out and back would be cut, and would overlap what is laid beside it.
+/// Removes sides that go out and straight back: they would be cut, and would overlap pieces beside them.
 void remove_spikes(const std::string& path, NestInput& input) {
   for (NestSource& source : input.sources) {
     NestRing outline = without_spikes(source.drawing.outline);
@@ -262,7 +262,7 @@ void remove_spikes(const std::string& path, NestInput& input) {
   }
 }
 
-/// What was left out may be what is looked for.
+/// The first notes: the drawing that the user misses may have been left out.
 std::string first_notes(const NestInput& input) {
   constexpr std::size_t kMostNotes = 3;
   std::string text;
@@ -313,7 +313,7 @@ NestInput read_nest_input(const std::string& path, const NestReading& reading) {
 
 namespace {
 
-/// Some of them, for people who look for the right one.
+/// Some of the names, for people who look for the right one.
 std::string names_of(const NestInput& input) {
   constexpr std::size_t kMostBytes = 200;
   std::string names;

@@ -18,7 +18,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kMostAngles = 360;
-/// Each point, of which there may be kMostDrawingPoints, is a list of two numbers.
+/// Each of up to kMostDrawingPoints points is a list of two numbers.
 constexpr JsonBounds kBounds{.values = 1'000'000, .levels = 32};
 
 NestRing ring_of(const json& points, const std::string& where) {
@@ -39,7 +39,7 @@ NestRing ring_of(const json& points, const std::string& where) {
   return ring;
 }
 
-/// Its points are added to `points`.
+/// Reads a shape and adds the number of its points to `points`.
 NestDrawing drawing_of(const json& shape, const std::string& where, std::size_t& points) {
   const json& type = member(shape, "type", where + ": shape");
   const json& data = member(shape, "data", where + ": shape");
@@ -65,7 +65,7 @@ NestDrawing drawing_of(const json& shape, const std::string& where, std::size_t&
 }
 
 std::vector<double> angles_of(const json& item, const std::string& where) {
-  // Without the key any rotation is allowed: the command says which.
+  // Without the key any rotation is allowed: the command's angles are used.
   const auto at = item.find("allowed_orientations");
   if (at == item.end() || at->is_null()) return {};
   if (!at->is_array() || at->empty() || at->size() > kMostAngles)

@@ -1,5 +1,5 @@
-// Instances of strip packing as sparrow and jagua-rs have them: JSON with name, items (id, demand, allowed_orientations in
-// degrees, shape) and strip_height or a bin; and layouts in the same manner.
+// Reads instances of strip packing in the format of sparrow and jagua-rs: JSON with name, items (id, demand,
+// allowed_orientations in degrees, shape) and strip_height or a bin; and layouts in the same format.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace tessera {
 
-/// Lengths count as mm. Throws InputError, naming `path` and the item.
+/// Lengths count as mm. Throws InputError that names `path` and the item.
 NestInput nest_instance(std::string_view json, const std::string& path);
 
 }  // namespace tessera

@@ -15,7 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the sheet: so many px that the shorter side has very nearly a whole number of them, too, and has room for all.
+/// The canvas of a sheet, px. Its size is chosen so that the shorter side has nearly a whole number of px and all pieces
+/// fit.
 struct CanvasPx {
   int width = 0;
   int height = 0;
@@ -24,7 +25,7 @@ struct CanvasPx {
 
 CanvasPx canvas_of(const NestSheet& sheet) {
   constexpr int kSide_px = 2000, kMostSide_px = 20'000;  // of the longer side
-  constexpr double kLeast_px = 16;                       // that a canvas may have
+  constexpr double kLeast_px = 16;                       // the least side of a canvas
   constexpr double kWhole_px = 1e-6;
   const double longer_mm = std::max(sheet.width_mm, sheet.height_mm);
   const double ratio = std::min(sheet.width_mm, sheet.height_mm) / longer_mm;
@@ -71,8 +72,8 @@ NestJob nest_job(const NestRun& run, int sheet, const std::string& folder, const
                            "# Every key of a job: docs/job-format.md\n\n"
                            "[library]\nfile = " +
                            toml_string(library) + "\n\n[canvas]\nsize_mm = [" + size_mm + "]\nsize_px = [" + size_px +
-                           "]\n\n[start]\n# Where they lie.\npieces = " + toml_string(pieces_name) +
-                           "\n\n[stop]\n# No others.\npieces = " + std::to_string(pieces.size()) +
+                           "]\n\n[start]\n# The poses of the pieces.\npieces = " + toml_string(pieces_name) +
+                           "\n\n[stop]\n# No other pieces.\npieces = " + std::to_string(pieces.size()) +
                            "\n\n[improve]\ntrials = 0\n\n[output]\ndpi = " +
                            fixed(std::clamp(std::round(canvas.per_mm * 25.4), 1.0, 4800.0), 0) + "\n";
   return {toml, puzzle_geojson(pieces)};

@@ -1,4 +1,4 @@
-// A layout of a library's shapes as a job of tessera collage, which draws the artwork itself.
+// Turns a layout of a library's shapes into a job of tessera collage, which draws the artwork.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ struct NestJob {
   std::string pieces;  // geojson
 };
 
-/// Of one sheet. `pieces_name`: the file of the pieces, in the job's folder.
+/// The job of one sheet. `pieces_name`: the file of the pieces, in the job's folder.
 NestJob nest_job(const NestRun& run, int sheet, const std::string& folder, const std::string& pieces_name);
 
 }  // namespace tessera

@@ -1,4 +1,4 @@
-// A layout in words and numbers: its places in JSON, and a card.
+// Writes a layout in words and numbers: its places in JSON, and a card.
 #pragma once
 
 #include <string>
@@ -16,28 +16,28 @@ struct NestRun {
   std::string effort;
   std::uint64_t seed = 1;
   double seconds = 0;
-  std::optional<StopReason> stopped_by;  // before all of the search was done
+  std::optional<StopReason> stopped_by;  // set where the search did not end by itself
 };
 
-/// What layout.json and card.txt begin with, so that a folder of tessera nest can be told from others.
+/// The beginning of layout.json and card.txt, by which folders of tessera nest are recognised.
 inline constexpr const char* kNestProgram = "tessera nest";
 inline constexpr const char* kNestLayoutName = "layout.json";
 inline constexpr const char* kNestCardName = "card.txt";
 
-/// Area of the pieces over that of the strip as far as it is used, or of all sheets.
+/// The area of the pieces divided by the used area of the strip, or by that of all sheets.
 double density_of(const NestRun& run);
 
-/// How many pieces were wanted.
+/// The number of pieces that were wanted.
 int wanted_pieces(const NestRun& run);
 
-/// What ended the search of a run that was stopped, for people: "the time limit".
+/// The reason why the search of a run was stopped, for people: "the time limit".
 std::string stopped_by_text(const NestRun& run);
 
-/// layout.json, in the manner of sparrow's solutions: rotation in degrees about the shape's own origin, then the
-/// translation.
+/// The text of layout.json, in the format of sparrow's solutions: rotation in degrees about the shape's own origin, then
+/// the translation.
 std::string nest_layout_json(const NestRun& run);
 
-/// card.txt.
+/// The text of card.txt.
 std::string nest_card_text(const NestRun& run);
 
 }  // namespace tessera

@@ -14,7 +14,7 @@ namespace {
 constexpr int kDecimals = 6;  // of mm
 constexpr int kPictureSide_px = 2000;
 
-/// A name that XML allows for ids.
+/// An id that XML allows, made of number and name.
 std::string id_of(std::size_t number, const std::string& name) {
   std::string id = "piece-" + std::to_string(number) + "-";
   for (const char c : name) {
@@ -64,7 +64,7 @@ std::string polyline(const NestRing& ring, double height_mm, const std::string& 
   return text + pair(0, "SEQEND") + pair(8, layer);
 }
 
-/// Colours that neighbours in number tell apart: the golden angle round the wheel, pale.
+/// Pale colours that differ for neighbouring numbers: steps of the golden angle round the colour wheel.
 void set_colour(cairo_t* cairo, int source) {
   const double hue = std::fmod(source * 0.618034, 1.0) * 6;
   const auto channel = [&](double centre) {
@@ -80,7 +80,7 @@ void add_path(cairo_t* cairo, const NestRing& contour) {
   cairo_close_path(cairo);
 }
 
-/// Lines one contour after the other: cairo takes very long for the lines of thousands at once.
+/// Draws lines one contour after the other, because cairo is very slow with the lines of thousands at once.
 void draw(cairo_t* cairo, const NestCut& cut, double line_mm) {
   for (const NestRing& contour : cut.contours) add_path(cairo, contour);
   set_colour(cairo, cut.source);

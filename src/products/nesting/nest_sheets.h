@@ -1,4 +1,4 @@
-// The files of one sheet of a layout.
+// Writes the files of one sheet of a layout.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@
 
 namespace tessera {
 
-/// What is cut of one piece, where it lies: its outline, then its holes. mm, y down.
+/// The lines that are cut for one piece, in its place: its outline, then its holes. mm, y down.
 struct NestCut {
   int source = 0;
-  std::string id;  // unique on the sheet, fit for XML
+  std::string id;  // unique on the sheet, valid in XML
   std::vector<NestRing> contours;
-  std::vector<PathSteps> curves;  // that the contours stand for; empty: it is a polygon
+  std::vector<PathSteps> curves;  // the curves of the contours; empty: it is a polygon
 };
 
 struct NestSheet {
@@ -25,11 +25,11 @@ struct NestSheet {
 
 NestSheet nest_sheet(const NestRun& run, int sheet);
 
-/// One path a piece, in mm, with the curves of the input.
+/// An SVG with one path for each piece, in mm, with the curves of the input.
 std::string sheet_svg(const NestSheet& sheet);
-/// R12, mm, y up: one closed polyline a contour, curves as polygons.
+/// A DXF R12, mm, y up: one closed polyline for each contour, with curves as polygons.
 std::string sheet_dxf(const NestSheet& sheet);
-/// For people: pieces of one item in one colour.
+/// A picture for people: pieces of one item have one colour.
 std::vector<std::uint8_t> sheet_png(const NestSheet& sheet);
 
 }  // namespace tessera

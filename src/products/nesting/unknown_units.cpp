@@ -8,14 +8,14 @@
 namespace tessera {
 namespace {
 
-/// With one decimal, or with three digits where that says nothing.
+/// The length with one decimal, or with three digits where one decimal is too coarse.
 std::string length_text(double mm) { return mm >= 10 ? fixed(mm, 1) : significant(mm, 3); }
 
 std::string size_text(double width_mm, double height_mm) {
   return length_text(width_mm) + " x " + length_text(height_mm) + " mm";
 }
 
-/// How much room the drawings take as they lie in their file; nothing without a drawing.
+/// The bounding box of the drawings in their file; empty without a drawing.
 std::optional<NestBox> extent_of(const std::vector<NestDrawing>& drawings) {
   if (drawings.empty()) return std::nullopt;
   NestBox all = box_of(drawings.front().outline);
@@ -31,7 +31,7 @@ std::string extent_text(const std::optional<NestBox>& extent) {
   return extent ? "its shapes take " + size_text(extent->width(), extent->height()) : "it has no shape";
 }
 
-/// "" where the program that wrote the file took CSS's px, or px do not matter.
+/// A note that the program which wrote the file has px of another size; empty where it uses CSS's px, or px do not matter.
 std::string own_px_text(const SvgOutlines& outlines, const std::optional<NestBox>& extent) {
   if (!(outlines.program_px_per_inch > 0) || !extent) return "";
   const double larger = kCssPxPerInch / outlines.program_px_per_inch;
@@ -39,7 +39,7 @@ std::string own_px_text(const SvgOutlines& outlines, const std::optional<NestBox
   return "written by " + outlines.program + ", which had " + px + " px an inch: its shapes take " +
          size_text(larger * extent->width(), larger * extent->height()) + " then, and " +
          size_text(extent->width(), extent->height()) + " at CSS's 96, as they are read here; --dpi " + px +
-         " or --dpi 96 says which";
+         " or --dpi 96 chooses one";
 }
 
 }  // namespace

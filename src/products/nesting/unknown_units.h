@@ -1,4 +1,4 @@
-// Drawings that do not say in which unit of length they are: what tessera nest takes them for is told.
+// Collects drawings that name no unit of length, and tells the user which unit tessera nest assumes.
 #pragma once
 
 #include <cstddef>
@@ -13,9 +13,9 @@ namespace tessera {
 
 class UnknownUnits {
  public:
-  /// An SVG; `path` for people. Told is what names no unit, and what was made by a program that had px of its own.
+  /// Adds an SVG; `path` is for people. Notes SVGs without a unit, and SVGs of programs with px of their own.
   void add_svg(const std::string& path, const SvgOutlines& outlines, const std::vector<NestDrawing>& drawings);
-  /// A DXF without a unit.
+  /// Adds a DXF without a unit.
   void add_dxf(const std::string& path, const DxfDrawings& found);
 
   /// Adds one note for each format, which names the first file, and sets NestInput::unit. `path`: the file or folder.
@@ -25,11 +25,11 @@ class UnknownUnits {
   struct Files {
     std::size_t count = 0;
     std::string first;    // its path
-    std::string size_mm;  // "its page is 105.8 x 79.4 mm"
+    std::string size_mm;  // for people: "its page is 105.8 x 79.4 mm"
   };
 
   Files svgs_, dxfs_;
-  std::vector<std::string> own_px_;  // notes on SVGs whose program had px of its own
+  std::vector<std::string> own_px_;  // notes on SVGs whose program has px of its own
 };
 
 }  // namespace tessera

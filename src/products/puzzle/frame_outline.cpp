@@ -9,7 +9,7 @@
 namespace tessera {
 
 std::vector<Vec2> frame_outline(const std::vector<std::vector<Vec2>>& edge, const std::string& path) {
-  constexpr double kSpeck = 1e-3;  // of the largest area
+  constexpr double kSpeck = 1e-3;  // part of the largest area
   std::vector<double> areas;
   for (const auto& curve : edge) areas.push_back(signed_area(curve));
   const auto by_size = [](double a, double b) { return std::abs(a) < std::abs(b); };

@@ -1,4 +1,4 @@
-// The outline of what a puzzle's pieces make up together.
+// The outline of the whole puzzle.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace tessera {
 
-/// The one outline of a drawing's edge (canvas_edge.h), interior on the left; specks beside it do not count. Throws
-/// InputError, which names `path`, where there are several, or holes.
+/// The one outline of a drawing's edge (canvas_edge.h), with the interior on the left; specks beside it do not count.
+/// Throws InputError that names `path` where there are several outlines, or holes.
 std::vector<Vec2> frame_outline(const std::vector<std::vector<Vec2>>& edge, const std::string& path);
 
 }  // namespace tessera

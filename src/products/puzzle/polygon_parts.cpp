@@ -19,21 +19,21 @@ struct Before {
   bool operator()(Vec2 a, Vec2 b) const { return before(a, b); }
 };
 
-/// Which side of the line from p to q; twice the triangle's area. Of floats the sign is exact.
+/// On which side of the line from p to q the point lies: twice the triangle's area. For floats the sign is exact.
 double side(Vec2 p, Vec2 q, Vec2 r) {
   return (double(q.x) - p.x) * (double(r.y) - p.y) - (double(q.y) - p.y) * (double(r.x) - p.x);
 }
 
-/// Where an edge of the cell and one of the outline cross.
+/// A crossing of an edge of the cell and an edge of the outline.
 struct Crossing {
   std::size_t cell_edge, outline_edge;
   double along_cell, along_outline;  // parts of the edges
   Vec2 at;
-  bool enters;  // the cell's boundary goes into the outline
+  bool enters;  // the cell's boundary enters the outline here
   std::size_t next_on_cell = 0, next_on_outline = 0;
 };
 
-/// The cell's edge is always seen from the same end, whichever of the two cells beside it asks.
+/// The cell's edge is always taken from the same end, for both cells beside it.
 void find_crossing(const Curve& cell, std::size_t i, const Curve& outline, std::size_t j, std::vector<Crossing>& all) {
   const Vec2 from = cell[i], to = cell[(i + 1) % cell.size()];
   const bool turned = before(to, from);
@@ -59,7 +59,7 @@ std::vector<Crossing> crossings(const Curve& cell, const Curve& outline) {
   return all;
 }
 
-/// Of each crossing the one that follows along either boundary.
+/// Links each crossing to the next one along either boundary.
 void link(std::vector<Crossing>& all) {
   std::vector<std::size_t> order(all.size());
   const auto link_by = [&](auto place, auto next) {
@@ -71,15 +71,15 @@ void link(std::vector<Crossing>& all) {
   link_by([](const Crossing& c) { return std::pair(c.outline_edge, c.along_outline); }, &Crossing::next_on_outline);
 }
 
-/// The points of a curve behind an edge's start, up to the start of another edge; all the way round where the place
-/// on one edge is not farther on.
+/// Appends the points of a curve after an edge's start, up to the start of another edge. Goes all the way round where the
+/// place on the same edge is not farther on.
 void append_between(const Curve& curve, std::size_t edge, std::size_t last_edge, bool round, Curve& part) {
   std::size_t steps = (last_edge + curve.size() - edge) % curve.size();
   if (steps == 0 && round) steps = curve.size();
   for (std::size_t k = 1; k <= steps; ++k) part.push_back(curve[(edge + k) % curve.size()]);
 }
 
-/// Without points that repeat the one before.
+/// The curve without points that repeat the one before.
 Curve without_repeats(Curve part) {
   part.erase(std::unique(part.begin(), part.end()), part.end());
   while (part.size() > 1 && part.front() == part.back()) part.pop_back();
@@ -172,7 +172,7 @@ std::optional<Curve> joined(const Curve& a, const Curve& b) {
     if (on == next.end()) return {};
     at = on->second;
   } while (!(at == curve.front()) && curve.size() <= kept);
-  if (curve.size() != kept) return {};  // a hole, or a point in which they touch beside
+  if (curve.size() != kept) return {};  // a hole, or a point in which they touch as well
   return curve;
 }
 

@@ -15,12 +15,12 @@ namespace {
 
 using Curve = std::vector<Vec2>;
 
-/// Each number has a name (what it is for, and of which place), so that none depends on how many were drawn before.
+/// Random numbers with names (purpose and place), so that none depends on how many were drawn before.
 class NamedDraws {
  public:
   explicit NamedDraws(std::uint64_t seed) : seed_(mix_bits(seed)) {}
 
-  /// In [low, high).
+  /// A number in [low, high).
   float between(float low, float high, std::uint64_t place, std::uint64_t what) const {
     const std::uint64_t bits = mix_bits(seed_ ^ mix_bits(place * 64 + what));
     return low + (high - low) * unit_float(std::uint32_t(bits >> 32));
@@ -34,7 +34,7 @@ struct GridSize {
   int columns, rows;
 };
 
-/// As near to the wished number as goes with pieces that are nearly square.
+/// The grid with the number of pieces nearest to the wish, among those with nearly square pieces.
 GridSize grid_size(const CutRequest& request) {
   GridSize best{1, 1};
   double least = INFINITY;
@@ -56,8 +56,8 @@ Vec2 bezier(const std::array<Vec2, 4>& p, float t) {
   return p[0] * (s * s * s) + p[1] * (3 * s * s * t) + p[2] * (3 * s * t * t) + p[3] * (t * t * t);
 }
 
-/// A side from (0, 0) to (1, 0) with a tab towards positive y, both ends included. Neck, head and shoulders vary, so
-/// that no two sides are alike.
+/// A side from (0, 0) to (1, 0) with a tab towards positive y, including both ends. Neck, head and shoulders vary, so that
+/// no two sides are alike.
 Curve unit_side(const NamedDraws& draws, std::uint64_t side) {
   constexpr int kSteps = 24;  // of each of its three curves
   const float head = draws.between(0.085f, 0.115f, side, 0);
@@ -95,7 +95,7 @@ class PuzzleGrid {
   }
 
  private:
-  /// Points on the frame move along it only.
+  /// A corner of the grid. Points on the frame move only along it.
   Vec2 corner(int i, int j) const {
     const float waver = request_.style == CutStyle::tabs ? 0.1f : 0;  // of a cell
     const std::uint64_t place = std::uint64_t(j) * 100'003 + std::uint64_t(i);
@@ -105,7 +105,7 @@ class PuzzleGrid {
     return {x * float(request_.width_px) / float(grid_.columns), y * float(request_.height_px) / float(grid_.rows)};
   }
 
-  /// From one corner to the next, to the right or down; without its last point.
+  /// The line from one corner to the next, to the right or down, without its last point.
   Curve side(int i, int j, bool down) const {
     const Vec2 from = corner(i, j), to = down ? corner(i, j + 1) : corner(i + 1, j);
     const bool on_frame = down ? i == 0 || i == grid_.columns : j == 0 || j == grid_.rows;
@@ -113,7 +113,7 @@ class PuzzleGrid {
     const std::uint64_t name = (std::uint64_t(j) * 100'003 + std::uint64_t(i)) * 2 + (down ? 1 : 0);
     const float towards = draws_.between(0, 1, name, 32) < 0.5f ? -1.f : 1.f;
     const Vec2 along = to - from;
-    // Tabs of the long sides of narrow pieces would meet.
+    // Narrow pieces get smaller tabs on their long sides, because these would meet.
     const float breadth =
         down ? float(request_.width_px) / float(grid_.columns) : float(request_.height_px) / float(grid_.rows);
     const Vec2 across = Vec2{-along.y, along.x} * (towards * std::min(1.f, breadth / norm(along)));
@@ -143,7 +143,7 @@ class PuzzleGrid {
   NamedDraws draws_;
 };
 
-/// Of several random points the one farthest from those that are there.
+/// Random points; each is the one of several draws that is farthest from the points before.
 Curve scattered_points(const CutRequest& request) {
   constexpr int kDraws = 30;
   const NamedDraws draws(request.seed);
@@ -194,7 +194,7 @@ std::vector<Curve> cells(const CutRequest& request) {
   return all;
 }
 
-/// Corners of several cells are computed for each of them, and differ by rounding: the first one holds for all.
+/// Makes common corners equal: each cell computes them by itself with other rounding, and the first one counts.
 void weld(std::vector<Curve>& cells) {
   constexpr float kNear_px = 0.05f;
   std::vector<Vec2*> points;
@@ -217,7 +217,7 @@ void weld(std::vector<Curve>& cells) {
   }
 }
 
-/// Small ones become part of the neighbour that they share most of their boundary with.
+/// Joins small parts to the neighbour with which they share most of their boundary.
 void join_small(std::vector<Curve>& parts, double small_px2) {
   std::vector<double> areas;
   std::vector<Box> boxes;
@@ -225,7 +225,7 @@ void join_small(std::vector<Curve>& parts, double small_px2) {
     areas.push_back(signed_area(part));
     boxes.push_back(bounding_box(part));
   }
-  std::vector<bool> stays(parts.size());  // nothing goes together with it
+  std::vector<bool> stays(parts.size());  // nothing is joined to it
   for (;;) {
     std::size_t least = parts.size();
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -263,11 +263,11 @@ std::vector<Curve> cells_of(const CutRequest& request) {
   return request.style == CutStyle::polygons ? cells(request) : PuzzleGrid(request).pieces();
 }
 
-/// Cells over the outline's box, a little larger so that no side of theirs lies on its edge.
+/// Parts of the outline: cells over its bounding box, a little enlarged, so that no side lies on the box' edge.
 std::vector<Curve> parts_of_outline(const CutRequest& request) {
   constexpr float kBeyond_px = 1;
   constexpr double kMostOfBox = 4;  // thinner shapes get fewer pieces
-  constexpr double kSmall = 0.2;    // of a usual piece's area: less is a sliver
+  constexpr double kSmall = 0.2;    // part of a usual piece's area: less is a sliver
   const double area = signed_area(request.outline);
   const Box box = bounding_box(request.outline);
   CutRequest over_box = request;

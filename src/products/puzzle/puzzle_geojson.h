@@ -1,4 +1,4 @@
-// Pieces of a puzzle where they lie, as start.pieces of a job and tessera card read them.
+// Writes laid pieces of a puzzle in the format that start.pieces of a job and tessera card read.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct LaidPuzzlePiece {
   std::vector<Vec2> outline_px;  // canvas
 };
 
-/// A FeatureCollection as pieces.geojson of a result is one, without what only a run knows.
+/// A FeatureCollection like pieces.geojson of a result, without the data that only a run has.
 std::string puzzle_geojson(const std::vector<LaidPuzzlePiece>& pieces);
 
 }  // namespace tessera

@@ -23,9 +23,9 @@
 namespace tessera {
 namespace {
 
-constexpr int kLargestSide_px = 20'000;  // a turned piece is larger, and OpenCV warps up to 32,767
+constexpr int kLargestSide_px = 20'000;  // a turned piece is larger, and OpenCV warps at most 32,767
 constexpr int kRim_px = 3;               // transparent, round each piece
-constexpr int kSubpixels = 8;            // each way, of an edge's coverage
+constexpr int kSubpixels = 8;            // in each direction, for an edge's coverage
 constexpr int kSubpixelBits = 8;         // of cv::fillPoly's coordinates
 
 void check(const PuzzleRequest& request) {
@@ -35,7 +35,7 @@ void check(const PuzzleRequest& request) {
   }
 }
 
-/// What is cut, opaque where the outline goes. `outline`: empty for the whole picture.
+/// The picture to cut, opaque within the outline. `outline`: empty for the whole picture.
 struct Source {
   cv::Mat bgra;
   std::vector<Vec2> outline = {};
@@ -46,7 +46,7 @@ bool is_svg(const std::string& path) {
   return extension == ".svg" || extension == ".svgz";
 }
 
-/// The colours of what is opaque go on for some px beyond it: the edge of a piece mixes with them.
+/// The page with the colours of opaque parts continued some px beyond them, because the edge of a piece mixes with these.
 cv::Mat with_colours_beyond(const cv::Mat& page) {
   constexpr double kReach_px = 2;
   cv::Mat own, weight, blurred;
@@ -67,10 +67,10 @@ cv::Mat with_colours_beyond(const cv::Mat& page) {
   return result;
 }
 
-/// As large as its pieces want it.
+/// Reads the shape in a size that suits its pieces.
 Source shape_of(const PuzzleRequest& request, Drawers& drawers) {
   constexpr int kLeastSide_px = 1600;
-  constexpr double kUsualPiece_px = 100;  // a side of one, where the shape fills half of the page
+  constexpr double kUsualPiece_px = 100;  // side of a piece, where the shape fills half of the page
   const int wished = int(kUsualPiece_px * std::sqrt(2.0 * request.pieces));
   const int side_px = std::min(std::max(kLeastSide_px, wished), kMaxArtworkSide_px);
   const cv::Mat page = drawers.render(read_regular_file(request.picture, kMaxPhotoBytes), request.picture, side_px);
@@ -110,7 +110,7 @@ float unit_draw(std::uint64_t seed, std::uint64_t name) {
   return unit_float(std::uint32_t(mix_bits(mix_bits(seed) ^ mix_bits(name)) >> 32));
 }
 
-/// Which piece comes at which place.
+/// A random order: which piece gets which number.
 std::vector<std::size_t> shuffled(std::size_t count, std::uint64_t seed) {
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), 0);
@@ -127,7 +127,7 @@ std::string name_of(std::size_t place) {
   return name;
 }
 
-/// Part of each pixel that lies in the polygon, 0 to 255. By bands of rows, as subpixels take memory.
+/// The part of each pixel that lies in the polygon, 0 to 255. In bands of rows, because subpixels take memory.
 cv::Mat coverage(const std::vector<Vec2>& polygon, const cv::Size& size) {
   constexpr int kBand_px = 64;
   cv::Mat mask(size, CV_8UC1);
@@ -136,7 +136,7 @@ cv::Mat coverage(const std::vector<Vec2>& polygon, const cv::Size& size) {
     cv::Mat fine = cv::Mat::zeros(band * kSubpixels, CV_8UC1);
     std::vector<cv::Point> points;
     for (const Vec2 p : polygon) {
-      const auto fixed = [](double x) {  // a pixel's centre has whole numbers there
+      const auto fixed = [](double x) {  // the centre of a pixel has whole numbers there
         return int(std::lround((x * kSubpixels - 0.5) * (1 << kSubpixelBits)));
       };
       points.emplace_back(fixed(p.x), fixed(double(p.y) - y));
@@ -147,7 +147,7 @@ cv::Mat coverage(const std::vector<Vec2>& polygon, const cv::Size& size) {
   return mask;
 }
 
-/// The piece, turned by that angle, on as small a picture as holds it.
+/// The piece, turned by that angle, on the smallest picture that holds it.
 cv::Mat cut_out(const cv::Mat& picture, const std::vector<Vec2>& polygon, double turn_rad) {
   const double c = std::cos(turn_rad), s = std::sin(turn_rad);
   std::vector<Vec2> turned;
@@ -156,7 +156,7 @@ cv::Mat cut_out(const cv::Mat& picture, const std::vector<Vec2>& polygon, double
   const Vec2 shift{float(kRim_px) - std::floor(box.low.x), float(kRim_px) - std::floor(box.low.y)};
   for (Vec2& p : turned) p = p + shift;
   const cv::Size size(int(std::ceil(box.width())) + 2 * kRim_px + 1, int(std::ceil(box.height())) + 2 * kRim_px + 1);
-  // Pixel centres of OpenCV have whole numbers, ours halves.
+  // Pixel centres are whole numbers in OpenCV and halves here.
   const cv::Matx23d out_from_picture(c, -s, 0.5 * (c - s) + shift.x - 0.5, s, c, 0.5 * (s + c) + shift.y - 0.5);
   cv::Mat cut;
   cv::warpAffine(picture, cut, out_from_picture, size, cv::INTER_LINEAR, cv::BORDER_REPLICATE);

@@ -1,4 +1,4 @@
-// A picture or a shape cut into the pieces of a puzzle, each a picture of its own, turned; and how they lay.
+// Cuts a picture or a shape into the pieces of a puzzle, each a turned picture of its own, and notes where they lay.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 namespace tessera {
 
 struct PuzzleRequest {
-  std::string picture;  // JPEG, PNG, TIFF, WebP or BMP; or SVG: its silhouette is cut
+  std::string picture;  // JPEG, PNG, TIFF, WebP or BMP; or an SVG, whose silhouette is cut
   int pieces = 36;
   CutStyle style = CutStyle::tabs;
   std::uint64_t seed = 1;
@@ -22,19 +22,19 @@ struct MadePuzzle {
   int pieces = 0;
   int width_px = 0;
   int height_px = 0;
-  std::string frame;           // name of the file that shows the outline of what was cut; empty: the whole picture
-  std::vector<NewFile> files;  // all
+  std::string frame;           // name of the file with the outline that was cut; empty: the whole picture
+  std::vector<NewFile> files;  // all files
 };
 
-/// Fewest and most pieces of a puzzle, and the smallest in px of the picture.
+/// The fewest and most pieces of a puzzle, and the smallest piece in px of the picture.
 inline constexpr int kFewestPuzzlePieces = 2;
 inline constexpr int kMostPuzzlePieces = 2'000;
 inline constexpr int kSmallestPuzzlePiece_px = 40;
 
-/// pieces/piece_001.png and so on, numbered in a random order, each turned by a random angle; and truth/pieces.geojson,
-/// which says where each lay, px of the picture; of a shape frame.svg, too, its outline on a page of that size. Nothing
-/// is written. Throws InputError where the picture is of no use or too small for the pieces or has several parts or
-/// holes; EnvironmentError.
+/// Makes pieces/piece_001.png and so on, numbered in a random order, each turned by a random angle. Also makes
+/// truth/pieces.geojson with their former poses, px of the picture; and for a shape frame.svg, its outline on a page of
+/// that size. It writes nothing. Throws InputError where the picture is unusable, too small for the pieces, or has several
+/// parts or holes; EnvironmentError.
 MadePuzzle make_puzzle(const PuzzleRequest& request, Drawers& drawers);
 
 }  // namespace tessera

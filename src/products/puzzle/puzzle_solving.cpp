@@ -48,12 +48,12 @@ std::vector<Shape> shapes_of(const SolvingRequest& request) {
   for (const Shape& shape : shapes) {
     if (shape.drawn_scale_px > 0) continue;
     throw InputError(request.library + ": does not say how large \"" + shape.name +
-                     "\" was drawn, as of an earlier version; tessera library build makes one that does");
+                     "\" was drawn, because an earlier version built it; tessera library build makes one that does");
   }
   return shapes;
 }
 
-/// px as they were drawn. Each has some area, and none is that of a whole other puzzle.
+/// The polygons of the pieces, px as drawn. Refuses pieces without area or as large as a whole puzzle.
 std::vector<std::vector<Vec2>> polygons_of(const std::string& library, const std::vector<Shape>& shapes) {
   constexpr double kMostTimes = 32;
   std::vector<std::vector<Vec2>> polygons;
@@ -80,7 +80,7 @@ std::vector<std::vector<Vec2>> polygons_of(const std::string& library, const std
   return polygons;
 }
 
-/// What is on them, as their thumbnails show it.
+/// The pictures on the pieces, from their thumbnails.
 std::vector<PiecePicture> pictures_of(const std::vector<Shape>& shapes,
                                       const std::function<void(const PuzzleProgress&)>& watch) {
   Drawers drawers({.processes = 1});
@@ -90,7 +90,7 @@ std::vector<PiecePicture> pictures_of(const std::vector<Shape>& shapes,
     const Artwork& artwork = shape.artwork;
     const cv::Mat page = drawers.decode_png(artwork.thumbnail_png, artwork.path, kLargestThumbnail_px);
     const std::size_t bytes = page.total() * page.elemSize();
-    const float px = float(page.cols) / float(artwork.width_px);  // of the thumbnail, for one of the artwork
+    const float px = float(page.cols) / float(artwork.width_px);  // px of the thumbnail for one px of the artwork
     const Similarity px_from_piece{px * artwork.unit_px / shape.drawn_scale_px, 0, px * artwork.centroid_px.x,
                                    px * artwork.centroid_px.y};
     pictures.emplace_back(page.cols, page.rows, std::vector<std::uint8_t>(page.data, page.data + bytes), px_from_piece);
@@ -104,10 +104,10 @@ double area_of(const std::vector<std::vector<Vec2>>& polygons) {
   return area;
 }
 
-/// What the pieces are to fill, px of the canvas.
+/// The shape that the pieces shall fill, px of the canvas.
 struct Frame {
   std::vector<Vec2> outline;  // empty: none
-  int width_px = 0;           // of the canvas round it
+  int width_px = 0;           // of the canvas around it
   int height_px = 0;
 };
 
@@ -116,7 +116,7 @@ Frame rectangle(int width_px, int height_px) {
   return {{{0, 0}, {width, 0}, {width, height}, {0, height}}, width_px, height_px};
 }
 
-/// The silhouette as a canvas of that box has it.
+/// The silhouette, like a canvas of that size has it.
 Frame frame_in_box(const std::string& file, int width_px, int height_px) {
   CanvasSpec spec;
   spec.width_px = width_px;
@@ -127,7 +127,7 @@ Frame frame_in_box(const std::string& file, int width_px, int height_px) {
   return {frame_outline(canvas_edge(spec, drawers).curves, file), page.width_px, page.height_px};
 }
 
-/// Without a size it is as large as `wished_px2`.
+/// The frame; without a size it gets the area `wished_px2`.
 Frame frame_of(const SolvingRequest& request, double wished_px2) {
   if (request.frame_file.empty())
     return request.frame_px ? rectangle(request.frame_px->at(0), request.frame_px->at(1)) : Frame{};
@@ -140,7 +140,8 @@ Frame frame_of(const SolvingRequest& request, double wished_px2) {
   return frame_in_box(request.frame_file, side, side);
 }
 
-/// What turns the pieces so that the smallest rectangle round them stands upright, at the origin; and its size.
+/// Turns and moves the pieces so that the smallest rectangle round them is upright, at the origin. `size`: of the
+/// rectangle.
 Similarity upright(const std::vector<cv::Point2f>& points, cv::Size2f& size) {
   const cv::RotatedRect box = cv::minAreaRect(points);
   const double angle = -double(box.angle) * CV_PI / 180;
@@ -157,7 +158,7 @@ void add_points(const std::vector<Vec2>& polygon, const Similarity& pose, std::v
   }
 }
 
-/// Poses of what was found for a canvas as large as it.
+/// Turns the solution upright, for a canvas as large as it.
 void stand_upright(PuzzleSolution& solution, const std::vector<std::vector<Vec2>>& polygons, SolvedPuzzle& solved) {
   std::vector<cv::Point2f> points;
   for (std::size_t i = 0; i < polygons.size(); ++i) {
@@ -168,12 +169,12 @@ void stand_upright(PuzzleSolution& solution, const std::vector<std::vector<Vec2>
   for (auto& pose : solution.poses) {
     if (pose) pose = followed_by(*pose, turned);
   }
-  constexpr double kMost = 1e9;  // more is refused, too
+  constexpr double kMost = 1e9;  // larger ones are refused, too
   solved.width_px = int(std::min(kMost, std::ceil(size.width * solved.scale)));
   solved.height_px = int(std::min(kMost, std::ceil(size.height * solved.scale)));
 }
 
-/// How large all pieces are together, `scale` px of the canvas for one px of the pieces, where they fit each other in the
+/// Measures all pieces together, at `scale` px of the canvas for one px of the pieces, where they fit each other, in the
 /// frame or without it.
 void measure_together(const PuzzleSolution& solution, const std::vector<std::vector<Vec2>>& polygons, double scale,
                       SolvedPuzzle& solved) {
@@ -207,8 +208,8 @@ std::vector<LaidPuzzlePiece> laid_pieces(const std::vector<Shape>& shapes,
   return laid;
 }
 
-/// Where the shape of the piece as it was cut lies, of which all round `erosion_px` is lost: it is larger, and its
-/// centre is another one where much is lost on one side.
+/// The pose of the piece's shape as it was cut, before it lost `erosion_px` all around. That shape is larger and may have
+/// another centre.
 Similarity canvas_from_whole_shape(const LaidPuzzlePiece& piece, double erosion_px) {
   const AreaMoment now = area_moment(piece.outline_px);
   const AreaMoment cut = area_moment(grown_polygon(piece.outline_px, float(erosion_px)));
@@ -252,13 +253,13 @@ std::string job_text(const SolvingRequest& request, const SolvedPuzzle& solved) 
          "]\n"
          "\n"
          "[start]\n"
-         "# Where they lie.\n"
+         "# The poses of the pieces.\n"
          "pieces = " +
          toml_string(fs::path(solution_path(request.job)).filename().string()) +
          "\n"
          "\n"
          "[stop]\n"
-         "# No others.\n"
+         "# No other pieces.\n"
          "pieces = " +
          std::to_string(solved.placed) +
          "\n"
@@ -283,38 +284,39 @@ bool is_puzzle_job(const std::string& path) {
   return there.size() >= mark.size() && std::equal(mark.begin(), mark.end(), there.begin());
 }
 
-/// Before time is spent. What is there may be anything; a solution is that of the job beside it.
+/// Checks, before time is spent, that the files may be written. An existing solution belongs to the job beside it.
 void check_may_be_written(const SolvingRequest& request) {
   for (const std::string& path : {request.job, solution_path(request.job)}) {
     if (!fs::exists(path)) continue;
     std::error_code ignored;
     const bool ours =
         !fs::equivalent(path, request.library, ignored) && fs::exists(request.job) && is_puzzle_job(request.job);
-    if (!ours) throw InputError(path + ": is there and is not of tessera puzzle solve; give another name with --job");
+    if (!ours)
+      throw InputError(path + ": exists and was not made by tessera puzzle solve; give another name with --job");
   }
 }
 
-/// All of them or none.
+/// Writes all files or none.
 void write(const SolvingRequest& request, const std::vector<Output>& outputs) {
   for (const Output& output : outputs) {
     if (request.replace || !fs::exists(output.path) || holds(output.path, output.text)) continue;
-    throw InputError(output.path + ": is there already, with another content; --replace writes it anew, --job gives " +
+    throw InputError(output.path + ": exists with other content; --replace overwrites it, --job gives " +
                      "it another name");
   }
   for (const Output& output : outputs) write_file_atomically(output.path, output.text);
 }
 
-/// As a job may have it.
+/// Refuses a canvas that a job may not have.
 void check_canvas(const SolvingRequest& request, const SolvedPuzzle& solved) {
   constexpr int kLeast_px = 16, kMost_px = 20'000;
   if (std::min(solved.width_px, solved.height_px) >= kLeast_px &&
       std::max(solved.width_px, solved.height_px) <= kMost_px)
     return;
-  throw InputError(request.library + ": what was laid would be a canvas of " + std::to_string(solved.width_px) + " x " +
-                   std::to_string(solved.height_px) + " px, allowed: from 16 to 20000 px (--scale K)");
+  throw InputError(request.library + ": the solved puzzle needs a canvas of " + std::to_string(solved.width_px) +
+                   " x " + std::to_string(solved.height_px) + " px, allowed: from 16 to 20000 px (--scale K)");
 }
 
-/// A frame is walked along in steps of a piece's size.
+/// Refuses frames that are far too large for the pieces, because the solver walks along them in steps of a piece's size.
 void check_frame(const Frame& frame, double scale, const std::vector<std::vector<Vec2>>& polygons) {
   constexpr double kMostTimes = 100;
   const double times = signed_area(frame.outline) / (scale * scale * area_of(polygons));
@@ -335,7 +337,7 @@ void check_frame(const Frame& frame, double scale, const std::vector<std::vector
   throw InputError(text);
 }
 
-/// How large one px of the pieces is: as is given, or so that all of them fill the frame.
+/// Canvas px for one px of the pieces: the given scale, or the one at which all pieces fill the frame.
 double scale_in(const Frame& frame, const SolvingRequest& request, double pieces_area) {
   if (request.scale) return *request.scale;
   return frame.outline.empty() ? 1 : std::sqrt(signed_area(frame.outline) / pieces_area);
@@ -350,7 +352,7 @@ PuzzleInput puzzle_input(const SolvingRequest& request, const std::vector<Shape>
   return input;
 }
 
-/// How well the pieces lie, and which do not. `solved` has its scale and size.
+/// Describes how well the pieces lie, and which are missing. `solved` has its scale and size.
 void describe(const PuzzleSolution& solution, const std::vector<Shape>& shapes,
               const std::vector<LaidPuzzlePiece>& laid, const Frame& frame, SolvedPuzzle& solved) {
   solved.placed = laid.size();
@@ -377,7 +379,8 @@ std::string solution_path(const std::string& job) {
 
 SolvedPuzzle write_solved_puzzle(const SolvingRequest& request) {
   check_may_be_written(request);
-  if (!request.truth.empty()) read_placed_pieces(request.truth);  // a slip of the pen costs no time
+  // checked early, so that a typing error costs no time
+  if (!request.truth.empty()) read_placed_pieces(request.truth);
   const std::vector<Shape> shapes = shapes_of(request);
   const std::vector<std::vector<Vec2>> polygons = polygons_of(request.library, shapes);
   SolvedPuzzle solved;

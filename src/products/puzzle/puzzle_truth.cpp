@@ -8,7 +8,7 @@
 namespace tessera {
 namespace {
 
-/// Largest shift of the right ones, or nothing where the piece is not right.
+/// The shift of a piece that is right; empty where it is not right.
 std::optional<float> right_by(const Similarity& found, const Similarity& truth) {
   const float shift = norm(found.translation() - truth.translation());
   const float cosine = (found.a * truth.a + found.b * truth.b) / (found.scale() * truth.scale());

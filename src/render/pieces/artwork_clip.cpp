@@ -8,13 +8,13 @@
 namespace tessera {
 namespace {
 
-/// Room for what the outline's smoothing left out: ends of strokes, hairs.
+/// Room for parts that the outline's smoothing cut off: ends of strokes, hairs.
 constexpr float kRim = 0.02f;
 
 }  // namespace
 
 Outline artwork_clip(const Shape& shape) {
-  // contours() takes what lies beyond the grid as 0 and wants a positive level.
+  // contours() counts what lies beyond the grid as 0 and needs a positive level.
   constexpr float kRaise = 100;
   Grid<float> depth = shape.field.distance;
   for (float& d : depth.data()) d = kRaise - d;

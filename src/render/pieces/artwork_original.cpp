@@ -11,8 +11,8 @@
 namespace tessera {
 namespace {
 
-/// A link to a regular file is followed, wherever it leads: the hash decides. The bytes that are hashed are those that
-/// are drawn; the file is not opened a second time.
+/// Reads the original at this path. It follows a link to a regular file anywhere, because the hash decides. The hashed
+/// bytes are those that are drawn; the file is not opened a second time.
 ArtworkOriginal original_at(const std::string& path, const Sha256& sha256) {
   std::error_code error;
   if (path.empty() || !std::filesystem::exists(path, error)) return {{}, kOriginalMissing};
@@ -25,7 +25,7 @@ ArtworkOriginal original_at(const std::string& path, const Sha256& sha256) {
   }
 }
 
-/// The original as a file holds it.
+/// The original in a file.
 ArtworkOriginal found_original(const Artwork& artwork) {
   if (!artwork.original.empty()) return {artwork.original, {}};
   if (artwork.path.empty()) return {{}, kOriginalMissing};
@@ -37,7 +37,7 @@ ArtworkOriginal found_original(const Artwork& artwork) {
   return second_says_more ? second : first;
 }
 
-/// Whether the shape's outline was made before pictures were turned, and this one is.
+/// Whether the shape's outline was made before pictures were turned by their EXIF data, and this one would be turned.
 bool is_turned_now(const Artwork& artwork, const std::vector<std::uint8_t>& bytes) {
   constexpr int kTurningReader = 2;
   return artwork.reader < kTurningReader && orientation_in_file(bytes) != 1;

@@ -1,4 +1,4 @@
-// The file a shape was made from, for the outputs: from the library itself or from where it was at build time.
+// Finds the file that a shape was made from: in the library itself, or where it was at build time.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,11 @@
 namespace tessera {
 
 struct ArtworkOriginal {
-  std::vector<std::uint8_t> bytes;  // empty where there is none to draw from
-  std::string reason;               // then why, in words that are the same for all drawings of this fate
+  std::vector<std::uint8_t> bytes;  // empty: there is no original to draw from
+  std::string reason;               // then the reason, in the same words for all drawings with this reason
 };
 
-/// Why a drawing is not made from its original.
+/// Reasons why a drawing is not made from its original.
 inline constexpr char kOriginalMissing[] =
     "original missing; put the drawings back where they were or beside the library, or build the library again";
 inline constexpr char kOriginalChanged[] = "original changed since the library was built";
@@ -26,16 +26,16 @@ inline constexpr char kOriginalReadOtherwise[] =
     "library "
     "again";
 
-/// The embedded file, else the one at Artwork::path or at Artwork::path_beside_library, but only one whose SHA-256 is
-/// that of the build: a library may come from anywhere and name any path, but it cannot know the hash of a file that
-/// its maker never had. A collage never fails because someone tidied up the clip art.
+/// The embedded file, otherwise the file at Artwork::path or Artwork::path_beside_library, but only if its SHA-256 is that
+/// of the build. A library may come from anywhere and name any path, but it cannot know the hash of a file that its maker
+/// never had. A missing original is no error: the user may have tidied up the folder.
 ArtworkOriginal artwork_original(const Artwork& artwork);
 
-/// Maps coordinates of the shape as it is drawn to the artwork frame.
+/// Maps coordinates of the drawn shape to the artwork frame.
 Similarity artwork_from_shape(const Artwork& artwork);
 
-/// Curves of a shape as its drawing has them: of a mirror image (Artwork::mirrored) mirrored back. And the other way
-/// round.
+/// The curves of a shape in the direction of its drawing: for a mirror image (Artwork::mirrored) mirrored back. It works in
+/// both directions.
 std::vector<std::vector<Vec2>> as_drawn(const Artwork& artwork, std::vector<std::vector<Vec2>> curves);
 
 }  // namespace tessera

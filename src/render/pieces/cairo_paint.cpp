@@ -10,7 +10,8 @@ namespace {
 
 constexpr int kMostColumns = 16384;  // cairo's surfaces end at 32767
 
-/// `paint` draws in px of the picture, into one part of the image after the other. Its rows are a multiple of 4 bytes.
+/// Calls `paint` for one part of the image after the other; it draws in px of the picture. The image's rows must be a
+/// multiple of 4 bytes.
 void paint_in_parts(cv::Mat& image, cv::Point corner, const std::function<void(cairo_t*)>& paint) {
   const cairo_format_t format = image.channels() == 1 ? CAIRO_FORMAT_A8 : CAIRO_FORMAT_ARGB32;
   for (int left = 0; left < image.cols; left += kMostColumns) {

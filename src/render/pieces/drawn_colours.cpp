@@ -25,10 +25,10 @@ DrawnColours of_thumbnail(const Shape& shape, Drawers& drawers) {
     const DrawnColours drawn =
         drawn_colours(drawers.decode_png(shape.artwork.thumbnail_png, path, kThumbnailSide_px), shape);
     const auto is_drawn_on = [](double part) { return part > 0; };
-    // A drawing may be smaller on its page than a pixel.
+    // A drawing may be smaller than a pixel on its page.
     return std::any_of(drawn.part.begin(), drawn.part.end(), is_drawn_on) ? drawn : drawn_colours(shape);
   } catch (const InputError&) {
-    return drawn_colours(shape);  // what draws the picture tells of it
+    return drawn_colours(shape);  // the drawing of the picture reports the error
   }
 }
 

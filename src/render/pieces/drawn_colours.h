@@ -1,4 +1,4 @@
-// The colours that a piece shows within its outline, as pictures average them.
+// The colours that a piece shows within its outline, averaged like scaled-down pictures average them.
 #pragma once
 
 #include <array>
@@ -14,19 +14,19 @@ namespace tessera {
 template <class T>
 using OfCells = std::array<T, kColourCells>;
 
-/// Over the box of the outline, by cells of its grid (core/colour/colour_grid.h).
+/// The colours in the bounding box of the outline, by cells of its grid (core/colour/colour_grid.h).
 struct DrawnColours {
-  OfCells<cv::Vec3d> bgr{};  // mean of sRGB as it is coded
-  OfCells<double> part{};    // of each cell that is drawn on
+  OfCells<cv::Vec3d> bgr{};  // mean of encoded sRGB
+  OfCells<double> part{};    // part of each cell that is drawn on
 };
 
-/// From the drawing's pixels: straight BGRA of its whole page.
+/// The colours from the drawing's pixels: straight BGRA of its whole page.
 DrawnColours drawn_colours(const cv::Mat& bgra, const Shape& shape);
 
-/// As the library has them: means in CIELAB, and what is drawn beside the outline counts.
+/// The colours from the library: means in CIELAB, which include what is drawn beside the outline.
 DrawnColours drawn_colours(const Shape& shape);
 
-/// Of the shapes' thumbnails, by slot; of the library's grids where there is none.
+/// The colours of all shapes, by slot, from their thumbnails; from the library's grids where there is no thumbnail.
 std::vector<DrawnColours> drawn_colours(const PlacedShapes& shapes, Drawers& drawers);
 
 }  // namespace tessera

@@ -1,4 +1,4 @@
-// The pieces of a collage as its pictures show them: on a seamless canvas one that crosses a seam is seen at both ends.
+// The pieces of a collage as its pictures show them: on a seamless canvas a piece that crosses a seam appears at both ends.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,10 @@ namespace tessera {
 
 struct DrawnPiece {
   Placement placement;
-  std::size_t piece = 0;  // among the collage's
+  std::size_t piece = 0;  // its number in the collage
 };
 
-/// The placements in their order, each at all of its images that touch the canvas, one after the other.
+/// The placements in their order, each at all of its images that touch the canvas.
 std::vector<DrawnPiece> drawn_pieces(const CollageReport& report, const ShapeArtworks& artworks);
 
 }  // namespace tessera

@@ -9,12 +9,12 @@
 namespace tessera {
 namespace {
 
-// A shape's sprites have sides of powers of two: pieces of about one size share one, and none is drawn much larger than
-// it must be.
+// Sides of sprites are powers of two: pieces of about the same size share a sprite, and none is drawn much larger than
+// needed.
 constexpr int kLeastSprite_px = 256;
 constexpr int kMostSprite_px = 4096;
 
-/// Picture px from artwork px for a piece.
+/// Maps px of the artwork to px of the picture, for a piece.
 Similarity picture_from_artwork(const Placement& placement, const Artwork& artwork, double picture_px) {
   const Similarity t = scaled(placement.canvas_from_shape, float(picture_px));
   const float unit = 1 / artwork.unit_px;
@@ -34,8 +34,8 @@ int sprite_side(const Artwork& artwork, double picture_px_per_artwork_px) {
   return side;
 }
 
-/// The affine map that cv::warpAffine wants with WARP_INVERSE_MAP: sprite node from node of the supersampled rows,
-/// pixel centres at whole numbers on both sides.
+/// The affine map for cv::warpAffine with WARP_INVERSE_MAP: from nodes of the supersampled rows to nodes of the sprite,
+/// with pixel centres at whole numbers on both sides.
 cv::Matx23d sprite_from_rows(const PieceDrawing& piece, double sprite_px, cv::Point corner) {
   const Similarity inverse = piece.picture_from_artwork.inverse();
   const double a = inverse.a * sprite_px / kSupersampling;
@@ -45,7 +45,8 @@ cv::Matx23d sprite_from_rows(const PieceDrawing& piece, double sprite_px, cv::Po
   cv::Matx23d map(a, -b, a * u - b * v + inverse.tx * sprite_px - 0.5,  //
                   b, a, b * u + a * v + inverse.ty * sprite_px - 0.5);
   if (piece.mirrored_at_px) {
-    const double there_and_back = 2 * *piece.mirrored_at_px * sprite_px - 1;  // x of a node and of its mirror image
+    // sum of x of a node and of its mirror image
+    const double there_and_back = 2 * *piece.mirrored_at_px * sprite_px - 1;
     for (int column = 0; column < 3; ++column) map(0, column) = -map(0, column);
     map(0, 2) += there_and_back;
   }

@@ -10,10 +10,10 @@
 namespace tessera {
 namespace {
 
-/// So blurred, a coarse picture holds all that there is to see.
+/// A shadow with this blur looks the same when it is drawn in a coarser picture.
 constexpr double kLeastBlur_px = 4;
 
-/// Between the middles of two px of the coarse picture.
+/// A place between the middles of two px of the coarse picture.
 struct Between {
   int first = 0;
   float second_part = 0;
@@ -54,7 +54,7 @@ void Shadow::draw(int top, cv::Mat rows) const {
   const cv::Mat coarse = blurred(window);
   std::vector<Between> columns;
   for (int x = 0; x < rows.cols; ++x) columns.push_back(between(x, coarseness_));
-  cv::Mat dark(1, rows.cols, CV_8UC4);  // black with the shadow as alpha
+  cv::Mat dark(1, rows.cols, CV_8UC4);  // black, with the shadow as alpha
   for (int y = 0; y < rows.rows; ++y) {
     const Between row = between(top + y, coarseness_);
     const std::uint8_t* above = coarse.ptr(row.first - first_row);
@@ -72,7 +72,7 @@ void Shadow::draw(int top, cv::Mat rows) const {
 }
 
 cv::Mat Shadow::blurred(const cv::Rect& window) const {
-  const int margin = int(std::ceil(3 * blur_px_)) + 1;  // what the kernel of 8-bit images reaches
+  const int margin = int(std::ceil(3 * blur_px_)) + 1;  // reach of the blur on 8-bit images
   const cv::Rect wide(window.x - margin, window.y - margin, window.width + 2 * margin, window.height + 2 * margin);
   std::vector<PlacedCurves> near;
   for (const Caster& caster : casters_) {

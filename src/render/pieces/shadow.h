@@ -1,4 +1,4 @@
-// The shadow that all pieces together cast on what lies below them.
+// Draws the shadow that all pieces together cast on what lies below them.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -11,10 +11,10 @@ namespace tessera {
 
 class Shadow {
  public:
-  /// `report` must outlive it. Without OutputSpec::shadow_strength there is none.
+  /// `report` must outlive it. Without OutputSpec::shadow_strength it draws nothing.
   Shadow(const CollageReport& report, const cv::Size& picture_px);
 
-  /// Darkens rows of the picture from row `top` on: BGR, or premultiplied BGRA. The rows do not depend on each other.
+  /// Darkens rows of the picture from row `top` on (BGR, or premultiplied BGRA). Rows do not depend on each other.
   void draw(int top, cv::Mat rows) const;
 
  private:
@@ -26,7 +26,7 @@ class Shadow {
   cv::Mat blurred(const cv::Rect& coarse_window) const;
 
   double strength_ = 0;
-  int coarseness_ = 1;  // px of the picture to one of the coarse picture, in which is blurred
+  int coarseness_ = 1;  // px of the picture for one px of the coarse picture, which is blurred
   double blur_px_ = 0;  // px of the coarse picture
   std::vector<Caster> casters_;
 };

@@ -20,7 +20,7 @@
 namespace tessera {
 namespace {
 
-/// Of a warped drawing as pixels in an SVG: there is one for each piece.
+/// Longest side of a warped drawing in pixels in an SVG, which holds one for each piece.
 constexpr int kMostWarped_px = 512;
 
 int longest_side(const Artwork& artwork) { return std::max(artwork.width_px, artwork.height_px); }
@@ -29,13 +29,13 @@ SvgSymbol bitmap_symbol(const cv::Mat& bgra, const std::string& id, const Artwor
   return {svg_image(bgra, id), double(longest_side(artwork)) / std::max(bgra.cols, bgra.rows)};
 }
 
-/// Without the file's place, which is nobody's business who sees the card.
+/// The reason without the path of the file, which is private and must not be in the card.
 std::string reason_of(const InputError& error, const std::string& path) {
   const std::string text = error.what();
   return text.starts_with(path) ? text.substr(std::min(text.size(), path.size() + 2)) : text;
 }
 
-/// The drawing moved to the right and down, as one thing with this id.
+/// The drawing as one group with this id, moved to the right and down.
 std::string shifted_group(const std::string& drawing, const std::string& id, double by) {
   XmlWriter writer;
   writer.start("g").attribute("id", id).attribute("transform", "translate(" + fixed(by, 4) + " " + fixed(by, 4) + ")");
@@ -43,7 +43,7 @@ std::string shifted_group(const std::string& drawing, const std::string& id, dou
   return writer.finish();
 }
 
-/// Takes the colour of what uses it.
+/// A silhouette that takes the colour of the element that uses it.
 SvgSymbol plain_symbol(const Shape& shape, const std::string& id) {
   XmlWriter writer;
   writer.start("path").attribute("id", id).attribute("fill-rule", "evenodd");
@@ -135,7 +135,7 @@ bool ShapeArtworks::may_be_paths(std::size_t slot, const Source& source) const {
   return !source.thumbnail && looks_like_svg(source.bytes) && !not_as_paths_.contains(original_slot(slot));
 }
 
-/// The longest side of its page as the pictures show it, twice as fine, within bounds.
+/// The longest side of the page in px, twice as fine as the pictures show it, within bounds.
 int ShapeArtworks::pixels_of_piece(std::size_t slot) const {
   const Artwork& artwork = report_.shapes[slot].artwork;
   const double picture_px = double(picture_size_px(report_.output, *report_.canvas).width) / report_.canvas->width_px;
@@ -143,7 +143,7 @@ int ShapeArtworks::pixels_of_piece(std::size_t slot) const {
   return int(std::clamp(2 * size_px * longest_side(artwork) / double(artwork.unit_px), 16., double(kMostWarped_px)));
 }
 
-/// Vectors stay vectors, on the page as it was; pixels are warped onto the wider page.
+/// The symbol of a deformed piece. Vectors stay vectors on their own page; pixels are warped onto the wider page.
 SvgSymbol ShapeArtworks::warped_symbol(std::size_t slot, const Source& source, const std::string& id) {
   const Artwork& artwork = original(slot).artwork;
   if (may_be_paths(slot, source)) {
@@ -153,7 +153,7 @@ SvgSymbol ShapeArtworks::warped_symbol(std::size_t slot, const Source& source, c
       const Warp page_warp = warp_of_page(artwork, report_.deformed->warps[slot], 1 / px_per_unit);
       const std::string drawing = drawers_.warped_svg(source.bytes, artwork.path, id + "-drawing", page_warp);
       return {shifted_group(drawing, id, double(report_.deformed->margin_px[slot]) / px_per_unit), px_per_unit};
-    } catch (const InputError&) {  // too much for paths: its pixels will do, and those of its other pieces
+    } catch (const InputError&) {  // too much for paths: this and its other pieces use pixels
       const std::lock_guard lock(mutex_);
       not_as_paths_.insert(original_slot(slot));
     }
@@ -190,7 +190,7 @@ ShapeArtworks::Source ShapeArtworks::source_of(std::size_t slot) {
   return {artwork.thumbnail_png, true};
 }
 
-/// Empty where it cannot be drawn.
+/// Draws the source in pixels. Empty where it cannot be drawn.
 cv::Mat ShapeArtworks::drawn(std::size_t slot, const Source& source, int side_px) {
   if (source.bytes.empty()) return {};
   {
@@ -209,7 +209,7 @@ cv::Mat ShapeArtworks::drawn(std::size_t slot, const Source& source, int side_px
   }
 }
 
-/// A silhouette is worse than a thumbnail; of equals the first counts.
+/// Keeps the worse of two notes (a silhouette is worse than a thumbnail); of equal ones the first.
 void ShapeArtworks::note(std::size_t slot, DrawnFrom from, const std::string& reason) {
   const std::lock_guard lock(mutex_);
   const auto [found, is_new] = notes_.try_emplace(original_slot(slot), from, reason);

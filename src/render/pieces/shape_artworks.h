@@ -1,6 +1,5 @@
-// The drawings of the shapes that were placed, as pixels or vectors, and what became of those that could not be drawn.
-// Artwork is foreign: whatever reads it runs in a child process with limits (drawers.h), and a bad drawing costs that
-// drawing.
+// The drawings of the placed shapes, as pixels or vectors, and notes about drawings that failed. Artwork is foreign: a
+// child process with limits reads it (drawers.h), and a bad file costs only its own drawing.
 #pragma once
 
 #include <cstddef>
@@ -20,40 +19,40 @@
 
 namespace tessera {
 
-/// A definition in an SVG document and how it lies in the artwork frame.
+/// A definition in an SVG document and its place in the artwork frame.
 struct SvgSymbol {
   std::string xml;
   double artwork_px_per_unit = 1;
 };
 
-/// May be used by several threads at once.
+/// The drawings of a report. Several threads may use it at once.
 class ShapeArtworks {
  public:
   /// The arguments must outlive it.
   ShapeArtworks(const CollageReport& report, Drawers& drawers, const StopWatcher& stop);
 
-  /// Where the report has colours the silhouette, in whichever colour: who draws the piece gives it its own. Otherwise
-  /// the original where it can be had; else the library's thumbnail; else, and where the drawing is bad, the silhouette
-  /// in its mean colour. `slot` is the shape's in the report. The page's longest side is `side_px` long or less. Throws
-  /// DrawingStopped.
+  /// The drawing of a shape in pixels. Where the report has colours: the silhouette in any colour; whoever draws the piece
+  /// colours it. Otherwise the original where it can be read, else the library's thumbnail, else (also where the drawing is
+  /// bad) the silhouette in its mean colour. `slot` is the shape's in the report. The longest side of the page is at most
+  /// `side_px`. Throws DrawingStopped.
   Sprite sprite(std::size_t slot, int side_px);
-  /// The same as an SVG element with this id; the silhouette is a path.
+  /// The drawing of a shape as an SVG element with this id; the silhouette is a path.
   SvgSymbol symbol(std::size_t slot, const std::string& id);
 
   const Outline& clip(std::size_t slot) const { return clips_[slot]; }
-  /// Throws DrawingStopped where drawing is to end, as the others do.
+  /// Throws DrawingStopped where drawing shall end, like the other members.
   void check_stop() const { stop_.check(); }
-  /// The notes on all that was asked for.
+  /// The notes on all drawings that were asked for.
   DrawingNotes notes() const;
 
  private:
-  /// What is to be drawn; empty bytes: nothing but the silhouette.
+  /// The source of a drawing; empty bytes: only the silhouette.
   struct Source {
     std::vector<std::uint8_t> bytes;
     bool thumbnail = false;
   };
 
-  /// Of a deformed piece the library's shape, whose drawing is warped; else the shape itself.
+  /// The shape whose drawing is used: the library's shape for a deformed piece, whose drawing is warped; otherwise the shape itself.
   const Shape& original(std::size_t slot) const;
   std::size_t original_slot(std::size_t slot) const;
   Outline clip_of(std::size_t slot) const;

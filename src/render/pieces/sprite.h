@@ -1,4 +1,4 @@
-// An artwork as pixels, ready to be warped into a picture many times.
+// An artwork as pixels that can be warped into a picture many times.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -7,7 +7,7 @@
 
 namespace tessera {
 
-/// Premultiplied BGRA, CV_8UC4. A point of the artwork frame lies at that point times px_per_artwork_px.
+/// Premultiplied BGRA, CV_8UC4. The point p of the artwork frame lies at p times px_per_artwork_px.
 struct Sprite {
   cv::Mat bgra;
   double px_per_artwork_px = 1;
@@ -15,14 +15,14 @@ struct Sprite {
   std::size_t bytes() const { return bgra.total() * bgra.elemSize(); }
 };
 
-/// The sprite of the artwork's page, which was drawn as straight BGRA at any size. Nothing of it stands beyond `clip`
-/// (artwork_clip.h).
+/// The sprite of the artwork's page, which was drawn as straight BGRA at any size. Everything outside `clip`
+/// (artwork_clip.h) is cut off.
 Sprite sprite_of_drawing(const cv::Mat& straight_bgra, const Shape& shape, const Outline& clip);
 
-/// The outline filled with the shape's mean colour, the page's longest side `longest_side_px` long.
+/// The outline filled with the shape's mean colour. The longest side of the page is `longest_side_px`.
 Sprite sprite_of_silhouette(const Shape& shape, int longest_side_px);
 
-/// The sprite made smaller by area averaging; it is never made larger.
+/// The sprite scaled down by area averaging; it is never enlarged.
 Sprite shrunk(const Sprite& sprite, double px_per_artwork_px);
 
 /// The shape's mean colour as 8-bit blue, green, red.

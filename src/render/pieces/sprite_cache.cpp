@@ -47,7 +47,7 @@ std::shared_ptr<const Sprite> SpriteCache::get(std::size_t slot, int side_px) {
   return handed_out(entry);
 }
 
-/// Giving it back wakes who waits for room.
+/// Hands out a sprite. When it is given back, threads that wait for room are woken.
 std::shared_ptr<const Sprite> SpriteCache::handed_out(Entry& entry) {
   entry.last_use = ++uses_;
   ++in_use_;
@@ -59,7 +59,7 @@ std::shared_ptr<const Sprite> SpriteCache::handed_out(Entry& entry) {
           }};
 }
 
-/// A sprite larger than the budget is made when nothing else is in use.
+/// Makes room. A sprite larger than the budget is made when no other is in use.
 bool SpriteCache::make_room(std::size_t bytes) {
   while (bytes_ + bytes > budget_bytes_) {
     auto oldest = entries_.end();

@@ -1,4 +1,4 @@
-// Sprites within a budget of memory, for several threads.
+// Keeps sprites within a budget of memory, for several threads.
 #pragma once
 
 #include <condition_variable>
@@ -14,18 +14,18 @@
 
 namespace tessera {
 
-/// Each sprite is made once as long as there is room; the one whose last use is longest ago goes first, and is made
-/// again when it is wanted. What is in use stays.
+/// Each sprite is made once as long as there is room. Otherwise the sprite whose last use is longest ago is dropped, and
+/// made again when it is needed. Sprites in use stay.
 class SpriteCache {
  public:
-  /// While a sprite is made it counts three times: beside it there are its drawing, and that as it came from the
-  /// process that drew it. `make(slot, side_px)` is called from any of the threads, with other arguments at the same
-  /// time; its sprite has side_px x side_px pixels at most.
+  /// Makes a sprite with at most side_px x side_px pixels. Any of the threads calls it, also at the same time with
+  /// different arguments. While a sprite is made it counts three times: its drawing and the drawing process' copy of it are
+  /// in memory, too.
   using Make = std::function<Sprite(std::size_t slot, int side_px)>;
 
   SpriteCache(std::size_t budget_bytes, Make make);
 
-  /// Waits until there is room. A thread holds one sprite at a time, so that some thread always goes on. Throws what
+  /// Waits until there is room. A thread holds only one sprite at a time, so that some thread can always go on. Throws what
   /// `make` throws.
   std::shared_ptr<const Sprite> get(std::size_t slot, int side_px);
 

@@ -1,4 +1,4 @@
-// How drawing reports its progress, and how it is asked to stop.
+// The interface by which drawing reports its progress and is asked to stop.
 #pragma once
 
 #include <atomic>
@@ -11,23 +11,23 @@
 
 namespace tessera {
 
-/// Injected, so that tests are silent.
+/// Receives the progress; the caller injects it, so that tests are silent.
 class DrawingObserver {
  public:
   virtual ~DrawingObserver() = default;
-  /// Called from the thread that draws; `total` is what `done` reaches at the end of this picture.
+  /// Called from the thread that draws. `total` is the value that `done` has at the end of this picture.
   virtual void progressed(const char* picture, std::size_t done, std::size_t total) = 0;
-  /// Asked again and again, from any thread: a reason ends the drawing with DrawingStopped.
+  /// Called often, from any thread. A reason ends the drawing with DrawingStopped.
   virtual std::optional<StopReason> stop_requested() = 0;
 };
 
-/// While it lives it asks the observer 50 times a second. Once that wants to stop, it stops the drawers, so that nobody
-/// waits for a drawing that takes long, and check() throws. Where the system gives no further thread, only check() asks.
+/// Asks the observer 50 times a second while it lives. When the observer wants to stop, it stops the drawers, so that
+/// nobody waits for a slow drawing, and check() throws. Where the system has no further thread, only check() asks.
 class StopWatcher {
  public:
   StopWatcher(DrawingObserver& observer, Drawers& drawers);
 
-  /// Throws DrawingStopped. Cheap; from any thread.
+  /// Throws DrawingStopped where drawing shall stop. Cheap; may be called from any thread.
   void check() const;
 
  private:
@@ -36,7 +36,7 @@ class StopWatcher {
   DrawingObserver& observer_;
   Drawers& drawers_;
   std::atomic<bool> stopped_ = false;
-  std::jthread thread_;  // last: it uses the others
+  std::jthread thread_;  // the last member, because it uses the others
 };
 
 }  // namespace tessera

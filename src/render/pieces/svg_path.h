@@ -1,4 +1,4 @@
-// Curves as the data of an SVG path.
+// Writes curves as the data of an SVG path.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace tessera {
 
-/// Closed curves, with three decimals.
+/// The data of closed curves, with three decimals.
 std::string svg_path(const std::vector<std::vector<Vec2>>& curves, const Similarity& target_from_source);
 
 }  // namespace tessera

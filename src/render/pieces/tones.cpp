@@ -17,18 +17,18 @@ namespace {
 /// The most opacity of what is laid over a piece: more takes too much of the drawing's own contrast. Measured with 0.15
 /// to 0.3 (docs/decisions/2026-11-27-tone-patches.md).
 constexpr double kMostOpacity = 0.25;
-/// A way of so much, of 255, may have all of an opacity of 1, and a shorter one as much less: white that is to become a
-/// little whiter would be veiled for nothing.
+/// A change of so much (of 255) in colour may use an opacity up to 1, a smaller change proportionally less. Otherwise white
+/// that shall become a little whiter would be veiled.
 constexpr double kWayOfFullOpacity = 40;
-constexpr double kLeastWay = 0.5;  // of 255: less is rounding
+constexpr double kLeastWay = 0.5;  // of 255; a smaller change is rounding
 constexpr int kHalvings = 7;       // of the way to the colour beneath
-/// Each cell is smoothed with its neighbours, and a little with the whole piece: cells that are hardly drawn on follow
+/// Each cell is smoothed with its neighbours, and a little with the whole piece. So cells that are hardly drawn on follow
 /// these.
 constexpr double kSideShare = 0.25;
 constexpr double kWholeShare = 0.02;
-constexpr int kSamples = 4;  // of the picture, along a cell's side
+constexpr int kSamples = 4;  // samples of the picture along a cell's side
 
-/// Canvas px; the grid lies over the box of the outline.
+/// Maps cells to canvas px; the grid covers the bounding box of the outline.
 cv::Matx23d canvas_from_cells(const Shape& shape, const Similarity& pose) {
   const Extent box = extent_of(shape.outline.curves.front(), {1, 0, 0, 0});
   const double width = double(box.high.x - box.low.x) / kColourSide;
@@ -37,13 +37,13 @@ cv::Matx23d canvas_from_cells(const Shape& shape, const Similarity& pose) {
   return {pose.a * width, -pose.b * height, low.x, pose.b * width, pose.a * height, low.y};
 }
 
-/// Libraries may come from anywhere: an outline may have no area.
+/// False for an outline without area, which a library of unknown origin may hold.
 bool has_area(const cv::Matx23d& m) {
   const double area = m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0);
   return std::isfinite(area) && area != 0 && std::isfinite(m(0, 2)) && std::isfinite(m(1, 2));
 }
 
-/// The picture that is shown, over the canvas.
+/// The shown picture, over the canvas.
 class Shown {
  public:
   Shown(const cv::Mat& bgra, const Canvas& canvas)
@@ -51,7 +51,7 @@ class Shown {
         px_x_(double(bgra.cols) / canvas.width_px),
         px_y_(double(bgra.rows) / canvas.height_px) {}
 
-  /// The mean of a cell, BGR; nothing where the picture is transparent.
+  /// The mean of a cell, BGR; empty where the picture is transparent.
   std::optional<cv::Vec3d> of_cell(const cv::Matx23d& canvas_from_cells, int column, int row) const {
     cv::Vec4d sum;
     for (int j = 0; j < kSamples; ++j) {
@@ -66,7 +66,7 @@ class Shown {
   }
 
  private:
-  /// Of the nearest pixel, premultiplied, alpha from 0 to 1.
+  /// The nearest pixel, premultiplied, alpha from 0 to 1.
   cv::Vec4d at(const cv::Vec2d& canvas_px) const {
     const int x = int(std::clamp(canvas_px[0] * px_x_, 0., bgra_.cols - 1.));
     const int y = int(std::clamp(canvas_px[1] * px_y_, 0., bgra_.rows - 1.));
@@ -79,7 +79,7 @@ class Shown {
   double px_x_, px_y_;  // pixels of a canvas px
 };
 
-/// What a cell is, and how far it is from what is wished for; both as sums that `part` divides.
+/// The colour of a cell, and its difference from the wished colour. Both are sums that must be divided by `part`.
 struct Cell {
   cv::Vec3d own, way;
   double part = 0;
@@ -124,7 +124,7 @@ OfCells<Lab> labs_of(const OfCells<cv::Vec3d>& bgr) {
   return result;
 }
 
-/// Shortens the ways so that no cell's colour changes by more.
+/// Shortens the changes so that no cell's colour changes by more than `most_difference`.
 void limit(double most_difference, const OfCells<cv::Vec3d>& own, OfCells<cv::Vec3d>& ways) {
   const OfCells<Lab> before = labs_of(own);
   const auto allowed = [&](const OfCells<double>& parts) {
@@ -154,7 +154,7 @@ void limit(double most_difference, const OfCells<cv::Vec3d>& own, OfCells<cv::Ve
   }
 }
 
-/// The most transparent colour that moves `own` by `way` when it is laid over; at most kMostOpacity of it.
+/// The most transparent colour that changes `own` by `way` when it is laid over it. Its opacity is at most kMostOpacity.
 cv::Vec4b overlay(const cv::Vec3d& own, const cv::Vec3d& way) {
   double opacity = 0;
   for (int c = 0; c < 3; ++c) {
@@ -192,7 +192,7 @@ TonePatch patch_between(const DrawnColours& own, const OfCells<std::optional<cv:
   return patch;
 }
 
-/// Of a silhouette in a palette, too.
+/// The colours of a piece, also of a silhouette in a palette.
 DrawnColours own_colours(const CollageReport& report, const std::vector<DrawnColours>& of_slots, std::size_t piece) {
   DrawnColours own = of_slots[report.shapes.slot_of(report.placements[piece].shape)];
   if (!report.colours.empty()) own.bgr.fill(cv::Vec3d(bgr_of(report.colours[piece])));

@@ -15,10 +15,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-using ReadJson = nlohmann::json;  // an ordered one would take very long for an object of very many members
+using ReadJson = nlohmann::json;  // an ordered one is very slow for an object with very many members
 
 constexpr int kFormat = 1;
-/// A list of shapes and two of colours, of some hundred thousand pieces.
+/// Room for a list of shapes and two lists of colours, for some hundred thousand pieces.
 constexpr JsonBounds kBounds{.values = 2'000'000, .levels = 32};
 
 void check_colours(const std::vector<std::string>& colours, std::size_t pieces, bool may_be_none) {
@@ -31,7 +31,8 @@ void check_colours(const std::vector<std::string>& colours, std::size_t pieces, 
   }
 }
 
-/// A table, a key a row: what a picture tells of [output], beside its width. `Output` is OutputSpec, const or not.
+/// The table of keys of [output], beside its width, that the manifest keeps for a picture; one in each row. `Output` is
+/// OutputSpec, const or not.
 template <class Output, class Visit>
 void each_output_key(Output& output, Visit visit) {
   visit("width_mm", output.width_mm);
@@ -65,7 +66,7 @@ Harmony harmony_from_json(const ReadJson& harmony) {
   return {template_of(harmony.at("template").get<std::string>()), harmony.at("angle_deg")};
 }
 
-/// Results of earlier versions say less: then it is as the defaults are.
+/// The output of a picture. Keys that results of earlier versions lack get their defaults.
 OutputSpec output_from_json(const ReadJson& picture) {
   OutputSpec output;
   output.width_px = picture.at("width_px");

@@ -1,5 +1,5 @@
-// manifest.json: what makes a folder a result (docs/result-format.md). It is written last and says what the files
-// beside it must be: without it, or with files that are others, there is no result.
+// manifest.json, which makes a folder a result (docs/result-format.md). It is written last and says what the files beside
+// it must be. Without a manifest, or with other files, there is no result.
 #pragma once
 
 #include <cstdint>
@@ -20,9 +20,8 @@ inline constexpr const char* kPictureNames[] = {"collage.png", "collage.svg", "c
 struct DrawnPicture {
   std::string file;  // its name in the folder
   OutputSpec output = {};
-  std::optional<std::vector<std::string>> colours =
-      {};            // of a palette, where it is not drawn in ResultManifest::colours
-  double shift = 0;  // of tones, CIEDE2000 at most
+  std::optional<std::vector<std::string>> colours = {};  // of a palette; empty: drawn in ResultManifest::colours
+  double shift = 0;                                      // largest shift of tones, CIEDE2000
   std::optional<Harmony> harmony = {};
   double overlay = 0;  // opacity of the picture over the pieces
 
@@ -33,34 +32,34 @@ struct ResultManifest {
   bool finished = false;  // nothing is left to compute
   std::string pieces_digest;
   std::string job_digest;
-  std::string library;  // where it was
+  std::string library;  // its path when the result was made
   std::uint64_t library_digest = 0;
   std::uint64_t canvas_digest = 0;
-  std::uint64_t overlay_digest = 0;  // of the pictures that lie over the canvas; 0: none
-  std::string start;                 // the file that it began from (start.pieces); empty: none
-  std::uint64_t start_digest = 0;    // of that file's bytes, as pieces_digest
+  std::uint64_t overlay_digest = 0;  // of the pictures over the canvas; 0: none
+  std::string start;                 // the file that it began with (start.pieces); empty: none
+  std::uint64_t start_digest = 0;    // digest of that file's bytes, like pieces_digest
   std::vector<ShapeId> shapes;       // of the pieces, in order of placement
-  std::uint64_t missing = 0;         // pieces that are wanted at least and found no place
-  bool deformed = false;             // pieces.geojson has their polygons deformed (piece_deformation.h)
-  std::vector<std::string> colours;  // of the pieces, "#rrggbb"; empty: they are drawn as their artwork
-  std::vector<std::string> covered;  // what each piece covers of colour.image, "#rrggbb" or ""; empty: there is none
+  std::uint64_t missing = 0;         // number of wanted pieces that found no place
+  bool deformed = false;             // pieces.geojson has deformed polygons (piece_deformation.h)
+  std::vector<std::string> colours;  // of the pieces, "#rrggbb"; empty: drawn as their artwork
+  std::vector<std::string> covered;  // what each piece covers of colour.image, "#rrggbb" or ""; empty: no picture
   std::vector<DrawnPicture> pictures;
 
-  /// Finished, and nothing that was counted is missing; a collage without any piece lacks what makes it one.
+  /// Whether the result is finished, has at least one piece, and lacks none of the counted pieces.
   bool complete() const { return finished && missing == 0 && !shapes.empty(); }
 
   friend bool operator==(const ResultManifest&, const ResultManifest&) = default;
 };
 
-/// The digest of a file's bytes, as the manifest has it.
+/// The digest of a file's bytes in the form of the manifest.
 std::string text_digest(const std::string& bytes);
 
-/// Writes dir/manifest.json, which is on the disk when this returns. Throws EnvironmentError.
+/// Writes dir/manifest.json; it is on the disk when this returns. Throws EnvironmentError.
 void write_manifest(const std::string& dir, const ResultManifest& manifest);
 
-/// Throws InputError where there is none, where it is damaged, or where pieces.geojson or job.toml are not those it was
-/// written with; EnvironmentError where one of them is there and cannot be read. read_result (finished_result.h) says
-/// whether the result is whole.
+/// Reads the manifest. Throws InputError where there is none, where it is damaged, or where pieces.geojson or job.toml have
+/// changed since. Throws EnvironmentError where one of them is there and cannot be read. read_result() (finished_result.h)
+/// says whether the result is whole.
 ResultManifest read_manifest(const std::string& dir);
 
 }  // namespace tessera

@@ -29,7 +29,7 @@ double covered_fraction(const Canvas& canvas, const master::CollageResult& resul
   return covered_px2 / canvas.area_px2;
 }
 
-/// Of `found`, ascending places in a list, those from `begin` to `end`; empty where there are none.
+/// The text about those places in `found` (ascending) that lie from `begin` to `end`; empty where there are none.
 std::string those_that_lie(const std::vector<std::size_t>& found, std::size_t begin, std::size_t end, const char* where,
                            const std::function<std::string(std::size_t)>& name) {
   const auto first = std::lower_bound(found.begin(), found.end(), begin);
@@ -42,7 +42,7 @@ std::string those_that_lie(const std::vector<std::size_t>& found, std::size_t be
 std::string text_of(master::NoRelaxing reason, const PieceSettings& pieces) {
   switch (reason) {
     case master::NoRelaxing::not_wanted: return "improve.relax is false";
-    case master::NoRelaxing::sizes_by_place: return "their sizes go by the place (pieces.size_map)";
+    case master::NoRelaxing::sizes_by_place: return "their sizes depend on the place (pieces.size_map)";
     case master::NoRelaxing::colours_by_place: return "they are chosen by what they cover (colour.image)";
     case master::NoRelaxing::sizes_fixed: return "their sizes are fixed (pieces.scale_px, pieces.sizes, [[shapes]])";
     case master::NoRelaxing::sizes_differ: break;
@@ -50,17 +50,19 @@ std::string text_of(master::NoRelaxing reason, const PieceSettings& pieces) {
   char text[200];
   std::snprintf(
       text, sizeof text,
-      "sizes from %g to %g px are allowed (pieces.scale_px), and for that the largest is %g times the smallest at most",
+      "their sizes differ too much, %g to %g px (pieces.scale_px); allowed: a largest of %g times the smallest",
       double(pieces.min_scale_px), double(pieces.max_scale_px), double(master::kMostRelaxedSizeRatio));
   return text;
 }
 
-/// `covered`: part of what the drawing encloses; `used`: what is done with it. Empty where it is no outline alone.
+/// The warning of a drawing that is only an outline, otherwise empty. `covered`: part of what the drawing encloses. `used`:
+/// what the program does with the lines.
 std::string outline_text(const std::string& key, const std::string& file, double covered, const std::string& used) {
   if (covered >= kOutlineAlone) return "";
   const std::string percent = covered < 0.01 ? "less than 1" : fixed(100 * covered, 0);
   return key + ": " + file + ": the drawing covers " + percent + " % of what it encloses, so that only its lines are " +
-         used + "; fill its path in the drawing (in an SVG fill=\"black\" instead of \"none\") if the whole was meant";
+         used +
+         "; fill its path in the drawing (in an SVG fill=\"black\" instead of \"none\") if you meant the whole area";
 }
 
 std::string idle_deform_warning(const Job& job) {
@@ -189,7 +191,7 @@ std::string idle_keys_warning(const Job& job) {
 
 namespace {
 
-/// "30, 5, 60" where these intervals are single sizes, three or more, that do not rise; else empty.
+/// "30, 5, 60" where the intervals are three or more single sizes that do not rise; otherwise empty.
 std::string values_that_do_not_rise(const std::vector<double>& intervals) {
   std::vector<double> sizes;
   std::string text;
@@ -201,7 +203,7 @@ std::string values_that_do_not_rise(const std::vector<double>& intervals) {
   return sizes.size() >= 3 && !std::is_sorted(sizes.begin(), sizes.end()) ? text : "";
 }
 
-/// Empty where `intervals` are no such sizes.
+/// The warning of a decimal comma; empty where `intervals` show none.
 std::string decimal_comma_text(const std::string& place, const std::string& key, const std::vector<double>& intervals) {
   const std::string values = values_that_do_not_rise(intervals);
   if (values.empty()) return "";
@@ -232,14 +234,14 @@ std::string unable_library_warning(const ColourSpec& colour, std::size_t shapes,
   constexpr std::size_t kFew = 50;
   if (colour.image.empty()) return "";
   if (one_colour && colour.pieces != "palette") {
-    return "nearly all shapes of the library are of one colour, which cannot show colour.image; colour.pieces = "
+    return "nearly all shapes of the library have one colour and cannot show colour.image; colour.pieces = "
            "\"palette\" draws them in the colours of the palette that are nearest to it";
   }
   if (shapes >= kFew || colour.pieces == "palette") return "";
   return "a library of " + count_text(shapes, "shape") +
          " has few colours to show colour.image, and few shapes to cover it with (3 to 40 shapes covered 78 to 81 % of "
          "a "
-         "picture, 419 covered 84); photos take 500 and more";
+         "picture, 419 covered 84); a photo needs 500 or more";
 }
 
 std::string outline_alone_warning(const CanvasSpec& spec, const Canvas& canvas) {
@@ -258,7 +260,7 @@ std::string idle_relaxing_warning(const CollageSettings& settings) {
 
 std::string empty_room_warning(std::size_t removed, std::size_t given, const master::CollageResult& result) {
   if (removed == 0 || result.unfinished || result.placements.size() > given) return "";
-  return "nothing came in for the " + count_text(removed, "piece") +
+  return "no piece was placed for the " + count_text(removed, "piece") +
          " of start.remove: no shape that may stand there fits, or a limit of [stop] was reached";
 }
 
@@ -275,15 +277,15 @@ std::string come_back_warning(const std::vector<GivenPiece>& removed, std::size_
   });
   if (back == 0) return "";
   return std::to_string(back) + " of " + count_text(removed.size(), "piece") +
-         " that went came back to where they lay: no other drawing may come in for them, by the library, " +
-         "[[shapes]] and pieces.uses";
+         " of start.remove came back to where they lay: the library, [[shapes]] and pieces.uses " +
+         "allow no other drawing there";
 }
 
 std::string nothing_gained_warning(const CollageSettings& settings, const master::CollageResult& result) {
   const RunStatistics& run = result.statistics;
   if (result.unfinished || run.trials == 0 || run.trials_kept > 0 || master::why_not_relaxed(settings)) return "";
-  return "no trial covered more, out of " + std::to_string(run.trials) + ": the pieces lie where they lay" +
-         (master::pays_to_replace(settings) ? "; with a larger --trials they are exchanged, too" : "");
+  return "no trial was an improvement, out of " + std::to_string(run.trials) + ": the pieces have not moved" +
+         (master::pays_to_replace(settings) ? "; with more --trials pieces are exchanged, too" : "");
 }
 
 std::string joined_warnings(const std::vector<std::string>& warnings) {

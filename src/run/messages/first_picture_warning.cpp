@@ -13,7 +13,7 @@
 namespace tessera {
 namespace {
 
-/// A file of more is refused by whoever reads pictures.
+/// Whoever reads pictures refuses larger files.
 constexpr std::size_t kMostPictureBytes = std::size_t(128) << 20;
 
 bool may_have_several(ImageFormat format) {

@@ -1,4 +1,4 @@
-// What is said of pictures of which a part is read alone.
+// Warns of files with several pictures, of which only the first is used.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace tessera {
 
-/// Names the files that are animations or have several pages, of which the first picture is used. Empty where there is
-/// none. What is no picture, or cannot be read, is passed over: whoever uses it says so.
+/// Names the files that are animations or have several pages. Empty where there is none. It skips files that are no
+/// pictures or cannot be read: whoever uses them reports that.
 std::string first_picture_warning(const std::vector<std::string>& files);
 
-/// The same of all files that a job's keys name.
+/// This warning for all files that a job's keys name.
 std::string first_picture_warning(const Job& job);
 
 }  // namespace tessera

@@ -13,16 +13,16 @@
 namespace tessera {
 namespace {
 
-constexpr std::size_t kShapesTried = 24;  // of many, evenly from all
+constexpr std::size_t kShapesTried = 24;  // of many shapes, evenly spread
 constexpr std::size_t kMostTrials = 96;
 constexpr float kSmallerStep = 0.8f;
 constexpr float kLeastTried_px = 1;
-constexpr float kRoomBeside = 0.03f;  // of the canvas' longer side: twice what has_any_place does not see
+constexpr float kRoomBeside = 0.03f;  // part of the canvas' longer side; has_any_place misses half of it
 constexpr LibraryParts kOutlines{.outline = true, .field = false, .levels = 0, .artwork = false};
 
 using PosesWished = std::vector<Interval> PoseWish::*;
 
-/// Whether [pieces] decides for one of the shapes in one of the regions.
+/// Whether a key of [pieces] decides for one of the shapes in one of the regions.
 bool pieces_decide(const Wishes& wishes, const UnplacedShapes& unplaced, PosesWished wished) {
   const auto says_nothing = [&](ShapeId shape) {
     return wishes.classes.empty() || (wishes.classes[wishes.class_of_shape[index_of(shape)]].poses.*wished).empty();
@@ -33,7 +33,7 @@ bool pieces_decide(const Wishes& wishes, const UnplacedShapes& unplaced, PosesWi
          });
 }
 
-/// The rows of tables, and the key of [pieces], by which the shapes stand as they do.
+/// The rows of tables, and the key of [pieces], that decide this wish for the shapes.
 std::string where_it_stands(const WrittenKeys& keys, const Wishes& wishes, const UnplacedShapes& unplaced,
                             const char* column, PosesWished wished) {
   std::vector<std::uint32_t> regions = keys.rows_with("regions", column);
@@ -51,7 +51,7 @@ std::string where_it_stands(const WrittenKeys& keys, const Wishes& wishes, const
   return text;
 }
 
-/// One way in which one of the shapes may stand, at its smallest.
+/// One stance of one of the shapes, at its smallest size.
 struct Trial {
   const Outline* outline;
   float scale_px;
@@ -91,7 +91,7 @@ class KeysTried {
       keys.push_back("less " + keys_.with_value("pieces", "padding_px"));
     }
     if (canvas_.has_zones() && any_fits(without_zones(), kept_px(), false)) {
-      keys.push_back("less of the canvas kept out of (canvas.keep_out, [[keep_out]])");
+      keys.push_back("smaller zones that pieces keep out of (canvas.keep_out, [[keep_out]])");
     }
     return keys;
   }
@@ -121,8 +121,8 @@ class KeysTried {
                        [&](const Trial& trial) { return fits(trial, canvas, kept_px, 1, any_rotation); });
   }
 
-  /// The largest size, in steps, at which one of the shapes fits with some room beside it: where it must lie in one
-  /// place alone, no collage finds that.
+  /// The largest size, in steps, at which one of the shapes fits with some room beside it. Without such room only one exact
+  /// place would do, and no collage finds that.
   struct Smaller {
     float factor;
     float scale_px;
@@ -139,7 +139,7 @@ class KeysTried {
     return {};
   }
 
-  /// Empty where the job allows none smaller.
+  /// What to write in the job to allow such sizes. Empty where the job already allows the smallest sizes there are.
   std::string sizes_text(const Smaller& smaller) const {
     if (sized_.pieces.fit_all) {
       return keys_.is_default("pieces", "least_scale_px")
@@ -155,7 +155,8 @@ class KeysTried {
            where_sizes_stand(keys_, sized_.wishes, unplaced_);
   }
 
-  /// As it is where its file cannot be read any more: the collage is finished, and this is for a message alone.
+  /// The canvas without its zones. Where its file can no longer be read, the canvas stays as it is: this is only for a
+  /// message about a finished collage.
   Canvas without_zones() const {
     CanvasSpec spec = spec_;
     spec.keep_out.clear();

@@ -20,7 +20,7 @@ struct NamedValue {
   std::string value;
 };
 
-/// As job files have it: in mm, to some digits, where the canvas has a size on paper.
+/// A value as job files have it: in mm, rounded, where the canvas has a size on paper.
 NamedValue as_written(const JobKey& key, JobValue value, double px_per_mm) {
   if (px_per_mm <= 0 || !is_canvas_length(key)) return {key.name, cell_to_toml(key, value)};
   for (double& number : value.numbers) number = std::stod(significant(number / px_per_mm, 5));
@@ -28,7 +28,7 @@ NamedValue as_written(const JobKey& key, JobValue value, double px_per_mm) {
   return {in_mm.name, cell_to_toml(in_mm, value)};
 }
 
-/// What its table requires first of a row: a name, or patterns of names.
+/// The name of a row: the value of its table's first column, a name or patterns of names.
 std::string name_of(const JobTable& table, const JobRow& row) {
   const JobValue& value = row.at(table.columns.front().name);
   if (value.texts.empty()) return '"' + value.text + '"';

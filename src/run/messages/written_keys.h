@@ -9,21 +9,21 @@
 
 namespace tessera {
 
-/// It says what a key's value is, and gives none to compute with: sizes and limits that count are CollageProblem's.
+/// Gives the values of keys as texts only. Sizes and limits to compute with are those of CollageProblem.
 class WrittenKeys {
  public:
   /// The job outlives it.
   explicit WrittenKeys(const Job& job) : job_(job) {}
 
-  /// "pieces.scale_px (now [20, 160])": in mm where the canvas has a size on paper.
+  /// "pieces.scale_px (now [20, 160])"; in mm where the canvas has a size on paper.
   std::string with_value(const char* section, const char* name) const;
   bool is_default(const char* section, const char* name) const;
-  /// The rows of that table ([[shapes]]) that have a value in that column.
+  /// The rows of this table ([[shapes]]) that have a value in this column.
   std::vector<std::uint32_t> rows_with(const char* table, const char* column) const;
-  /// `scale_px of [[regions]] "sky" (now [20, 160])`: what the first of these rows, which have a value there, say.
+  /// `scale_px of [[regions]] "sky" (now [20, 160])`: the values of the first of these rows.
   std::string rows_with_values(const char* table, const char* column, const std::vector<std::uint32_t>& rows) const;
   bool has_rows(const char* table) const;
-  /// "41.2 px"; in mm where the canvas has a size on paper.
+  /// A length as a text: "41.2 px"; in mm where the canvas has a size on paper.
   std::string length_text(double length_px) const;
 
  private:

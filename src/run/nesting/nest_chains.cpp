@@ -36,7 +36,7 @@ class Findings {
     looked_(std::accumulate(done_.begin(), done_.end(), 0.0) / double(done_.size()), best_);
   }
 
-  /// To be called when no chain is at work any more.
+  /// The best layout. To be called when no chain is at work any more.
   const NestLayout& best() const { return best_; }
 
  private:
@@ -46,12 +46,12 @@ class Findings {
   Looked looked_;
 };
 
-/// How many of the chains are this rank's: first, first + step and so on.
+/// The number of this rank's chains: first, first + step and so on.
 std::size_t chains_of(const comm::Communicator& ranks, const NestEffort& effort) {
   return ranks.rank() < effort.chains ? std::size_t((effort.chains - 1 - ranks.rank()) / ranks.size()) + 1 : 0;
 }
 
-/// The best of this rank's chains, of which there is one at least.
+/// Runs this rank's chains, at least one, and returns their best layout.
 NestLayout best_of(const NestSearch& search, const comm::Communicator& ranks, Findings& findings) {
   std::vector<NestLayout> layouts(chains_of(ranks, search.effort));
   const PosedItems shapes = posed_items(search.problem, [&] { findings.look(0, 0); });
@@ -78,7 +78,7 @@ NestLayout last_of(comm::Communicator& ranks, int worker) {
   }
 }
 
-/// Adds all that has arrived by now; a stop must have been asked for.
+/// Adds all layouts that have arrived by now. To be called after a stop was asked for.
 void add_arrived(comm::Communicator& ranks, int worker, Findings& findings) {
   try {
     for (;;) {
@@ -89,10 +89,10 @@ void add_arrived(comm::Communicator& ranks, int worker, Findings& findings) {
   }
 }
 
-/// A worker's chains. Rank 0 is told the best now and then, also where it is no other one: a worker that sends nothing
-/// for RankWatch::kMostBusy times `silence_s` counts as lost.
+/// Runs a worker's chains. Reports the best layout to rank 0 regularly, even if it has not changed: rank 0 takes a worker
+/// for lost that sends nothing for RankWatch::kMostBusy times `silence_s`.
 void search_and_tell(const NestSearch& search, comm::Communicator& ranks, double silence_s) {
-  // Rank 0 keeps what it is told until the end: so the longer the search, the rarer.
+  // Rank 0 keeps all reports until the end, so a longer search reports less often.
   constexpr double kLeastPause_s = 0.25, kPausePart = 0.02;
   const double most_pause_s = silence_s * comm::RankWatch::kMostBusy / 6;
   const Stopwatch watch;
@@ -107,7 +107,7 @@ void search_and_tell(const NestSearch& search, comm::Communicator& ranks, double
   send(ranks, {best_of(search, ranks, findings), true});
 }
 
-/// A worker that is done: its heart beats on, as rank 0 waits for the others.
+/// Waits, with heartbeats, for rank 0 to end the job; the other ranks may still be at work.
 [[noreturn]] void wait_until_job_ends(comm::Communicator& ranks) {
   for (;;) ranks.receive(0, comm::Tag::nest_layout);  // which never comes: JobEnded
 }

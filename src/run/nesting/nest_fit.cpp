@@ -26,7 +26,7 @@ std::string material_text(const NestProblem& problem) {
                                        : "strip of " + length_text(problem.height) + " mm";
 }
 
-/// "disc (16 x 16 mm), ring (20 x 20 mm) and 3 more": sizes as the shapes are drawn.
+/// Names pieces with the sizes in which they are drawn: "disc (16 x 16 mm), ring (20 x 20 mm) and 3 more".
 std::string names_of(const std::vector<int>& items, const NestInput& input) {
   constexpr std::size_t kMostNamed = 5, kMostBytesOfName = 60;
   std::string text;

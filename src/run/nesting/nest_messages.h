@@ -1,4 +1,4 @@
-// What the ranks of a nesting tell each other (comm/archive.h).
+// The messages between the ranks of a nesting (comm/archive.h).
 #pragma once
 
 #include <cstdint>
@@ -8,14 +8,14 @@
 
 namespace tessera {
 
-/// Rank 0 to all others: what each has to do.
+/// Message of rank 0 to all others: the search that they share.
 struct NestSearch {
   NestProblem problem;
   NestEffort effort;
   std::uint64_t seed = 0;
 };
 
-/// A worker to rank 0: the best layout of its chains by now, and whether they have ended.
+/// Message of a worker to rank 0: the best layout of its chains so far, and whether all chains have ended.
 struct NestReport {
   NestLayout layout;
   bool is_last = false;

@@ -14,9 +14,9 @@ namespace tessera {
 namespace {
 
 constexpr double kLeast_mm = 1e-3;
-/// Each shape is kept at each of its angles: some 300 MB.
+/// The points of all shapes at all of their angles are kept: some 300 MB.
 constexpr std::size_t kMostTurnedPoints = 10'000'000;
-/// Each has some 80 bytes in the files of the layout.
+/// The points of all pieces in a layout; each takes some 80 bytes in its files.
 constexpr std::size_t kMostCutPoints = 3'000'000;
 
 void check_length(const std::string& option, double mm, double least) {
@@ -32,7 +32,7 @@ std::vector<double> angles_of(const NestArguments& arguments, const NestSource& 
   return source.angles_deg.empty() ? kQuarters : source.angles_deg;
 }
 
-/// What is smaller than the check can see has no place in a layout.
+/// Refuses a drawing that is too small for the check of a layout to see.
 void check_size(const NestArguments& arguments, const NestDrawing& drawing, double height_mm) {
   const NestBox box = box_of(drawing.outline);
   const double size_mm = std::max(box.width(), box.height());
@@ -89,7 +89,7 @@ NestProblem problem_of(const NestArguments& arguments, const NestInput& input) {
   }
   if (!(problem.height > 0)) {
     throw InputError(printable_utf8(arguments.input) +
-                     ": how large is the material? allowed: --strip H, or --sheet W,H, in mm");
+                     ": found no size of the material, allowed: --strip H, or --sheet W,H, in mm");
   }
   std::size_t pieces = 0, points = 0;
   for (const NestSource& source : input.sources) {

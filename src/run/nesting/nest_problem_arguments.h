@@ -1,4 +1,4 @@
-// What the arguments of tessera nest make of its drawings: a problem with bounds.
+// Makes a problem of the arguments of tessera nest and its drawings, within bounds.
 #pragma once
 
 #include <optional>
@@ -12,16 +12,16 @@
 
 namespace tessera {
 
-/// Throws InputError, which names the option.
+/// Throws InputError that names the option.
 void check_arguments(const NestArguments& arguments);
 
-/// How many of the shapes of which name: of "name=3", "name" being a pattern. Throws InputError.
+/// Reads "name=3", where "name" is a pattern: which shapes, and how many of each. Throws InputError.
 std::vector<std::pair<std::string, int>> demands_of(const std::vector<std::string>& texts);
 
-/// The sheet that pieces are laid on: that of the command, or the instance's; nothing: a strip.
+/// The sheet on which pieces are laid: the command's, or the instance's; empty: a strip.
 std::optional<NestBin> sheet_of(const NestArguments& arguments, const NestInput& input);
 
-/// Throws InputError where the material has no size, or there are too many pieces or points.
+/// Makes the problem. Throws InputError where the material has no size, or there are too many pieces or points.
 NestProblem problem_of(const NestArguments& arguments, const NestInput& input);
 
 }  // namespace tessera

@@ -34,7 +34,7 @@ double area_of(const NestProblem& problem) {
   return area;
 }
 
-/// About as many as there will be.
+/// About how many sheets there will be.
 double sheets_to_write(const NestProblem& problem) {
   constexpr double kDensity = 0.6;
   if (!std::isfinite(problem.length)) return 1;
@@ -43,7 +43,7 @@ double sheets_to_write(const NestProblem& problem) {
   return std::min(pieces, area_of(problem) / (problem.height * problem.length) / kDensity);
 }
 
-/// A search that has a limit leaves time for the files of its layout.
+/// Reserves time for the files of the layout, where the search has a limit.
 void leave_time_to_write(const NestRun& run, const NestFolder& folder, NestStop& stop) {
   constexpr double kOfPoint_s = 2e-6, kOfSheet_s = 1e-3, kOfPicture_s = 0.15;
   if (!stop.has_limit()) return;
@@ -52,7 +52,7 @@ void leave_time_to_write(const NestRun& run, const NestFolder& folder, NestStop&
   stop.leave_time_for(computing_s + folder.seconds_to_write(!run.input.library.empty(), sheets), kOfPicture_s * sheets);
 }
 
-/// Shows how dense it is by now, how far the search is, and when it will be over.
+/// Shows the density so far, how far the search is, and when it will be over.
 class SearchProgress {
  public:
   SearchProgress(const NestProblem& problem, const NestStop& stop)
@@ -88,12 +88,12 @@ class SearchProgress {
   ProgressBar bar_{"nesting", kParts};
 };
 
-/// Throws Interrupted where there is a reason to.
+/// Throws Interrupted where there is a reason to stop.
 void end_if(std::optional<StopReason> reason) {
   if (reason) throw Interrupted{*reason};
 }
 
-/// Shows how many files there are.
+/// Shows how many files are written.
 class FileProgress {
  public:
   FileProgress(const char* what, bool quiet) : what_(what), quiet_(quiet) {}
@@ -140,13 +140,13 @@ void warn_of_left_over(const NestRun& run) {
                 " found no place: " + cut_utf8(names, 200));
 }
 
-/// What is to be told where the instance has fewer sheets than the layout; empty: it has enough.
+/// The warning that the instance has fewer sheets than the layout; empty: it has enough.
 std::string stock_warning(const NestArguments& arguments, const NestRun& run) {
   const std::optional<NestBin> sheet = sheet_of(arguments, run.input);
   return sheet ? stock_text(*sheet, run.layout.sheets) : "";
 }
 
-/// `drawn`: so many sheets have their picture. The last line on stderr says how to go on.
+/// Reports the layout. `drawn`: how many sheets have a picture. The last line on stderr says how to go on.
 void report(const NestArguments& arguments, const NestRun& run, int drawn) {
   warn_of_left_over(run);
   if (const std::string stock = stock_warning(arguments, run); !stock.empty()) print_warning(stock);
@@ -168,7 +168,7 @@ void report(const NestArguments& arguments, const NestRun& run, int drawn) {
   }
 }
 
-/// Returns how many pictures were drawn. They are for people: without them the layout is whole.
+/// Draws the pictures and returns their number. They are for people: a layout is whole without them.
 int draw(const NestArguments& arguments, const NestRun& run, NestStop& stop, NestFolder& folder) {
   FileProgress progress("drawing", arguments.quiet);
   int drawn = 0;
@@ -184,7 +184,7 @@ int draw(const NestArguments& arguments, const NestRun& run, NestStop& stop, Nes
   }
 }
 
-/// Whether that end is one that the user did not ask for.
+/// Whether the search ended in a way that the user did not ask for.
 bool interrupts(std::optional<StopReason> stopped_by, const NestStop& stop) {
   return stopped_by && !(stopped_by == StopReason::time_limit && stop.was_asked_for());
 }
@@ -194,7 +194,7 @@ void check(const NestRun& run, NestStop& stop) {
   if (!fault.empty()) throw std::logic_error("nesting: " + fault);
 }
 
-/// Returns the exit code.
+/// Writes the layout and returns the exit code.
 int write(const NestArguments& arguments, const NestRun& run, NestStop& stop, NestFolder& folder) {
   check(run, stop);
   FileProgress progress("writing", arguments.quiet);

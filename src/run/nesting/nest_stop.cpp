@@ -11,8 +11,8 @@
 namespace tessera {
 namespace {
 
-constexpr double kLeaving_s = 4;  // of several ranks, as of a collage
-/// mpirun kills its ranks two seconds after a signal; a picture, and leaving, take the rest.
+constexpr double kLeaving_s = 4;  // for several ranks, as for a collage
+/// mpirun kills its ranks two seconds after a signal. The rest of this time is for one picture, and for leaving.
 constexpr double kDrawingAfterSignal_s = 1.2;
 
 }  // namespace

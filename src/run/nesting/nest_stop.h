@@ -1,4 +1,4 @@
-// When a nesting is to end before its time: by a signal, by --time-limit, or by the end of the Slurm job.
+// Decides when a nesting ends early: by a signal, by --time-limit, or by the end of the Slurm job.
 #pragma once
 
 #include <optional>
@@ -9,34 +9,33 @@
 
 namespace tessera {
 
-/// The time counts from the making of this object.
+/// Its time begins with its constructor.
 class NestStop {
  public:
-  /// `argument`: of --time-limit. `several_ranks`: then there is time to leave, too. Throws InputError.
+  /// `argument`: of --time-limit. `several_ranks`: keeps time for the ranks to leave. Throws InputError.
   NestStop(const std::optional<std::string>& argument, bool several_ranks);
 
   bool has_limit() const;
-  /// To be called before the search, which leaves time for this: to write the files of a layout, three quarters of the
-  /// limit at most, and to draw its pictures, too, where both fit into a quarter.
+  /// Reserves time after the search to write the files of a layout (at most three quarters of the limit), and to draw its
+  /// pictures, too, where both fit into a quarter. To be called before the search.
   void leave_time_for(double writing_s, double drawing_s);
 
-  /// Whether the search is to end, so that its best can be written. By any thread.
+  /// Whether the search shall end, so that its best layout can be written. Any thread may call it.
   std::optional<StopReason> search_over();
-  /// Whether writing the layout is to end, and what was searched is to be thrown away. Only a second signal
-  /// asks for it (stop_signalled_again).
+  /// Whether writing shall end and the layout is thrown away. Only a second signal asks for it (stop_signalled_again).
   std::optional<StopReason> writing_over();
-  /// Whether drawing pictures, of which so many are done, is to end. The limit does not end the first one,
-  /// which most layouts have alone.
+  /// Whether drawing shall end after `drawn` pictures. The limit does not end the first picture, because most layouts have
+  /// only one.
   std::optional<StopReason> drawing_over(std::size_t drawn);
-  /// Until a search ends by the limit; infinite without one.
+  /// Seconds until the limit ends the search; infinite without a limit.
   double search_left_s() const;
-  /// Whether the user said how long it may take: then the end of that time is no interruption.
+  /// Whether the user gave the limit; reaching it is no interruption then.
   bool was_asked_for() const { return was_asked_for_; }
 
  private:
   bool was_asked_for_;
   double leaving_s_;
-  double left_s_ = 0;  // for the files
+  double left_s_ = 0;  // reserved for the files
   TimeLimit limit_;
   Stopwatch watch_;
 };

@@ -1,4 +1,4 @@
-// What the user sees of the collage's loop, and how a signal or a time limit ends it.
+// Shows the progress of the collage's loop to the user, and ends the loop at a signal or time limit.
 #pragma once
 
 #include <optional>
@@ -30,7 +30,7 @@ class CollageProgress : public master::Observer {
   std::optional<ProgressBar> bar_;
 };
 
-/// "123 pieces, 45.6 % covered, 12.3 pieces/s"; in later attempts (fit = "all") which one instead of the rate.
+/// "123 pieces, 45.6 % covered, 12.3 pieces/s"; later attempts (fit = "all") show their number instead of the rate.
 std::string progress_note(const master::Progress& progress);
 
 }  // namespace tessera

@@ -5,8 +5,8 @@
 namespace tessera {
 namespace {
 
-constexpr std::size_t kMostMoments = 4096;  // 2,048 at least of a long run, a tenth of them in its last tenth
-constexpr std::size_t kFewestMoments = 10;  // of a whole run; fewer are steps, no curve
+constexpr std::size_t kMostMoments = 4096;  // a long run keeps at least 2,048, a tenth of them from its last tenth
+constexpr std::size_t kFewestMoments = 10;  // a whole run needs so many: fewer are steps and no curve
 
 }  // namespace
 

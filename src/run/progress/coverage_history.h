@@ -1,4 +1,4 @@
-// How the coverage of a run rose over its time, so that its card can say whether more time pays.
+// Records how coverage rose during a run, so that the card can say whether more time pays.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +9,11 @@ namespace tessera {
 
 class CoverageHistory {
  public:
-  /// `seconds` do not fall from call to call; `coverage` is a fraction of the canvas; nothing: not known then.
+  /// `seconds` must not fall from call to call. `coverage`: fraction of the canvas; empty where it is not known.
   void add(double seconds, std::optional<double> coverage);
 
-  /// What was covered more at the end than at nine tenths of `total_s`; negative where pieces were taken out. Nothing
-  /// where one of both is not known, also as the run was resumed later, or where it is too short to tell.
+  /// The gain of coverage from nine tenths of `total_s` to the end; negative where pieces were taken out. Empty where one
+  /// of the two is not known (the run may have been resumed later), or where the run is too short.
   std::optional<double> gained_in_last_tenth(double total_s) const;
 
  private:
@@ -21,7 +21,7 @@ class CoverageHistory {
     double seconds;
     std::optional<double> coverage;
   };
-  /// Of a long run every 2nd, 4th, .. moment is kept, and the latest.
+  /// The moments; in a long run only every 2nd, 4th, ... of them.
   std::vector<Moment> moments_;
   std::size_t every_ = 1;
   std::size_t added_ = 0;

@@ -5,13 +5,13 @@
 namespace tessera {
 namespace {
 
-constexpr double kMostShare = 0.99;     // an estimate never says that it is over
-constexpr double kLeastShare = 0.02;    // of a phase, to judge by
-constexpr float kSurelyReached = 0.8f;  // coverage, by any library but one of wires
+constexpr double kMostShare = 0.99;     // an estimate never says that the run is over
+constexpr double kLeastShare = 0.02;    // part of a phase that must be over to judge by
+constexpr float kSurelyReached = 0.8f;  // coverage that any library but one of thin lines reaches
 constexpr double kPiecesPerTrial = 2;   // a trial takes about as long as placing two pieces (jobs/animals.toml)
 
-// Measured with jobs/animals.toml: coverage grows evenly up to about 0.9, which takes two thirds of the time; the rest
-// goes by over gaps where less and less fits. Near enough to tell minutes from seconds.
+// Measured with jobs/animals.toml: coverage grows evenly up to about 0.9, which takes two thirds of the time. The rest goes
+// into gaps where less and less fits. This is good enough to tell minutes from seconds.
 constexpr double kEvenCoverage = 0.9;
 constexpr double kEvenTimeShare = 0.67;
 constexpr double kUsualFullCoverage = 0.94;

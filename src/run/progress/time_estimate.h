@@ -1,4 +1,4 @@
-// How long a collage will probably take, from how it has gone so far.
+// Estimates how long a collage will take, from its pace so far.
 #pragma once
 
 #include <cstddef>
@@ -9,19 +9,19 @@
 
 namespace tessera {
 
-/// The share of filling's time that is probably over, 0..0.99, from whichever of the stops comes first.
+/// The part (0..0.99) of filling's time that is probably over, by the limit that comes first.
 double expected_time_share(const master::Progress& progress, const StopSettings& stop);
 
-/// Whether a limit of pieces, or one of coverage that filling reaches as a rule, leaves nothing to be improved.
+/// Whether a limit of pieces, or of a coverage that filling usually reaches, leaves no time for improving.
 bool ends_before_improving(const StopSettings& stop);
 
-/// A run fills, perhaps several times (fit = "all"), then improves. Each of these phases is judged by its own pace in
-/// this process, so that neither earlier attempts nor what came before an interruption count.
+/// Estimates the rest of a run that fills, perhaps several times (fit = "all"), and then improves. It judges each of these
+/// phases by its own pace in this process: earlier attempts and the time before an interruption do not count.
 class TimeEstimate {
  public:
   TimeEstimate(const StopSettings& stop, const ImproveSettings& improve) : stop_(stop), improve_(improve) {}
 
-  /// To be called with each progress in turn. Nothing while there is too little to judge by.
+  /// Seconds left. To be called with each progress in turn. Empty while it is too early to judge.
   std::optional<double> left_s(const master::Progress& progress);
 
  private:
@@ -41,9 +41,9 @@ class TimeEstimate {
   ImproveSettings improve_;
   Phase phase_;
   double begin_s_ = 0;      // of the phase, in this process
-  double begin_share_ = 0;  // of it, that was over then
+  double begin_share_ = 0;  // the part of the phase that was over then
   std::size_t begin_pieces_ = 0;
-  double piece_s_ = 0;  // while filling
+  double piece_s_ = 0;  // seconds a piece while filling
 };
 
 }  // namespace tessera

@@ -11,11 +11,11 @@
 namespace tessera {
 namespace {
 
-// The checkpoint and the files but the pictures take 0.1 to 1 s; disks of clusters are slow at times.
+// Checkpoint and files without pictures take 0.1 to 1 s; disks of clusters are slow at times.
 constexpr double kLeastReserve_s = 2;
 constexpr double kMostReserve_s = 20;
-constexpr double kReserveShare = 0.05;  // in between
-// To end drawing.
+constexpr double kReserveShare = 0.05;  // between these two
+// Time to end drawing.
 constexpr double kDrawingReserve_s = 1;
 constexpr double kMostLimit_s = 1e8;
 
@@ -26,18 +26,18 @@ std::optional<double> number(std::string_view text) {
   return value;
 }
 
-/// Digits alone.
+/// Reads digits only.
 std::optional<double> whole(std::string_view text) {
   return text.find_first_not_of("0123456789") == std::string_view::npos ? number(text) : std::nullopt;
 }
 
-/// Two digits below 60.
+/// Reads two digits below 60.
 std::optional<double> sixtieth(std::string_view text) {
   const std::optional<double> value = whole(text);
   return text.size() == 2 && value && *value < 60 ? value : std::nullopt;
 }
 
-/// "90", "90.5", "90s", "90m", "1.5h"
+/// Reads "90", "90.5", "90s", "90m", "1.5h".
 std::optional<double> with_unit(std::string_view text) {
   double unit_s = 1;
   if (text.ends_with('m')) unit_s = 60;
@@ -47,7 +47,7 @@ std::optional<double> with_unit(std::string_view text) {
   return count ? std::optional(*count * unit_s) : std::nullopt;
 }
 
-/// "A", "A:BB", "A:BB:CC": the first in units of `unit_s`, each of the others in sixtieths of the one before.
+/// Reads "A", "A:BB", "A:BB:CC". The first number is in units of `unit_s`, each other one in sixtieths of the one before.
 std::optional<double> with_colons(std::string_view text, double unit_s) {
   const std::size_t colon = text.find(':');
   const std::optional<double> first = whole(text.substr(0, colon));
@@ -62,14 +62,14 @@ std::optional<double> with_colons(std::string_view text, double unit_s) {
   return sum_s;
 }
 
-/// sbatch's two words, in any case.
+/// Whether the text is one of sbatch's two words for no limit, in any case.
 bool is_without_limit(std::string_view text) {
   std::string word(text);
   std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::toupper(c); });
   return word == "UNLIMITED" || word == "INFINITE";
 }
 
-/// The forms of sbatch's --time, but that a plain number is seconds. Infinite: no limit.
+/// Reads the forms of sbatch's --time, but a plain number is seconds. Infinite: no limit.
 std::optional<double> any_form(std::string_view text) {
   if (is_without_limit(text)) return std::numeric_limits<double>::infinity();
   if (const std::size_t dash = text.find('-'); dash != std::string_view::npos) {
@@ -101,8 +101,8 @@ double time_limit_s(const std::optional<std::string>& argument, const char* slur
     const double limit_s = parse_time_limit(*argument);
     const double kept_s = reserve_s(limit_s) + leaving_s;
     if (limit_s > kept_s) return limit_s;
-    throw refused(*argument,
-                  "more than the " + fixed(kept_s, 1) + " s that are kept for checkpoint, files and leaving");
+    throw refused(*argument, "more than the " + fixed(kept_s, 1) +
+                                 " s that are reserved for the checkpoint, the files and the end of the ranks");
   }
   double end_s = 0;
   if (slurm_end_time) {
@@ -116,7 +116,8 @@ std::string short_limit_warning(double limit_s, double leaving_s) {
   const double kept_s = reserve_s(limit_s) + leaving_s;
   if (limit_s > kept_s) return "";
   return "the Slurm job ends in " + fixed(limit_s, 0) + " s, and " + fixed(kept_s, 0) +
-         " s are kept for checkpoint, files and leaving: nothing will be computed; give the job more time (sbatch "
+         " s are reserved for the checkpoint, the files and the end of the ranks: nothing will be computed; give the "
+         "job more time (sbatch "
          "--time)";
 }
 

@@ -1,4 +1,4 @@
-// When a run must be over: by --time-limit, or by the end of the Slurm job that it is part of.
+// Decides when a run must be over: by --time-limit, or by the end of its Slurm job.
 #pragma once
 
 #include <limits>
@@ -9,33 +9,34 @@
 
 namespace tessera {
 
-/// The limit in seconds, more than 0: "90" and "90.5" are seconds, "90m" and "2h" say so; "MM:SS", "HH:MM:SS", "D-HH",
-/// "D-HH:MM" and "D-HH:MM:SS" are as in sbatch's --time; "UNLIMITED" and "INFINITE", in any case, are infinite. Throws
-/// InputError.
+/// Reads a limit in seconds, more than 0. "90" and "90.5" are seconds; "90m" and "2h" name their unit; "MM:SS", "HH:MM:SS",
+/// "D-HH", "D-HH:MM" and "D-HH:MM:SS" are read like sbatch's --time; "UNLIMITED" and "INFINITE", in any case, are infinite.
+/// Throws InputError.
 double parse_time_limit(const std::string& text);
 
-/// `argument` as parse_time_limit takes it, which must leave something beside the reserve and `leaving_s` (InputError);
-/// without one, from `now_s` to `slurm_end_time`, both in seconds since 1970; infinite where that is null, no number or
-/// over.
+/// The limit in seconds: `argument`, read by parse_time_limit(), or, without one, the time from `now_s` to `slurm_end_time`
+/// (both in seconds since 1970). An argument that leaves nothing beside the reserve and `leaving_s` is refused
+/// (InputError). Infinite where `slurm_end_time` is null, no number or in the past.
 double time_limit_s(const std::optional<std::string>& argument, const char* slurm_end_time, double now_s,
                     double leaving_s);
 
-/// The warning of a limit that leaves nothing beside the reserve, which can only be a Slurm job's, since time_limit_s
-/// refuses others. Empty where the limit does leave something.
+/// Warns of a limit that leaves nothing beside the reserve. It can only come from a Slurm job, because time_limit_s()
+/// refuses such arguments. Otherwise empty.
 std::string short_limit_warning(double limit_s, double leaving_s);
 
-/// A limit that counts from the making of this object.
+/// A limit that counts from its constructor.
 class TimeLimit {
  public:
   explicit TimeLimit(double limit_s = std::numeric_limits<double>::infinity()) : limit_s_(limit_s) {}
 
   double seconds() const { return limit_s_; }
-  /// Asked before every round and while a piece is chosen: another wait as long as the longest so far between two
-  /// questions, and the files of the result, might come to an end too late.
+  /// Whether it is time to end; called before every round and while a piece is chosen. True when another wait, as long as
+  /// the longest between two calls so far, and the files of the result might not end in time.
   bool near();
-  /// Asked within a round: what is left is needed for the files of the result, and `leaving_s` to leave.
+  /// Whether a round must end, because the rest of the time is needed for the files of the result, and `leaving_s` to
+  /// leave. Called within a round.
   bool round_over(double leaving_s) const;
-  /// Asked while the result is drawn, from any thread: it is time to end, and to leave.
+  /// Whether drawing must end, with `leaving_s` to leave. Called from any thread while the result is drawn.
   bool drawing_over(double leaving_s) const;
 
  private:
@@ -45,7 +46,7 @@ class TimeLimit {
   Stopwatch watch_;
 };
 
-/// What is kept for the last checkpoint and the files of the result; not for its pictures, which can be drawn later.
+/// Seconds that are kept for the last checkpoint and the files of the result. Its pictures can be drawn later.
 double reserve_s(double limit_s);
 
 }  // namespace tessera

@@ -1,4 +1,4 @@
-// What tessera recognize tells of its queries: for programs, and as a picture.
+// Writes the answers of tessera recognize: JSON for programs, and a picture.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ namespace tessera {
 struct RecognisedShape {
   std::string name;
   double similarity = 0;
-  double score = 0;  // answer_score()
-  double scale = 0;  // px of the query's picture for one px of the library's drawing; 0: the library does not know
+  double score = 0;         // answer_score()
+  double scale = 0;         // px of the query's picture for one px of the library's drawing; 0: not known
   double rotation_deg = 0;  // from the drawing to the picture, clockwise as y points down
 };
 
@@ -31,15 +31,15 @@ struct UnreadQuery {
   std::string reason;  // names the file
 };
 
-/// `files`: the names of the queries.
+/// The answers for the queries. `files`: the names of the queries.
 std::vector<RecognisedQuery> recognised_queries(const std::vector<std::string>& files, const Recognitions& found,
                                                 const LibraryFile& library);
 
-/// Writes JSON. Throws EnvironmentError where the file cannot be written, as does write_recognition_sheet.
+/// Writes JSON. Throws EnvironmentError where the file cannot be written, like write_recognition_sheet().
 void write_recognitions(const std::string& path, const std::string& library,
                         const std::vector<RecognisedQuery>& queries, const std::vector<UnreadQuery>& unread);
 
-/// Writes a PNG: a row for each query, its outlines first, then the best shapes.
+/// Writes a PNG with a row for each query: its outlines first, then the best shapes.
 void write_recognition_sheet(const std::string& path, const std::vector<RecognisedQuery>& queries,
                              const std::vector<DrawnCurves>& drawn, const Recognitions& found,
                              const LibraryFile& library);

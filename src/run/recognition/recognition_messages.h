@@ -1,4 +1,4 @@
-// What the ranks of a recognition tell each other (comm/archive.h).
+// The messages between the ranks of a recognition (comm/archive.h).
 #pragma once
 
 #include <cstdint>
@@ -10,21 +10,21 @@
 
 namespace tessera {
 
-/// The curves of one picture, and the side of its pixels in their units.
+/// The curves of one picture, and the side of its pixels in the same units.
 struct AskedCurves {
   std::vector<Curve> curves;
   float pixel = 1;
 };
 
-/// Rank 0 to all others: what is looked for, and where.
+/// Message of rank 0 to all others: the queries and the library in which to look for them.
 struct RecognitionQuestion {
   std::vector<AskedCurves> queries;
   std::string library;               // the file, which every rank opens itself
   std::uint64_t library_digest = 0;  // ShapeLibrary::content_digest()
   float query_per_drawn_px = 0;      // RecognitionSettings; 0: unknown
   std::uint64_t most = 10;
-  /// The library is searched in lots of so many shapes, whoever searches them, so that the answer is the same on any number
-  /// of ranks. Another number may give another answer.
+  /// The library is searched in lots of so many shapes, on any rank, so that the answer is the same on any number of ranks.
+  /// Another number of shapes may give another answer.
   std::uint32_t lot_shapes = kSegmentShapes;
 };
 

@@ -28,21 +28,21 @@ void check(const RecognizeArguments& arguments) {
   }
 }
 
-/// A known scale is of no use where the library does not say how large its shapes were drawn.
+/// Refuses --scale where the library does not say how large its shapes were drawn.
 void check_drawn_sizes(const LibraryFile& library) {
   const LibraryParts no_parts{.outline = false, .field = false, .levels = 0, .artwork = false};
   if (library.read(0, 1, no_parts).front().drawn_scale_px > 0) return;
   throw InputError("--scale: " + library.path() + " does not know how large its shapes were drawn; build it anew");
 }
 
-/// The files that can be read, with their curves, and those that cannot, with the reasons.
+/// The files that can be read, with their curves, and the files that cannot, with the reasons.
 struct ReadQueries {
   std::vector<std::string> files;
   std::vector<DrawnCurves> drawn;
   std::vector<UnreadQuery> unread;
 };
 
-/// Throws InputError where no file can be read.
+/// Reads the queries. Throws InputError where no file can be read.
 ReadQueries read_queries(const std::vector<std::string>& files) {
   Drawers drawers({});
   ReadQueries queries;
@@ -94,7 +94,7 @@ void print_table(const RecognizeArguments& arguments, const std::vector<Recognis
     }
     if (!query.shapes.empty()) print_lines(table.text());
     if (!query.found(arguments.least_score)) {
-      print_line("  nothing of the library: the best shape's score is below %.2f (--least)", arguments.least_score);
+      print_line("  no shape of the library: the best score is below %.2f (--least)", arguments.least_score);
     }
   }
 }
@@ -115,7 +115,7 @@ int lead(const RecognizeArguments& arguments, comm::Communicator& ranks) {
   if (!arguments.sheet.empty()) write_recognition_sheet(arguments.sheet, queries, read.drawn, found, library);
   if (!arguments.quiet) print_line("%zu shapes, %.1f s", library.size(), watch.seconds());
   print_warning(first_picture_warning(read.files));
-  for (const UnreadQuery& query : read.unread) print_warning("not looked for: " + query.reason);
+  for (const UnreadQuery& query : read.unread) print_warning("skipped: " + query.reason);
   const bool all_found = std::all_of(queries.begin(), queries.end(),
                                      [&](const RecognisedQuery& query) { return query.found(arguments.least_score); });
   return all_found && read.unread.empty() ? kDoneExitCode : kIncompleteExitCode;

@@ -1,4 +1,4 @@
-// tessera recognize, after its arguments are read: from the files of the queries to a table, JSON and a sheet.
+// tessera recognize, after its arguments are read: reads the queries and makes a table, JSON and a sheet.
 #pragma once
 
 #include <optional>
@@ -13,15 +13,15 @@ struct RecognizeArguments {
   std::vector<std::string> queries;  // files
   std::string library;
   std::size_t most = 10;
-  double least_score = 0.4;     // RecognisedShape::score of the best shape; below it the query is unknown
+  double least_score = 0.4;     // score (RecognisedShape) that the best shape needs; below it the query is unknown
   std::optional<double> scale;  // px of the query for one px of the library's drawings
   std::string json;             // empty: none
   std::string sheet;            // PNG; empty: none
   bool quiet = false;
 };
 
-/// Runs on every rank; the exit code is rank 0's: kIncompleteExitCode where a query is nothing that the library has.
-/// Throws InputError, EnvironmentError.
+/// Runs on every rank and returns rank 0's exit code: kIncompleteExitCode where a query is not in the library. Throws
+/// InputError, EnvironmentError.
 int recognize_on_all_ranks(const RecognizeArguments& arguments, comm::Communicator& ranks);
 
 }  // namespace tessera

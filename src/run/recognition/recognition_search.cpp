@@ -13,9 +13,9 @@
 namespace tessera {
 namespace {
 
-/// The smoothing that takes out the stairs of pixels, in pixels.
+/// The least smoothing, in pixels. It takes out the stairs of pixels.
 constexpr float kLeastSigma_pixels = 1.5f;
-/// A worker that rank 0 does not hear of for so long is lost.
+/// Rank 0 takes a worker for lost that is silent for so long.
 constexpr double kSilence_s = 300;
 
 std::vector<Query> prepared_queries(const RecognitionQuestion& question, const PadParameters& pad) {
@@ -28,7 +28,7 @@ std::vector<Query> prepared_queries(const RecognitionQuestion& question, const P
   return queries;
 }
 
-/// This rank's lots: each one whose number leaves the rank's number, divided by that of the ranks.
+/// Searches this rank's lots: every lot whose number modulo the number of ranks is this rank's number.
 Recognitions recognised_here(const comm::Communicator& ranks, const RecognitionQuestion& question,
                              const ShapeLibrary& library, const LotProgress& progress) {
   const std::vector<Query> queries = prepared_queries(question, library.pad_parameters());

@@ -15,7 +15,7 @@ constexpr int kProbesOfAKind = 256;
 std::uint32_t bits(float value) { return std::bit_cast<std::uint32_t>(value); }
 float number(std::uint32_t value) { return std::bit_cast<float>(value); }
 
-/// As the processor computes it; the build keeps products and sums apart (-ffp-contract=off).
+/// The result of this processor; the build keeps products and sums apart (-ffp-contract=off).
 std::uint32_t expected(const ProbeRecord& probe) {
   const float a = number(probe.a);
   const float b = number(probe.b);
@@ -52,8 +52,8 @@ class Probes {
   std::vector<ArithmeticProbe> probes_;
 };
 
-/// (1 + j 2^-12) (1 + k 2^-12) has bits beyond a float's last: less its rounded self it is zero only where the product
-/// is rounded before the sum.
+/// Adds probes that find a fused multiply-add. (1 + j 2^-12) (1 + k 2^-12) has more bits than a float: minus its rounded
+/// value it is zero only where the product is rounded before the sum.
 void add_products_and_sums(Probes& probes) {
   for (int i = 0; i < kProbesOfAKind; ++i) {
     const float a = 1 + float(2 * i + 1) * 0x1p-12f;
@@ -71,11 +71,11 @@ std::uint32_t inverse(std::uint32_t factor) {
   return found;
 }
 
-/// Quotients as near to the middle between two floats as there are: 2^25 a = q b + r with r = 1 or -1, where q has 25
-/// bits and is odd. So a / b is q 2^-25 off by r / b, less than 2^-22 of the distance of two floats.
+/// Adds quotients as near as possible to the middle between two floats: 2^25 a = q b + r with r = 1 or -1, where q has 25
+/// bits and is odd. So a / b differs from q 2^-25 by r / b, less than 2^-22 of the distance of two floats.
 void add_quotients(Probes& probes) {
   constexpr std::uint32_t kModulus = 1u << 25;
-  constexpr std::uint32_t kLeast = 1u << 23;  // of the 24 bits of a float
+  constexpr std::uint32_t kLeast = 1u << 23;  // the least of the 24 bits of a float
   int found = 0;
   for (std::uint32_t q = (1u << 24) + 1; found < kProbesOfAKind; q += 65'538 - (q & 2)) {
     if (q >= kModulus) q -= kLeast * 2 - 2;
@@ -88,7 +88,7 @@ void add_quotients(Probes& probes) {
   }
 }
 
-/// A root of `square`, which is 1 modulo 8, modulo 2^26: right in one bit more each time.
+/// A root of `square` (1 modulo 8) modulo 2^26. Each step makes one more bit right.
 std::uint64_t root_modulo(std::uint64_t square) {
   std::uint64_t root = 1;
   for (int bit = 3; bit < 27; ++bit) {
@@ -97,8 +97,8 @@ std::uint64_t root_modulo(std::uint64_t square) {
   return root;
 }
 
-/// Roots as near to the middle between two floats as there are: s^2 = 2^26 x + r, where s has 25 bits and is odd, and r
-/// is small. So the root of x 2^26 lies r / 2 s off s.
+/// Adds roots as near as possible to the middle between two floats: s^2 = 2^26 x + r, where s has 25 bits and is odd, and r
+/// is small. So the root of 2^26 x differs from s by r / 2 s.
 void add_roots(Probes& probes) {
   constexpr std::uint64_t kModulus = std::uint64_t(1) << 26;
   constexpr std::uint64_t kLeast = std::uint64_t(1) << 24;
@@ -116,7 +116,7 @@ void add_roots(Probes& probes) {
   }
 }
 
-/// Products and sums that are denormal numbers, or of them.
+/// Adds products and sums whose operands or results are denormal numbers.
 void add_denormals(Probes& probes) {
   for (int i = 1; i <= kProbesOfAKind; ++i) {
     probes.add(kProbeProduct, float(2 * i + 1) * 0x1p-100f, 0x1.8p-50f);
@@ -126,7 +126,7 @@ void add_denormals(Probes& probes) {
   }
 }
 
-/// Sums half-way between two floats go to the even one, and are added in the order in which they stand.
+/// Adds sums half-way between two floats, which must go to the even one, and sums that must be added in order.
 void add_sums(Probes& probes) {
   for (int i = 0; i < kProbesOfAKind; ++i) {
     const float large = 0x1p24f + float(2 * i);
@@ -217,8 +217,8 @@ void check_arithmetic(const DeviceSession& session) {
   const std::vector<ArithmeticProbe> probes = arithmetic_probes();
   const std::string wrong = wrong_arithmetic(probes, probe_results(session, probes));
   if (wrong.empty()) return;
-  throw EnvironmentError("OpenCL device \"" + session.name() + "\" computes otherwise than IEEE 754 says: " + wrong +
-                         "; a collage would have other bytes there than elsewhere. Choose other devices by "
+  throw EnvironmentError("OpenCL device \"" + session.name() + "\" does not compute as IEEE 754 requires: " + wrong +
+                         "; a collage made there would differ from one made elsewhere. Choose other devices by "
                          "devices.use or --devices (tessera devices lists them), or another driver");
 }
 

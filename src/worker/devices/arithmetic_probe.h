@@ -1,5 +1,5 @@
-// Whether a device computes floats as IEEE 754 says: found by what it computes, not by what it reports. The same bytes
-// on all devices need the same rounding on all devices.
+// Tests whether a device computes floats as IEEE 754 says, by its results and not by what it reports. All devices must
+// round in the same way, so that they give the same bytes.
 #pragma once
 
 #include <string>
@@ -16,18 +16,19 @@ struct ArithmeticProbe {
   std::uint32_t expected = 0;
 };
 
-/// Operands that show a difference. Random ones hardly ever do: a quotient that lies within 2^-20 of a half between
-/// two floats is rounded wrongly by a division that is almost right.
+/// Operands that show a difference. Random operands hardly ever do: a division that is almost right rounds only those
+/// quotients wrongly that lie within 2^-20 of the middle between two floats.
 std::vector<ArithmeticProbe> arithmetic_probes();
 
-/// What the results show to be computed differently, in words: "divisions (12 of 256)", or several of these; empty where all
+/// The operations that the device computes differently: "divisions (12 of 256)", or several such parts. Empty where all
 /// bits are the expected ones. `results` has as many numbers as `probes`.
 std::string wrong_arithmetic(const std::vector<ArithmeticProbe>& probes, const std::vector<std::uint32_t>& results);
 
-/// Runs the probes on the device, by the kernel probe_arithmetic of the session's program. Gives the results' bits.
+/// Runs the probes on the device, with the kernel probe_arithmetic of the session's program. Gives the bits of the results.
 std::vector<std::uint32_t> probe_results(const DeviceSession& session, const std::vector<ArithmeticProbe>& probes);
 
-/// Throws EnvironmentError that names the device, what it computes differently, and what can be done.
+/// Throws EnvironmentError where the device computes differently. The message names the device, the operations and what can
+/// be done.
 void check_arithmetic(const DeviceSession& session);
 
 }  // namespace tessera::worker

@@ -22,7 +22,7 @@ const std::array kNumberNames = {
     NumberName{&typeid(std::uint16_t), "ushort"}, NumberName{&typeid(std::uint32_t), "uint"},
     NumberName{&typeid(std::uint64_t), "ulong"},  NumberName{&typeid(float), "float"}};
 
-/// "tessera::worker::PairRecord"
+/// A type's name with its namespaces: "tessera::worker::PairRecord".
 std::string qualified_name(const std::type_info& type) {
   const std::unique_ptr<char, decltype(&std::free)> name(abi::__cxa_demangle(type.name(), nullptr, nullptr, nullptr),
                                                          &std::free);
@@ -77,7 +77,7 @@ void DeviceKernel::check(std::initializer_list<KernelArgument> arguments) const 
   }
 }
 
-/// What the kernel may have on this device: it may need more registers, or the device allows less.
+/// The group size that the device allows for this kernel: the kernel may need many registers, or the device has a limit.
 std::size_t DeviceKernel::allowed_group(std::size_t wished) const {
   const cl::Device& device = session_->device();
   const std::size_t most = std::max<std::size_t>(1, kernel_.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(device));

@@ -1,4 +1,4 @@
-// A kernel on a device: its arguments are named, checked against its parameters, and launched in parts.
+// A kernel on a device. Its arguments are named and checked against its parameters; large work is launched in parts.
 #pragma once
 
 #include <cstdint>
@@ -12,27 +12,26 @@
 
 namespace tessera::worker {
 
-/// More work than this goes to the device in several launches, so that a stop is seen between them, however large the
-/// library: a few hundred milliseconds on two CPU cores, and enough to fill a large GPU. Kernels see their global ids
-/// alone.
+/// The most work items in one launch; more work is divided, so that a stop is noticed between two launches. It takes a few
+/// hundred milliseconds on two CPU cores and fills a large GPU. Kernels see global ids only.
 inline constexpr std::size_t kMostWorkItems = std::size_t(1) << 20;
-/// GPUs allow no more groups in the second dimension (CUDA's limit of a grid).
+/// The most groups in the second dimension that GPUs allow (CUDA's limit of a grid).
 inline constexpr std::size_t kMostRows = 65535;
 
-/// Work items; the first dimension comes in groups of `group` (at most kMostWorkItems), or smaller ones where the device
-/// allows no more for a kernel, rounded up: kernels check it. A kernel that needs groups of a certain size
-/// (reqd_work_group_size) gets these alone, of which `group` then is the size.
+/// The number of work items. The first dimension comes in groups of `group` items (at most kMostWorkItems), or smaller
+/// groups where the device allows no more for a kernel. It is rounded up to whole groups; kernels check it. For a kernel
+/// that needs groups of a certain size (reqd_work_group_size), `group` must be that size.
 struct WorkSize {
   std::size_t x = 0;
   std::size_t y = 1;
   std::size_t group = 1;
 };
 
-/// The name that OpenCL C has for a type of C++: "uchar" for std::uint8_t, "PairRecord" for the struct of
-/// kernels/records.h. Throws std::logic_error for a number that no kernel takes.
+/// The name of a C++ type in OpenCL C: "uchar" for std::uint8_t, "PairRecord" for the struct of kernels/records.h. Throws
+/// std::logic_error for a number type that no kernel takes.
 std::string kernel_type_name(const std::type_info& type);
 
-/// What one parameter of a kernel gets. The name is the parameter's in the kernel's source.
+/// The argument for one parameter of a kernel. The name is that of the parameter in the kernel's source.
 class KernelArgument {
  public:
   KernelArgument(const char* name, std::uint32_t value) : name_(name), type_(type_of_number()), value_(value) {}
@@ -43,7 +42,7 @@ class KernelArgument {
         type_(type_of_buffer<T>()),
         buffer_(&buffer.get()) {}
 
-  /// The parameter that this is an argument for.
+  /// The parameter that this argument is for.
   KernelParameter parameter() const { return {type_, name_}; }
   void set(cl::Kernel& kernel, cl_uint index) const;
 
@@ -58,7 +57,7 @@ class KernelArgument {
   const char* name_;
   const std::string& type_;
   std::uint32_t value_ = 0;
-  const cl::Buffer* buffer_ = nullptr;  // a number where there is none
+  const cl::Buffer* buffer_ = nullptr;  // null for a number
 };
 
 class DeviceKernel {
@@ -67,8 +66,8 @@ class DeviceKernel {
   DeviceKernel(const DeviceSession& session, const char* name);
 
   /// Posts the kernel with one argument for each of its parameters, in their order. Does nothing where there is no work.
-  /// Throws std::logic_error where names or types are not those of the parameters, EnvironmentError where the device does
-  /// not allow the groups that the kernel needs.
+  /// Throws std::logic_error where names or types differ from those of the parameters. Throws EnvironmentError where the
+  /// device does not allow the groups that the kernel needs.
   void launch(const WorkSize& size, std::initializer_list<KernelArgument> arguments);
 
  private:

@@ -13,7 +13,7 @@
 namespace tessera::worker {
 namespace {
 
-/// What keeps a job from using the device: its compiler, or what it computes. Empty where nothing does.
+/// Why a job cannot use the device: its compiler fails, or it computes wrongly. Empty where it can.
 std::string hindrance(const cl::Device& device) {
   if (!device.getInfo<CL_DEVICE_AVAILABLE>()) return ", NOT AVAILABLE";
   try {
@@ -36,14 +36,14 @@ std::string platform_line(const cl::Platform& platform) {
   return "platform \"" + platform.getInfo<CL_PLATFORM_NAME>() + "\", " + platform.getInfo<CL_PLATFORM_VERSION>() + "\n";
 }
 
-/// What the processes of a job take of a CPU's memory beside what lies on it as a device.
+/// A text about a CPU's memory: what a job's processes take beside the memory that it offers as a device.
 std::string kept_memory_text(const std::vector<cl::Device>& devices) {
   const bool any_cpu = std::any_of(devices.begin(), devices.end(), [](const cl::Device& device) {
     return device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU;
   });
   if (!any_cpu) return "";
-  return "The memory of a CPU is that of the host: each process of a job may keep " +
-         std::to_string(kKeptFreed_bytes / 1'000'000) + " MB of it that it has freed\n(tessera plan counts them).\n";
+  return "A CPU device uses the memory of the host, where each process of a job may also keep " +
+         std::to_string(kKeptFreed_bytes / 1'000'000) + " MB\nthat it has freed (tessera plan counts them).\n";
 }
 
 std::string use_text(std::size_t devices) {

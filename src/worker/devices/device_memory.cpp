@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kHugePage = std::size_t(2) << 20;
 constexpr std::size_t kLargeBuffer = 8 * kHugePage;
 
-/// Memory of the process of its own: given back as a whole, whatever malloc holds.
+/// Memory that is mapped for one buffer and given back as a whole, whatever malloc keeps.
 class HugePages {
  public:
   explicit HugePages(std::size_t bytes)
@@ -43,7 +43,7 @@ cl::Buffer make_device_buffer(const cl::Context& context, const cl::Device& devi
   if (bytes < kLargeBuffer || has_memory_of_its_own(device)) return cl::Buffer(context, CL_MEM_READ_WRITE, bytes);
   auto memory = std::make_unique<HugePages>(bytes);
   cl::Buffer buffer(context, CL_MEM_READ_WRITE | CL_MEM_USE_HOST_PTR, bytes, memory->first_whole());
-  // Commands may hold the buffer longer than we do.
+  // OpenCL commands may hold the buffer longer than the caller does.
   buffer.setDestructorCallback([](cl_mem, void* unused) { delete static_cast<HugePages*>(unused); }, memory.get());
   memory.release();
   return buffer;

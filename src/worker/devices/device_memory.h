@@ -1,4 +1,4 @@
-// The memory of a device's buffers.
+// Allocates the memory of a device's buffers.
 #pragma once
 
 #include <CL/opencl.hpp>
@@ -6,8 +6,8 @@
 
 namespace tessera::worker {
 
-/// A buffer for reading and writing. On a CPU a large one is in huge pages where the system has them: an index of a
-/// hundred thousand shapes is 0.8 GB, and to touch so many small pages for the first time takes as long as to fill them.
+/// Makes a buffer for reading and writing. On a CPU a large buffer lies in huge pages, where the system has them. An index
+/// of a hundred thousand shapes is 0.8 GB: to touch so many small pages for the first time takes as long as to fill them.
 /// Throws cl::Error.
 cl::Buffer make_device_buffer(const cl::Context& context, const cl::Device& device, std::size_t bytes);
 

@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kUsualFolder = "/etc/OpenCL/vendors";
 constexpr std::array kDrivers = {"libnvidia-opencl.so.1", "libamdocl64.so", "libigdrcl.so"};
 
-/// A file that a maker's kernel driver makes where it found a card, and the OpenCL library that uses the card.
+/// A device file that a maker's kernel driver makes when it finds a card, and the OpenCL library for that card.
 struct Card {
   const char* maker;
   const char* file;
@@ -25,7 +25,7 @@ constexpr std::array kCards = {
     Card{"NVIDIA", "nvidiactl", "libnvidia-opencl.so.1", "a container gets it by NVIDIA_DRIVER_CAPABILITIES=compute"},
     Card{"AMD", "kfd", "libamdocl64.so", "it is part of ROCm's OpenCL runtime"}};
 
-/// A file of the list and the library that it names. Where OCL_ICD_VENDORS is a library itself, both are it.
+/// A file of the loader's list and the library that it names. Where OCL_ICD_VENDORS is a library, it is both.
 struct Entry {
   std::string file;
   std::string library;
@@ -55,7 +55,7 @@ std::vector<Entry> driver_list() {
   return entries;
 }
 
-/// Empty where the library can be loaded.
+/// Why the library cannot be loaded. Empty where it can.
 std::string load_fault(const std::string& library) {
   if (library.empty()) return "the file is empty";
   void* const loaded = dlopen(library.c_str(), RTLD_LAZY | RTLD_LOCAL);

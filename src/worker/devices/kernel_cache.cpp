@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 constexpr const char* kPoclVariable = "POCL_CACHE_DIR";
 constexpr const char* kCudaVariable = "CUDA_CACHE_PATH";
 
-/// Removed, with what is in it, when the process ends.
+/// A folder that is removed with its content when the process ends.
 class PrivateFolder {
  public:
   PrivateFolder() = default;
@@ -24,7 +24,7 @@ class PrivateFolder {
     std::error_code ignored;
     if (!folder_.empty()) fs::remove_all(folder_, ignored);
   }
-  /// Empty where there is no place for it.
+  /// The folder's path, made by the first call. Empty where no place can be written.
   const fs::path& get() {
     const char* const temporary = std::getenv("TMPDIR");
     for (const char* const place : {temporary, "/tmp", "/dev/shm"}) {
@@ -45,7 +45,7 @@ bool can_be_written(const fs::path& folder) {
   return !failed && access(folder.c_str(), W_OK | X_OK) == 0;
 }
 
-/// The folder that all ranks of this user share on this node; none where somebody else has one of that name.
+/// The folder that all ranks of this user share on this node. Empty where somebody else owns a folder of that name.
 std::optional<fs::path> folder_of_node() {
   const char* const temporary = std::getenv("TMPDIR");
   const fs::path folder =
@@ -58,7 +58,7 @@ std::optional<fs::path> folder_of_node() {
   return folder;
 }
 
-/// The user's choice, else a folder of the node's.
+/// The folder that the user chose for a driver, otherwise one in the node's folder.
 std::optional<fs::path> lasting_folder(const char* variable, const char* name) {
   const char* const chosen = std::getenv(variable);
   if (chosen && *chosen && can_be_written(chosen)) return chosen;

@@ -19,14 +19,14 @@ void define(std::string& options, const char* name, const std::string& value) {
 
 void define(std::string& options, const char* name, int value) { define(options, name, std::to_string(value)); }
 
-/// All bits of the number, and brackets for its sign.
+/// Defines a number with all of its bits, in brackets for its sign.
 void define(std::string& options, const char* name, float value) {
   char text[64];
   std::snprintf(text, sizeof text, "(%af)", double(value));
   define(options, name, std::string(text));
 }
 
-/// Its members one by one: kPush_steps and so on.
+/// Defines the members one by one: kPush_steps and so on.
 void define(std::string& options, const std::string& name, const Descent& descent) {
   define(options, (name + "_steps").c_str(), descent.steps);
   define(options, (name + "_first_radius_px").c_str(), descent.first_radius_px);
@@ -41,7 +41,7 @@ std::uint32_t items_of_docking(DockingLanes lanes) { return lanes == DockingLane
 
 std::uint32_t draws_per_item(DockingLanes lanes) { return lanes == DockingLanes::items ? 1 : 8; }
 
-// A table, a constant a row.
+// Defines all constants, one in each line.
 std::string kernel_options(int pad_levels, DockingLanes lanes) {
   std::string options = "-cl-std=CL1.2 -cl-fp32-correctly-rounded-divide-sqrt";
   define(options, "kPadLevels", pad_levels);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kQualifiers = {"constant", "global", "const"};
 
-/// Of "global const float* lengths": {"float*", "lengths"}.
+/// Reads one declaration: "global const float* lengths" gives {"float*", "lengths"}.
 KernelParameter parameter_of(const std::string& declaration) {
   KernelParameter parameter;
   std::istringstream words(declaration);

@@ -1,5 +1,5 @@
-// The parameters of a kernel, read from its source. Drivers tell them only of programs that are built with
-// -cl-kernel-arg-info, and each writes types in its own way.
+// The parameters of a kernel, read from its source. Drivers report them only for programs that are built with
+// -cl-kernel-arg-info, and each driver writes types in its own way.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@ struct KernelParameter {
   friend bool operator==(const KernelParameter&, const KernelParameter&) = default;
 };
 
-/// In the order of the source, which is OpenCL C with one function of the name `kernel` and no comments or macros among its
-/// parameters. Throws std::logic_error where there is no such function.
+/// The parameters in the order of the source. The source is OpenCL C with one function of the name `kernel`, without
+/// comments or macros among its parameters. Throws std::logic_error where there is no such function.
 std::vector<KernelParameter> kernel_parameters(const std::string& source, const std::string& kernel);
 
 }  // namespace tessera::worker

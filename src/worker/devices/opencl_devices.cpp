@@ -24,7 +24,7 @@ const char* kind_name(const cl::Device& device) {
   return type & CL_DEVICE_TYPE_GPU ? "gpu" : type & CL_DEVICE_TYPE_CPU ? "cpu" : "accelerator";
 }
 
-/// "0: cpu "pthread-...", 1: ..."
+/// The devices as a text: '0: cpu "pthread-...", 1: ...'.
 std::string listed(const std::vector<cl::Device>& devices) {
   std::ostringstream text;
   for (std::size_t i = 0; i < devices.size(); ++i) {
@@ -34,7 +34,7 @@ std::string listed(const std::vector<cl::Device>& devices) {
   return text.str();
 }
 
-/// A platform without devices says so by an error.
+/// The devices of a platform. OpenCL reports a platform without devices as an error; here the list is empty.
 std::vector<cl::Device> devices_of(const cl::Platform& platform) {
   std::vector<cl::Device> devices;
   try {
@@ -55,7 +55,7 @@ std::vector<cl::Platform> platforms() {
   return found;
 }
 
-/// A folder that PoCL's cache must not be written to leaves PoCL without devices, and it does not say so.
+/// Why there are no devices. PoCL finds none, without saying why, where it cannot write to the folder of its cache.
 std::string why_no_devices(const std::vector<cl::Platform>& found) {
   if (found.empty()) {
     std::string faults;
@@ -73,9 +73,9 @@ std::string why_no_devices(const std::vector<cl::Platform>& found) {
          "POCL_CACHE_DIR where it is set, must be a folder that can be written";
 }
 
-/// Starts as many threads at once as PoCL will for a CPU, and ends them. Where PoCL gets too few it ends the process by
-/// abort(3), in words that name no limit; who would tell more (files/foreign_end.h) is not asked, as LLVM has just taken the
-/// signal. Throws EnvironmentError instead.
+/// Starts as many threads at once as PoCL will for a CPU, and ends them. Throws EnvironmentError where the system gives too
+/// few: PoCL would end the process by abort(3) with a message that names no limit. Our handler for that signal
+/// (files/foreign_end.h) could not help, because LLVM has just replaced it.
 void check_threads_can_start() {
   const char* const most = std::getenv("POCL_MAX_PTHREAD_COUNT");
   const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
@@ -92,7 +92,7 @@ void check_threads_can_start() {
   all_started.set_value();
 }
 
-/// 'devices.use = "gpu"' or '--devices gpu'.
+/// The text that names the request: 'devices.use = "gpu"' or '--devices gpu'.
 std::string request_text(const std::string& use, const std::string& option) {
   return option.empty() ? "devices.use = \"" + use + "\"" : option + " " + use;
 }
@@ -123,7 +123,7 @@ std::vector<cl::Device> devices_by_index(const std::vector<cl::Device>& all, con
     const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), index);
     if (error != std::errc() || end != item.data() + item.size()) throw refuse("\"" + item + "\" is no index");
     if (index >= all.size()) throw refuse("there is no device " + item);
-    if (std::find(indices.begin(), indices.end(), index) != indices.end()) throw refuse(item + " stands there twice");
+    if (std::find(indices.begin(), indices.end(), index) != indices.end()) throw refuse(item + " is listed twice");
     indices.push_back(index);
   }
   std::vector<cl::Device> chosen;
@@ -137,7 +137,7 @@ std::vector<cl::Device> opencl_devices() {
   kernel_cache();
   std::vector<cl::Device> all;
   const std::vector<cl::Platform> found = platforms();
-  check_threads_can_start();  // now that the drivers are loaded, which take memory, too
+  check_threads_can_start();  // after the drivers were loaded, which take memory, too
   for (const cl::Platform& platform : found) {
     for (cl::Device& device : devices_of(platform)) all.push_back(std::move(device));
   }

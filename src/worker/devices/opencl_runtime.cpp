@@ -6,7 +6,7 @@
 namespace tessera::worker {
 namespace {
 
-/// What a user can do something about; the numbers are those of CL/cl.h.
+/// The meaning of error codes that a user can do something about; the numbers are those of CL/cl.h.
 std::string meaning(cl_int code) {
   switch (code) {
     case CL_DEVICE_NOT_AVAILABLE: return " (the device is not available)";
@@ -69,7 +69,7 @@ bool DeviceSession::launches_are_done() const {
     const cl_int status =
         checked(name_, [&] { return launches_.front().getInfo<CL_EVENT_COMMAND_EXECUTION_STATUS>(); });
     if (status > CL_COMPLETE) return false;
-    if (status < CL_COMPLETE) return true;  // it failed: wait_for_launches says how
+    if (status < CL_COMPLETE) return true;  // it failed: wait_for_launches() reports it
     launches_.pop_front();
     if (between_launches_) between_launches_();
   }

@@ -1,5 +1,5 @@
-// A thin layer over OpenCL's C++ binding: errors that say which call failed on which device, and buffers that know their
-// length. Nothing here knows about shapes.
+// A thin layer over OpenCL's C++ binding: errors that name the failed call and the device, and buffers that know their
+// length. It knows nothing about shapes.
 #pragma once
 
 #include <CL/opencl.hpp>
@@ -16,10 +16,10 @@
 
 namespace tessera::worker {
 
-/// The error as one line with the call's name, the code and the device.
+/// The error in one line, with the call's name, the code and the device.
 EnvironmentError opencl_error(const cl::Error& error, const std::string& device);
 
-/// Runs `calls`; an OpenCL error becomes an EnvironmentError.
+/// Runs `calls` and turns an OpenCL error into an EnvironmentError.
 template <class Calls>
 auto checked(const std::string& device, Calls&& calls) {
   try {
@@ -29,11 +29,12 @@ auto checked(const std::string& device, Calls&& calls) {
   }
 }
 
-/// Called between the launches of a question while its answer is waited for, many times a second as a rule. What it
-/// throws ends the wait; the session must not be used again then.
+/// Called between the launches of a question while its answer is waited for, usually many times a second. Where it throws,
+/// the wait ends and the session must not be used again.
 using BetweenLaunches = std::function<void()>;
 
-/// A device with its queue (in order: every command sees what the one before it left) and a built program.
+/// A device with a built program and its queue, which is in order: every command sees the results of the commands before
+/// it.
 class DeviceSession {
  public:
   /// Throws EnvironmentError with the build log where the source does not compile.
@@ -46,13 +47,13 @@ class DeviceSession {
   const cl::Program& program() const { return program_; }
   const cl::Device& device() const { return device_; }
   std::uint32_t compute_units() const { return compute_units_; }
-  /// Hands what was posted to the device, without waiting.
+  /// Hands the posted commands to the device, without waiting.
   void flush() const;
   /// Notes that `launch` was posted.
   void add_launch(cl::Event launch) const { launches_.push_back(std::move(launch)); }
-  /// Waits until all launches that were posted are done, one after the other.
+  /// Waits until all posted launches are done.
   void wait_for_launches() const;
-  /// Whether wait_for_launches would not wait any more.
+  /// Whether all posted launches are done, so that wait_for_launches() returns at once.
   bool launches_are_done() const;
 
  private:
@@ -63,17 +64,18 @@ class DeviceSession {
   cl::CommandQueue queue_;
   cl::Program program_;
   BetweenLaunches between_launches_;
-  mutable std::deque<cl::Event> launches_;  // posted, and not yet known to be done
+  mutable std::deque<cl::Event> launches_;  // posted, not yet known to be done
 };
 
-/// `T` is a number or a struct of kernels/records.h.
+/// A buffer on a device. `T` is a number or a struct of kernels/records.h.
 template <class T>
 class DeviceBuffer {
  public:
   explicit DeviceBuffer(const DeviceSession& session) : session_(&session) {}
   DeviceBuffer(const DeviceSession& session, const std::vector<T>& content) : session_(&session) { write(content); }
 
-  /// Makes room for at least `count` elements. What was in it may be lost. A buffer that grows grows by half at least.
+  /// Makes room for at least `count` elements; the content may be lost. A buffer that grows becomes at least half as large
+  /// again.
   void reserve(std::size_t count) {
     if (count <= capacity_ && capacity_ > 0) return;
     capacity_ = std::max({count, capacity_ + capacity_ / 2, std::size_t(1)});  // OpenCL knows no empty buffers
@@ -89,7 +91,7 @@ class DeviceBuffer {
     write_at(0, content);
   }
 
-  /// Writes the elements from `first` on, for which there must be room. Returns when `content` may change again.
+  /// Writes elements from number `first` on; there must be room for them. Returns when `content` may change again.
   void write_at(std::size_t first, const std::vector<T>& content) {
     if (content.empty()) return;
     checked(session_->name(), [&] {
@@ -98,7 +100,7 @@ class DeviceBuffer {
     });
   }
 
-  /// As write(), without waiting: the content is given away, and freed when it is written.
+  /// Like write(), but without waiting: takes the content over and frees it when it is written.
   void post(std::vector<T> content) {
     reserve(content.size());
     if (content.empty()) return;
@@ -108,12 +110,13 @@ class DeviceBuffer {
       session_->queue().enqueueWriteBuffer(buffer_, CL_FALSE, 0, given->size() * sizeof(T), given->data(), nullptr,
                                            &written);
       const auto free = [](cl_event, cl_int, void* done) { delete static_cast<std::vector<T>*>(done); };
-      written.setCallback(CL_COMPLETE, free, given.release());  // where this fails it is lost, not freed too early
+      // if this throws, the memory is lost, but not freed too early
+      written.setCallback(CL_COMPLETE, free, given.release());
     });
   }
 
-  /// Writes the content of `places` places of equal length, the first of which is `first`, of `all_places` in the end.
-  /// The first part that comes makes the room. Returns when `content` may change again.
+  /// Writes the content of `places` places of equal length, from place number `first` on. The call with `first` 0 makes
+  /// room for all `all_places` places. Returns when `content` may change again.
   void write_part(const std::vector<T>& content, std::size_t first, std::size_t places, std::size_t all_places) {
     const std::size_t of_a_place = content.size() / places;
     if (first == 0) reserve(all_places * of_a_place);
@@ -128,7 +131,7 @@ class DeviceBuffer {
             [&] { session_->queue().enqueueFillBuffer(buffer_, std::uint32_t(0), 0, count * sizeof(T)); });
   }
 
-  /// Reads the first `count` elements, once all that was posted before is done.
+  /// Reads the first `count` elements, after all posted launches are done.
   std::vector<T> read(std::size_t count) const {
     session_->wait_for_launches();
     std::vector<T> content(count);

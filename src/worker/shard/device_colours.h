@@ -1,4 +1,4 @@
-// The picture that pieces are to show, on a device, and which shapes have the colours of its places.
+// Holds the picture that pieces shall show on a device, and which shapes have the colours of its places.
 #pragma once
 
 #include <vector>
@@ -14,15 +14,15 @@ class DeviceColours {
  public:
   DeviceColours(const DeviceSession& session, const MatchingContext& context);
 
-  /// From here on shapes may stand as in this context.
+  /// Takes the shapes that may stand in this context from now on.
   void start(const MatchingContext& context);
-  /// Tells each record the list that its sample goes by; new lists are put on the device.
+  /// Gives each record the number of its sample's list of shapes, and puts new lists on the device.
   void assign_lists(const std::vector<TargetSample>& samples, std::vector<SampleRecord>& records);
 
   const NearColours& near_colours() const { return near_colours_; }
   const DeviceBuffer<ColourRecord>& record() const { return record_; }
   const DeviceBuffer<float>& texels() const { return texels_; }
-  /// NearColours::all_shapes, all_bits.
+  /// NearColours::all_shapes and all_bits.
   const DeviceBuffer<std::uint32_t>& near_shapes() const { return near_shapes_; }
   const DeviceBuffer<std::uint32_t>& near_bits() const { return near_bits_; }
 

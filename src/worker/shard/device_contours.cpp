@@ -8,7 +8,7 @@
 namespace tessera::worker {
 namespace {
 
-/// Read at a time: 2.4 MB on their way to the device.
+/// Contours read at a time: 2.4 MB on their way to the device.
 constexpr std::size_t kReadAtATime = 512;
 
 }  // namespace
@@ -65,7 +65,7 @@ void DeviceContours::need(std::span<const ShapeId> shapes) {
   places_.write(place_of_shape_);
 }
 
-/// What is there is given up: a question that needs more than all places is rare.
+/// Makes more places and gives up all contours that are there: a question that needs more than all places is rare.
 void DeviceContours::make_places(std::size_t count) {
   held_.assign(std::max(count, held_.size() + held_.size() / 2), {});
   std::fill(place_of_shape_.begin(), place_of_shape_.end(), kNowhere);
@@ -73,7 +73,7 @@ void DeviceContours::make_places(std::size_t count) {
   hand_ = 0;
 }
 
-/// The next place, going round, that this question does not need.
+/// The next place, in circular order, that the present question does not need.
 std::uint32_t DeviceContours::next_place() {
   std::uint32_t place = hand_;
   while (held_[place].needed == question_) place = (place + 1) % std::uint32_t(held_.size());

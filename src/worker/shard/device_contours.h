@@ -1,4 +1,4 @@
-// The contours of a shard's shapes on a device: all of them, or of a large shard those that were needed last.
+// Holds contours of a shard's shapes on a device: all of them, or, for a large shard, those that were needed last.
 #pragma once
 
 #include <optional>
@@ -13,22 +13,22 @@ namespace tessera::worker {
 
 class DeviceContours {
  public:
-  /// `places`: contours are read as they are needed, so many are kept on the device, or as many as one question needs;
-  /// what is read takes the places of what was read first. Nothing: all come by add().
+  /// `places`: contours are read when they are needed, and so many of them are kept on the device, or as many as one
+  /// question needs. New contours replace the ones that were read first. Without `places` all contours come by add().
   DeviceContours(const DeviceSession& session, const ShapeRange& shard, const ModelSource& models,
                  std::optional<std::uint32_t> places);
 
-  /// The contours of the shard's next shapes.
+  /// Adds the contours of the shard's next shapes.
   void add(const std::vector<ShapeModel>& models);
 
-  /// Whether contours are read: then need() must be called for all that a launch looks at.
+  /// Whether contours are read when needed. Then need() must be called for all shapes that a launch looks at.
   bool reads() const { return reads_; }
-  /// From here on to the next call the contours of these shapes of the library are on the device, if they are of the
-  /// shard. Waits for what was posted where something has to make room.
+  /// Puts the contours of these shapes of the library on the device, where they belong to the shard. They stay until the
+  /// next call. Waits for posted work where something has to make room.
   void need(std::span<const ShapeId> shapes);
 
   const DeviceBuffer<float>& contours() const { return contours_; }
-  /// By shape of the shard: the place of its contour among those on the device.
+  /// The place of each shape's contour on the device, by shape of the shard.
   const DeviceBuffer<std::uint32_t>& places() const { return places_; }
 
  private:
@@ -46,11 +46,11 @@ class DeviceContours {
   static constexpr std::uint32_t kNowhere = 0xffffffffu;
   struct Place {
     std::uint32_t shape = kNowhere;  // of the shard
-    std::uint64_t needed = 0;        // the last question that needed it
+    std::uint64_t needed = 0;        // number of the last question that needed it
   };
   std::vector<std::uint32_t> place_of_shape_;
   std::vector<Place> held_;  // by place
-  std::uint32_t hand_ = 0;   // where the search for a free place goes on
+  std::uint32_t hand_ = 0;   // the search for a free place goes on here
   std::uint64_t question_ = 0;
 };
 

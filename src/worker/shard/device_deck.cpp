@@ -3,7 +3,7 @@
 namespace tessera::worker {
 namespace {
 
-/// Of each list of `length` shapes those at these places.
+/// The shapes at these places of each list of `length` shapes.
 std::vector<std::uint32_t> picked(const std::vector<std::uint32_t>& lists, std::uint32_t length,
                                   const std::vector<std::uint32_t>& places) {
   std::vector<std::uint32_t> result;

@@ -1,4 +1,4 @@
-// Which shapes the random dockings of a question draw from (core/matching/deck.h), on a device.
+// Holds the deck of a question on a device: the shapes that its random dockings draw from (core/matching/deck.h).
 #pragma once
 
 #include <vector>
@@ -13,15 +13,16 @@ class DeviceDeck {
  public:
   explicit DeviceDeck(DeviceLibrary& library);
 
-  /// For the draws of these samples. Where the library reads contours, those that may be drawn are there then.
+  /// Draws the deck for these samples. Where the library reads contours when needed, the contours of all shapes of the deck
+  /// are on the device afterwards.
   void deal(const std::vector<TargetSample>& samples);
 
-  /// Shapes of the library; nothing is in it where all_open().
+  /// The shapes of the deck, as shapes of the library; empty where all_open().
   const DeviceBuffer<std::uint32_t>& open_shapes() const;
   std::uint32_t open_count() const;
-  /// Any shape of the library may be drawn.
+  /// Whether any shape of the library may be drawn.
   bool all_open() const { return deck_.open.empty() && library_->standing().all_open(); }
-  /// near_length() shapes of each list of about one colour, the nearest first.
+  /// The first near_length() shapes of each list of about one colour, the nearest first.
   const DeviceBuffer<std::uint32_t>& near_shapes() const;
   std::uint32_t near_length() const;
 

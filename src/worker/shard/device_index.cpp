@@ -47,7 +47,7 @@ void DeviceIndex::add(const IndexedPads& pads) {
   waiting_ = {};
 }
 
-/// Its levels at the same time: to make them takes most of the time until a large library is there.
+/// Adds the next segment, all levels at the same time: for a large library this takes most of the loading time.
 void DeviceIndex::add_segment() {
   const std::size_t first = next_part_;
   while (next_part_ < parts_.size() && parts_[next_part_].first_shape == parts_[first].first_shape) ++next_part_;

@@ -12,7 +12,7 @@ namespace tessera::worker {
 
 namespace {
 
-/// On their way to the device: 40 MB, and up to a segment's PADs for the index.
+/// Shapes on their way to the device at a time: 40 MB, and up to a segment's PADs for the index.
 constexpr std::uint32_t kShapesAtATime = 512;
 
 }  // namespace
@@ -55,8 +55,8 @@ void DeviceLibrary::load(const BetweenLaunches& between_launches) {
     if (range.size() > 0 && !parts.pads) loaded.pads = models_->pads(range);
     return loaded;
   };
-  // The next shapes are read while these are put on the device, by a thread that mostly waits for the disk: also where the
-  // rank computes on one core. Deferred where there is none.
+  // A second thread reads the next shapes while these are put on the device. It mostly waits for the disk, so it is of use
+  // on one core, too. Where no thread can be started, the shapes are read later.
   Loaded next = read_from(match_.first_shape);
   for (std::uint32_t first = match_.first_shape; first < end; first += kShapesAtATime) {
     Loaded loaded = std::move(next);
@@ -102,7 +102,7 @@ void DeviceLibrary::update_field(const FieldPatch& patch) {
   using Place = std::array<cl::size_type, 3>;
   const Place at = {patch.window.x0 * sizeof(float), cl::size_type(patch.window.y0), 0};
   const Place size = {patch.window.width() * sizeof(float), cl::size_type(patch.window.height()), 1};
-  // Waits, as the patch is the caller's; whatever was posted before still reads the field as it was.
+  // Waits, because the patch belongs to the caller. Work that was posted before still reads the old field.
   checked(session_.name(), [&] {
     session_.queue().enqueueWriteBufferRect(field_.get(), CL_TRUE, at, Place{0, 0, 0}, size,
                                             match_.field_width * sizeof(float), 0, size[0], 0, patch.value.data());

@@ -1,4 +1,4 @@
-// What stays on a device from request to request: the shard and the free field.
+// Holds what stays on a device from request to request: the shard and the free field.
 #pragma once
 
 #include <optional>
@@ -39,7 +39,7 @@ class DeviceLibrary {
   const DeviceBuffer<ShapeRecord>& shapes() const { return shapes_; }
   const DeviceBuffer<float>& field() const { return field_; }
   const DeviceBuffer<float>& size_map() const { return size_map_; }
-  /// What may stand for the moment.
+  /// The stances in which shapes may stand at the moment.
   const StanceTable& standing() const { return context_.stances; }
   const DeviceStances& stances() const { return stances_; }
   const DeviceColours& colours() const { return colours_; }
@@ -47,7 +47,7 @@ class DeviceLibrary {
 
  private:
   void load(const BetweenLaunches& between_launches);
-  /// Some shapes' models, and their PADs where those come without levels.
+  /// Models of some shapes, and their PADs where the models come without levels.
   struct Loaded {
     std::vector<ShapeModel> models;
     std::vector<LibraryPad> pads;

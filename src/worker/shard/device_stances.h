@@ -1,4 +1,4 @@
-// The stances on a device: what may stand where, for the moment.
+// Holds the stances on a device: which shapes may stand at the moment, and in which poses.
 #pragma once
 
 #include "core/matching/stances.h"
@@ -11,14 +11,14 @@ class DeviceStances {
  public:
   explicit DeviceStances(const DeviceSession& session);
 
-  /// `shapes`: those of the device's shard.
+  /// Writes the table to the device. `shapes`: the shapes of the device's shard.
   void write(const StanceTable& table, const ShapeRange& shapes);
 
   const DeviceBuffer<StanceRecord>& stances() const { return stances_; }
-  /// By class.
+  /// The lists of stances, by class.
   const DeviceBuffer<StanceListRecord>& lists() const { return lists_; }
   const DeviceBuffer<std::uint32_t>& shape_class() const { return shape_class_; }
-  /// The shapes of the whole library that may stand; nothing is in it where all of them may.
+  /// The shapes of the whole library that may stand. Empty where all of them may.
   const DeviceBuffer<std::uint32_t>& open_shapes() const { return open_shapes_; }
   std::uint32_t open_count() const { return open_count_; }
   bool all_open() const { return all_open_; }

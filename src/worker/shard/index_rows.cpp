@@ -17,7 +17,7 @@ std::size_t filter_rows(int pad_levels) { return std::size_t(elements_of(pad_lev
 std::size_t low_numbers(int pad_levels) { return std::size_t((elements_of(pad_levels) + 3) / 4); }
 std::size_t place_numbers(int pad_levels) { return low_numbers(pad_levels) + 3; }
 
-/// Of a PAD what its place holds beside the source.
+/// What a PAD's place holds beside its source.
 struct PlaceNumbers {
   std::array<std::uint16_t, (kMaxPadElements + 3) / 4> low{};
   std::uint16_t scale = 0;
@@ -43,7 +43,7 @@ void put_place(std::uint16_t* place, const PlaceNumbers& numbers, u32 source, st
   place[2] = std::uint16_t(source >> 16);
 }
 
-/// Into a lane of the rows of a block.
+/// Writes a PAD's bytes into one lane of the rows of a block.
 void put_bytes(std::uint8_t* lane, const PadBytes& pad, int elements) {
   for (int e = 0; e < elements; ++e) lane[std::size_t(e) * kFilterLanes] = pad.element[std::size_t(e)];
   lane[std::size_t(elements) * kFilterLanes] = pad.scale;
@@ -52,7 +52,7 @@ void put_bytes(std::uint8_t* lane, const PadBytes& pad, int elements) {
 
 u32 divided_up(u32 count, u32 by) { return (count + by - 1) / by; }
 
-/// Of `places` boxes, in groups of 64; those beyond `boxes` hold nothing.
+/// The rows of `places` boxes, in groups of 64. Places beyond `boxes` hold nothing.
 std::vector<std::uint8_t> rows_of(const std::vector<PadBox>& boxes, std::size_t places, int pad_levels) {
   const std::size_t elements = std::size_t(elements_of(pad_levels));
   std::vector<std::uint8_t> rows(places * box_rows(pad_levels));
@@ -97,7 +97,7 @@ IndexRows make_index_rows(const IndexPart& part, const MatchRecord& match, const
                           const IndexKind& kind, std::vector<u32> order) {
   const int pad_levels = kind.pad_levels;
   const LevelRecord& level = match.level[part.level];
-  /// The source of the segment that is the i-th of the level.
+  /// The i-th source of the level, as a source of the segment.
   const auto source_of = [&](u32 i) { return i / level.count * match.sources + level.first + i % level.count; };
   std::vector<PadBytes> bytes;
   std::vector<PlaceNumbers> numbers;

@@ -1,6 +1,6 @@
-// The index of a shard's PADs (core/pad/pad_index.h) as the kernels read it (kernels/pad_index.cl): rows of 64 bytes.
-// Each level of each segment, some thousand shapes that follow one another, has an index of its own, so that it can be
-// made piece by piece and kept with its shapes.
+// The index of a shard's PADs (core/pad/pad_index.h) in the form that the kernels read (kernels/pad_index.cl): rows of 64
+// bytes. A segment is some thousand consecutive shapes. Each level of a segment has an index of its own, so that the index
+// can be made in parts and kept with its shapes.
 #pragma once
 
 #include <algorithm>
@@ -15,44 +15,46 @@
 
 namespace tessera::worker {
 
-/// One level of a segment, or of what the shard has of it, and where it lies in the shard's index. A root has up to 64
-/// nodes, a node 64 blocks, a block 64 PADs; nodes are filled up with blocks, but roots not with nodes.
+/// One level of a segment, or of the part of a segment that is in the shard, and its place in the shard's index. A root has
+/// up to 64 nodes, a node 64 blocks, a block 64 PADs. Nodes are filled up with empty blocks; roots are not filled up with
+/// nodes.
 struct IndexPart {
-  u32 first_shape;  // of the segment, in the shard
+  u32 first_shape;  // first shape of the segment, counted in the shard
   u32 shapes;
-  u32 level;  // in use
+  u32 level;  // number among the levels in use
   u32 first_node;
   u32 nodes;
   u32 first_root;
   u32 roots;
 };
 
-/// Those of a shard, segment by segment: segments begin at multiples of kSegmentShapes of the library.
+/// The parts of a shard's index, segment by segment. Segments begin at multiples of kSegmentShapes of the library.
 std::vector<IndexPart> index_parts(const MatchRecord& match);
 
 struct IndexRows {
   std::vector<RootRecord> roots;
-  std::vector<std::uint8_t> node_boxes;   // by root: kBoxRows rows of its nodes' boxes
-  std::vector<std::uint8_t> block_boxes;  // by node: of its blocks' boxes
-  std::vector<std::uint8_t> rows;         // by block: a row for each element, the scales, the signs; a sign 0: no PAD
-  std::vector<std::uint16_t> places;      // by block and lane: kPlaceNumbers, the source is one of the shard
+  std::vector<std::uint8_t> node_boxes;   // by root: kBoxRows rows with the boxes of its nodes
+  std::vector<std::uint8_t> block_boxes;  // by node: the boxes of its blocks
+  std::vector<std::uint8_t> rows;         // by block: a row for each element, the scales, the signs; sign 0: no PAD
+  std::vector<std::uint16_t> places;      // by block and lane: kPlaceNumbers numbers; the source is one of the shard
   std::vector<ChordRecord> chords;        // by block and lane, where rotations are limited
 };
 
-/// What an index is made for.
+/// The features that an index has to support.
 struct IndexKind {
   int pad_levels = 5;
   bool with_chords = false;
 };
 IndexKind index_kind(const MatchingContext& context);
 
-/// Those of some shapes, all sources of each.
+/// The PADs of some shapes, all sources of each shape.
 struct IndexedPads {
   std::vector<LibraryPad> pads;
-  std::vector<ChordRecord> chords;  // where an index has them
+  std::vector<ChordRecord> chords;  // only where the index has chords
 };
 
-/// `of_segment`: of the segment's shapes. `order`: of the level's PADs, shape by shape; where it is empty it is made.
+/// `of_segment`: the PADs of the segment's shapes. `order`: the order of the level's PADs, which are numbered shape by
+/// shape; where it is empty, it is computed.
 IndexRows make_index_rows(const IndexPart& part, const MatchRecord& match, const IndexedPads& of_segment,
                           const IndexKind& kind, std::vector<u32> order = {});
 
@@ -67,7 +69,7 @@ struct BufferBytes {
   }
 };
 
-/// What the index of a shard takes on its device.
+/// The sizes of the buffers that a shard's index takes on its device.
 BufferBytes index_bytes(const MatchRecord& match, const IndexKind& kind);
 
 }  // namespace tessera::worker

@@ -1,4 +1,4 @@
-// The key points of the PADs that are docked: of a shard's PADs they take most of all its bytes, and few are docked.
+// Gives the key points of the PADs that are docked. They are most of the bytes of a shard's PADs, and few PADs are docked.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,13 @@ namespace tessera::worker {
 
 class PairKeypoints {
  public:
-  /// `reads`: they are read for the pairs that are asked for, else all come by add().
+  /// `reads`: key points are read from `models` for the pairs that need them; otherwise all come by add().
   PairKeypoints(const MatchRecord& match, int pad_levels, const ModelSource& models, bool reads);
 
-  /// The key points of the shard's next shapes.
+  /// Adds the key points of the shard's next shapes.
   void add(const std::vector<ShapeModel>& models);
 
-  /// Of each pair x of its 2 n + 1 points, then y, in steps of the shape's keypoint_step.
+  /// The key points of each pair: x of its 2 n + 1 points, then y, in steps of the shape's keypoint_step.
   std::vector<std::int16_t> of(std::span<const PairRecord> pairs) const;
 
  private:

@@ -33,7 +33,7 @@ void append_level(IndexedPads& pads, const ModelLevel& level, const IndexKind& k
   }
 }
 
-/// Every stride-th point, all x and then all y, in a set with room for `room`.
+/// Puts every stride-th point, all x and then all y, into a set with room for `room` points.
 template <class Points>
 void put_points(float* set, const Points& points, std::size_t stride, std::size_t room) {
   for (std::size_t i = 0, at = 0; i < points.size(); i += stride, ++at) {
@@ -52,7 +52,7 @@ void put_colours(float* cells, const ColourModel& colour) {
   }
 }
 
-/// Room for so many floats behind those that are there, zeros.
+/// Appends `count` zeros and returns the first of them.
 float* append_floats(std::vector<float>& floats, std::size_t count) {
   floats.resize(floats.size() + count, 0.f);
   return floats.data() + floats.size() - count;

@@ -176,7 +176,7 @@ run 0 library build alone -o alone.h5
 sed "s/own.h5/alone.h5/; /^\[\[given/,/^rotation_deg/d" job.toml >alone.toml
 run 0 collage alone.toml --out beans --quiet
 same_on_3_ranks beans_erased refine beans --pieces 0 --quiet
-expect_word 'warning: 1 of 1 piece that went came back to where they lay: no other drawing may come in for them'
+expect_word 'warning: 1 of 1 piece of start.remove came back to where they lay: the library, [[shapes]] and pieces.uses allow no other drawing there'
 echo "ok not back"
 
 # Each knows the bytes of what it began from.
@@ -215,7 +215,7 @@ cat >photo.svg <<'END'
 <svg xmlns="http://www.w3.org/2000/svg" width="240" height="180"><linearGradient id="g"><stop stop-color="#fff"/>
 <stop offset="1" stop-color="#a00"/></linearGradient><rect width="240" height="180" fill="url(#g)"/></svg>
 END
-refused " of $(count first) pieces; needed: what is drawn over the pieces that are to go, alone" --erase photo.svg
+refused " of $(count first) pieces; needed: marks over the pieces that are to go, on" --erase photo.svg
 expect_word "--erase photo.svg: an opaque picture that covers "
 sed 's/height="360"/height="480"/' scribble.svg >tall.svg
 refused '--erase tall.svg: found another aspect: fitted into the canvas it has 180 x 180 px, needed: 240 x 180' \

@@ -94,7 +94,7 @@ run 0 draw cannot --png --quiet
 run 3 refine cannot --relax --quiet --out relaxed
 run 3 refine cannot --deform --quiet --out deformed
 expect_word ' are missing: '
-expect_word '; cannot lacks them, too, and refining it so lets no piece more come in'
+expect_word '; cannot lacks them, too, and refining it like this adds no pieces'
 ! grep -q 'stop.pieces' errors || fail "a limit that nobody gave"
 run 2 refine cannot --pieces 0 --quiet --out none
 expect_word 'allowed: --relax, --deform'
@@ -159,7 +159,7 @@ printf '[[shapes]]\nnames = "*"\nweight = 0\n' >>empty.toml
 empty 'no shape may stand: weights, regions and names of [[shapes]]'
 cp plain.toml empty.toml
 printf '[[keep_out]]\nat_px = [200, 150]\nsize_px = [390, 290]\n' >>empty.toml
-empty 'less of the canvas kept out of (canvas.keep_out, [[keep_out]])' --set pieces.scale_px=80
+empty 'smaller zones that pieces keep out of (canvas.keep_out, [[keep_out]])' --set pieces.scale_px=80
 echo "ok empty collages"
 
 # The plan goes by the sizes that are found, not by those that only compare.

@@ -30,7 +30,7 @@ cmp sun.toml first.toml || fail "another job on three ranks"
 echo "ok job"
 
 run 2 mosaic sun.png own.h5 --pieces 200 --job-only
-expect_word 'is there already, with another content; tessera collage sun.toml runs the job as it is, --replace'
+expect_word 'exists with other content; tessera collage sun.toml runs the job as it is, --replace'
 cmp sun.toml first.toml || fail "replaced unasked"
 run 0 mosaic sun.png own.h5 --pieces 200 --job-only --replace
 grep -q 'about 200 pieces' output sun.toml || fail "not replaced"

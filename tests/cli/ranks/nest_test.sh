@@ -211,7 +211,7 @@ expect_word 'allowed: patterns of moon or path1, named or crescent'
 echo "ok names"
 
 run 2 nest plates.svg
-expect_word 'plates.svg: how large is the material? allowed: --strip H, or --sheet W,H, in mm'
+expect_word 'plates.svg: found no size of the material, allowed: --strip H, or --sheet W,H, in mm'
 run 2 nest plates.svg --strip 20 --sheet 20,20
 expect_word '--strip and --sheet: allowed: one of them'
 run 2 nest plates.svg --strip nan
@@ -238,10 +238,10 @@ run 2 nest plates.png --strip 50
 expect_word 'plates.png: allowed: an instance (.json), .svg, .svgz, .dxf, a library (.h5), or a folder'
 mkdir mine && touch mine/precious
 run 2 nest plates.svg --strip 50 --out mine
-expect_word '--out mine: is there, and its precious is not of tessera nest; give another name'
+expect_word '--out mine: exists, and its precious was not made by tessera nest; give another name'
 echo '{"name": "another program"}' >mine/layout.json
 run 2 nest plates.svg --strip 50 --out mine
-expect_word '--out mine: is there, and its layout.json is not of tessera nest; give another name'
+expect_word '--out mine: exists, and its layout.json was not made by tessera nest; give another name'
 [[ $(ls mine) == $'layout.json\nprecious' ]] || fail "a foreign folder is not as it was"
 cp -r out/plates ours
 touch ours/layout_notes.txt ours/layout.db ours/layout_x.svg ours/layout_2.svg ours/layout_12_pieces.geojson

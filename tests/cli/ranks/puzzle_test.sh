@@ -94,15 +94,15 @@ grep -q '^by jigsaw/truth: 12 of 12 right' output || fail "not as it was cut, wi
 grep -q '^next: tessera collage loose.toml$' output || fail "does not say what to type next"
 [[ ! -e out/loose ]] || fail "--job-only runs"
 run 2 puzzle solve jigsaw.h5 --size 640,480 --job loose.toml --job-only
-expect_word 'is there already, with another content; --replace'
+expect_word 'exists with other content; --replace'
 run 0 puzzle solve jigsaw.h5 --size 640,480 --scale 1 --job loose.toml --job-only --replace
 grep -q '^size_px = \[640, 480\]' loose.toml || fail "not replaced"
 echo 'seed = 1' >mine.toml
 run 2 puzzle solve jigsaw.h5 --job mine.toml --job-only --replace
-expect_word 'mine.toml: is there and is not of tessera puzzle solve; give another name with --job'
+expect_word 'mine.toml: exists and was not made by tessera puzzle solve; give another name with --job'
 [[ $(cat mine.toml) == 'seed = 1' && ! -e mine_pieces.geojson ]] || fail "a foreign file was replaced"
 run 2 puzzle solve jigsaw.h5 --job jigsaw.h5 --job-only --replace
-expect_word 'jigsaw.h5: is there and is not of tessera puzzle solve'
+expect_word 'jigsaw.h5: exists and was not made by tessera puzzle solve'
 run 2 puzzle solve jigsaw.h5 --size 20000,20000 --scale 0.01 --job huge.toml --job-only
 expect_word 'times the area of all pieces, allowed: 100 times or less'
 run 2 puzzle solve jigsaw.h5 --scale 100 --job huge.toml --job-only
@@ -328,7 +328,7 @@ expect_word 'tessera puzzle --help'
 
 echo "<svg xmlns='http://www.w3.org/2000/svg' width='99' height='99'><rect x='20' y='30' width='60' height='40'/></svg>" >brick.svg
 run 2 library build brick.svg -o brick.h5
-expect_word 'a plain rectangle; take the background away, if that is what it is, or keep it (--keep-rectangles)'
+expect_word 'a plain rectangle; remove it if it is a background, or keep it as a shape (--keep-rectangles)'
 run 0 library build brick.svg -o brick.h5 --keep-rectangles
 run 2 puzzle solve brick.h5
 expect_word 'brick.h5: found no two pieces that fit beside each other'

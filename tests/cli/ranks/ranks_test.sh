@@ -29,11 +29,11 @@ other_library() {
 }
 other_library theirs mine
 expect_end 2 "another library on a worker"
-expect_error_line 'tessera: rank 2 on .*lib.h5: another library than the master' "another library on a worker"
+expect_error_line "tessera: rank 2 on .*lib.h5: not the master's library of the same name" "another library on a worker"
 [[ ! -e other/pieces.geojson ]] || fail "another library: pieces all the same"
 other_library mine theirs
 expect_end 2 "another library on the master"
-expect_error_line 'tessera: rank 2 on .*lib.h5: another library than the master' "another library on the master"
+expect_error_line "tessera: rank 2 on .*lib.h5: not the master's library of the same name" "another library on the master"
 other_library theirs theirs
 expect_end 0 "the same library in two places"
 cmp expected.geojson other/pieces.geojson || fail "the same library in two places: other pieces"

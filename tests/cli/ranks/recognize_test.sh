@@ -44,9 +44,9 @@ echo "ok found"
 run 0 recognize torn.svg --library own.h5 --scale 2 --top 1
 [[ $(grep -cE '^(bean|star|corner|leaf|drop) ' output) == 1 ]] || fail "more than one shape of --top 1"
 run 3 recognize torn.svg --library own.h5 --scale 0.2
-grep -qF 'nothing of the library' output || fail "a scale that no shape has"
+grep -qF 'no shape of the library' output || fail "a scale that no shape has"
 run 3 recognize comb.svg --library own.h5 --json comb.json
-grep -qF 'nothing of the library' output || fail "what is not in the library is not told"
+grep -qF 'no shape of the library' output || fail "what is not in the library is not told"
 [[ -s comb.json ]] || fail "no JSON of an unknown query"
 run 0 recognize beside.svg --library own.h5
 grep -qE '^star +0\.2[0-9]* +0\.5' output || fail "the star has another similarity or score: $(cat output)"
@@ -63,8 +63,8 @@ expect_word bad.png
 run 2 recognize none.png --library own.h5
 expect_word none.png
 run 3 recognize none.png torn.svg bad.png --library own.h5 --json some.json --sheet some.png
-expect_word 'warning: not looked for: none.png'
-expect_word 'warning: not looked for: bad.png'
+expect_word 'warning: skipped: none.png'
+expect_word 'warning: skipped: bad.png'
 grep -qE '^bean +0\.[5-9]' output || fail "files that cannot be read cost the answers of others"
 python3 - <<'END' || fail "the JSON does not name what could not be read"
 import json

@@ -55,7 +55,7 @@ expect_more_covered few few-relaxed
 [[ $(locked few | wc -l) == 5 && $(count few-relaxed) == 8 ]] || fail "$(locked few | wc -l), $(count few-relaxed)"
 cmp <(locked few) <(locked few-relaxed) || fail "locked pieces have moved"
 run 0 refine few-relaxed --relax --trials 3 --out again --quiet --set 'pieces.scale_px=[14, 90]'
-expect_word "warning: the pieces are not relaxed, as sizes from 14 to 90 px are allowed"
+expect_word "warning: the pieces are not relaxed, as their sizes differ too much, 14 to 90 px"
 cmp <(locked few) <(locked again) || fail "locked pieces have moved the second time"
 echo "ok limits"
 
@@ -97,10 +97,10 @@ refused() {
 mkdir empty
 refused 'empty/manifest.json: not found; allowed: the folder of a result' empty --relax
 refused '--out: found ./first/, the result itself' first --relax --out ./first/
-refused '--set start.keep=locked: allowed: any key but those of [start] other than start.grow' first --relax \
+refused '--set start.keep=locked: the pieces come from RESULT; allowed: start.grow' first --relax \
   --set start.keep=locked
 refused '--trials: found 1, allowed: 2 or more, one for each of the [[regions]]' parts --relax --trials 1
-refused 'first: made from something else; canvas.size_px: then [240, 180], now [400, 300]' first --relax \
+refused 'first: made from other input; canvas.size_px: then [240, 180], now [400, 300]' first --relax \
   --set 'canvas.size_px=[400, 300]'
 "$tessera" collage job.toml --set improve.trials=1000000 --out busy --quiet >output 2>errors &
 started=$!
@@ -125,6 +125,6 @@ run 0 refine first --relax --quiet --set library.file=moved.h5 --out moved
 cmp relaxed/pieces.geojson moved/pieces.geojson || fail "other pieces from a library that has moved"
 draw_svg drawings/bean "M10 50 C10 10 90 10 90 50Z"
 run 0 library build drawings -o own.h5
-refused "first: made from something else; library.file: another content: " first --relax
+refused "first: made from other input; library.file: another content: " first --relax
 digest first | cmp - before || fail "the result has changed"
 echo "ok errors"

@@ -15,7 +15,7 @@ constexpr double kMost = 1.5;
 
 cv::Mat by_its_greatest(const cv::Mat& map) { return map / (quantile_of(map, 0.95) + 1e-6); }
 
-/// Dark or bright joints of one channel, whichever stand out more.
+/// Dark or bright joints of one channel, whichever differ more.
 cv::Mat joints_of(const cv::Mat& channel, int joint_px) {
   const cv::Mat window = round_window(joint_px);
   cv::Mat dark, bright;

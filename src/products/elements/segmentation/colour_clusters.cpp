@@ -42,7 +42,7 @@ Nearest nearest_of(const Colours& centres, const cv::Vec3f& colour) {
   return nearest;
 }
 
-/// k-means++: the next centre is drawn with the squared distance to those there are.
+/// k-means++: draws the next centre with the squared distance to the present centres as weight.
 Colours first_centres(const Colours& sample, int count, cv::RNG& random) {
   Colours centres = {sample[std::size_t(random.uniform(0, int(sample.size())))]};
   std::vector<double> weight(sample.size());
@@ -57,7 +57,7 @@ Colours first_centres(const Colours& sample, int count, cv::RNG& random) {
   return centres;
 }
 
-/// One round of Lloyd's; the sum of squared distances before it. A centre that nothing is near stays.
+/// Makes one round of Lloyd's algorithm and returns the sum of squared distances before it. A centre without pixels stays.
 double improve(Colours& centres, const Colours& sample) {
   std::vector<cv::Vec3d> sum(centres.size(), {0, 0, 0});
   std::vector<int> members(centres.size(), 0);

@@ -9,8 +9,8 @@ namespace {
 
 constexpr int kGap = std::numeric_limits<int>::min();
 
-/// Regions as sets of pixels, which are counted row by row, in the map itself: the first pixel of a region holds minus
-/// its area, each other one the number of an earlier pixel of it.
+/// Regions as sets of pixels, counted row by row in the map itself. The first pixel of a region holds minus its area, every
+/// other one the number of an earlier pixel of the region.
 class RegionSets {
  public:
   explicit RegionSets(int* pixels) : pixels_(pixels) {}

@@ -1,4 +1,4 @@
-// Union-find: numbers that become one.
+// Union-find: sets of numbers that are joined step by step.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ class DisjointSets {
     return i;
   }
 
-  /// Of two roots; the first stays one.
+  /// Joins two sets, given by their roots. The first root stays the root.
   void join(int root, int other_root) { parent_[std::size_t(other_root)] = root; }
 
  private:

@@ -8,9 +8,9 @@
 namespace tessera {
 namespace {
 
-/// A neck that is wider than this part of the smaller side's thickness belongs to one element.
+/// A neck wider than this part of the smaller side's thickness belongs to one element.
 constexpr float kNeck = 0.75F;
-/// What is nowhere thicker (from its middle line to the gap) is no element.
+/// Regions that are nowhere thicker (from the middle line to the gap) are no elements.
 constexpr float kLeastRadius_px = kElement_px * 0.1F;
 
 }  // namespace

@@ -12,10 +12,10 @@
 namespace tessera {
 namespace {
 
-/// Smooths the steps of the copy's pixels, in its pixels.
+/// Smooths the steps of the copy's pixels; in px of the copy.
 constexpr double kSmooth_px = 0.8;
 constexpr int kMargin_px = 3;
-/// Pixels that are scaled at a time: a region may be as large as the photo.
+/// Pixels that are scaled at a time, because a region may be as large as the photo.
 constexpr int kMostScaled_px2 = 4'000'000;
 
 /// A region at its new size.
@@ -24,7 +24,7 @@ struct Scaled {
   int area_px2 = 0;
 };
 
-/// What lies in a hole of a larger one becomes part of it.
+/// Joins regions that lie in a hole of a larger one to that one.
 LabelRuns without_hidden(const std::vector<Scaled>& regions, cv::Mat taken) {
   std::vector<std::size_t> order(regions.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
@@ -55,7 +55,7 @@ LabelRuns scaled_labels(const cv::Mat& labels, cv::Size size) {
   std::vector<Scaled> scaled;
   const std::vector<RegionBox> regions = region_boxes(labels);
   for (std::size_t i = 1; i < regions.size(); ++i) {
-    // The frame repeats the copy's edge, so that a region cut by it stays cut there.
+    // The border repeats the copy's edge, so that a region cut by the edge stays cut there.
     const cv::Rect box = regions[i].box;
     const cv::Rect part = grown_within(box, kMargin_px, labels.size());
     cv::Mat soft;
@@ -69,7 +69,7 @@ LabelRuns scaled_labels(const cv::Mat& labels, cv::Size size) {
     const int rows_at_a_time = std::max(1, kMostScaled_px2 / std::max(1, target.width));
     for (int y = 0; y < target.height; y += rows_at_a_time) {
       const cv::Range rows(y, std::min(y + rows_at_a_time, target.height));
-      // Pixel centres: photo (x + 0.5) / scale - 0.5 in the copy.
+      // Pixel centres: (x + 0.5) / scale - 0.5 in the copy for x in the photo.
       const cv::Matx23d to_copy(1 / scale_x, 0, (target.x + 0.5) / scale_x - 0.5 - part.x, 0, 1 / scale_y,
                                 (target.y + y + 0.5) / scale_y - 0.5 - part.y);
       cv::Mat fine;

@@ -1,4 +1,4 @@
-// Labels of a working copy brought to the photo's size.
+// Scales the labels of a working copy to the photo's size.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -7,8 +7,8 @@
 
 namespace tessera {
 
-/// Each region is scaled by itself with a smooth outline; where two would overlap, the one that is there stays. Every
-/// region is solid (region_labels.h). Takes about a byte for a pixel of `size`.
+/// Each region is scaled by itself with a smooth outline. Where two would overlap, the earlier one stays. Every region is
+/// solid (region_labels.h). It takes about a byte for each pixel of `size`.
 LabelRuns scaled_labels(const cv::Mat& labels, cv::Size size);
 
 }  // namespace tessera

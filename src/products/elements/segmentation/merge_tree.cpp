@@ -13,14 +13,14 @@
 namespace tessera {
 namespace {
 
-/// Nothing larger is an element.
+/// Larger regions are no elements.
 constexpr double kMost_px2 = 40 * kElement_px2;
 constexpr double kLeastSolidity = 0.75;
 constexpr double kLeastQuality = 0.15;
-/// Small regions are merged first: their borders count this power of their area.
+/// Small regions are merged first: the strength of their borders is multiplied by this power of their area.
 constexpr double kSizePower = 0.2;
 
-/// What two neighbours share.
+/// The common border of two neighbours.
 struct Border {
   double sum = 0;  // of the boundary map
   double length_px = 0;
@@ -31,16 +31,17 @@ struct Node {
   double area_px2 = 0;
   std::vector<cv::Point> hull;
   std::map<int, Border> neighbours;
-  int first = -1, second = -1;  // what it was merged from
+  int first = -1, second = -1;  // the two nodes it was merged from
   double border_outside = 0;    // mean
-  double border_inside = 0;     // the strongest that was merged away
-  bool is_merged = false;       // into another
+  double border_inside = 0;     // the strongest border that merging removed
+  bool is_merged = false;       // into another node
 };
 
 struct Merge {
   double cost;
   int a, b;
-  bool operator<(const Merge& o) const { return std::tie(o.cost, o.a, o.b) < std::tie(cost, a, b); }  // cheapest on top
+  // the cheapest on top
+  bool operator<(const Merge& o) const { return std::tie(o.cost, o.a, o.b) < std::tie(cost, a, b); }
 };
 
 double mean_border(const Node& node) {
@@ -159,7 +160,7 @@ class MergeTree {
   std::priority_queue<Merge> merges_;
 };
 
-/// 0..1: solid, of the usual size, its border stronger than anything within.
+/// How much a region looks like an element, 0..1: solid, of the usual size, with a border stronger than all borders inside.
 double quality_of(const Node& node, double solidity_power) {
   const double solidity = std::min(1., node.area_px2 / cv::contourArea(node.hull));
   if (solidity < kLeastSolidity) return 0;
@@ -173,7 +174,8 @@ double quality_of(const Node& node, double solidity_power) {
 
 cv::Mat best_of_merge_tree(const cv::Mat& boundary, const cv::Mat& leaves, double solidity_power) {
   const std::vector<Node> nodes = MergeTree(boundary, leaves).take();
-  // Parts stand before what they became: the best sum of each node's own quality or of its parts'.
+  // Parts come before the nodes merged from them. Each node gets the better of its own quality and the sum of its parts'
+  // bests.
   std::vector<double> best(nodes.size(), 0), quality(nodes.size(), 0);
   std::vector<char> is_taken(nodes.size(), 0);
   for (std::size_t i = 0; i < nodes.size(); ++i) {

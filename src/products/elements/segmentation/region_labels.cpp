@@ -57,7 +57,7 @@ cv::Mat bgr_of(const cv::Mat& picture) {
 
 cv::Mat round_window(int side_px) { return cv::getStructuringElement(cv::MORPH_ELLIPSE, {side_px, side_px}); }
 
-/// In the mask itself, a byte a pixel: connected components of OpenCV would take five.
+/// Works in the mask itself, with a byte for each pixel; OpenCV's connected components would take five.
 cv::Mat solid_part(const cv::Mat& mask) {
   constexpr int kSeen = 64, kLargest = 32, kReached = 128;
   cv::Mat framed;
@@ -117,7 +117,7 @@ cv::Mat solid_regions(const cv::Mat& labels, double least_area_px2, double least
     if (area_px2 < least_area_px2 || solidity_of(mask) < least_solidity) continue;
     solids.push_back({region.box, mask, area_px2});
   }
-  // The smaller first: what lies in a hole of a larger one is covered by it.
+  // Smaller regions first, so that a larger one covers those in its holes.
   std::vector<std::size_t> order(solids.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(),

@@ -10,16 +10,16 @@ namespace tessera {
 namespace {
 
 constexpr double kSolidRegion = 0.75;
-/// Of the finished regions, which may have lost a part to others.
+/// Solidity of a finished region, which may have lost a part to others.
 constexpr double kLeastSolidityLeft = 0.67;
-/// Of the votes there could be.
+/// Part of the possible votes.
 constexpr double kLeastVotes = 0.125;
-/// Intersection over union from which on two regions begin to agree, and where they fully do.
+/// Intersection over union at which two regions begin to agree, and at which they fully do.
 constexpr double kAgreeFrom = 0.6;
 constexpr double kAgreeFully = 0.9;
-/// Of the boundary map: along a region of which a quarter is weaker than this, ground was cut from ground.
+/// Value of the boundary map. If a quarter of a region's border is weaker, the region is ground cut from ground.
 constexpr double kLeastBorder = 0.4;
-/// A region that has lost more to better ones is none.
+/// Least part of a region that better regions must leave.
 constexpr double kLeastFree = 0.85;
 
 struct Map {
@@ -47,7 +47,7 @@ Map map_of(const LabelRuns& labels, double element_px2) {
   return map;
 }
 
-/// Maps with more good regions count more (by the square root); all together as much as their number.
+/// Gives maps with more good regions more weight (by the square root); the sum of weights is their number.
 void balance_weights(std::vector<Map>& maps) {
   double most = 0, sum = 0;
   for (const Map& map : maps) most = std::max(most, map.weight);
@@ -56,7 +56,7 @@ void balance_weights(std::vector<Map>& maps) {
   for (Map& map : maps) map.weight *= double(maps.size()) / sum;
 }
 
-/// Each region of `map` gets a vote of `other`, whose labels are `others`: by the region there that it agrees with best.
+/// Gives each region of `map` a vote of `other` (labels `others`), from the region there that agrees with it best.
 void add_votes(Map& map, const Map& other, const cv::Mat& others) {
   std::vector<int> common_px2(other.regions().size(), 0);
   std::vector<int> met;
@@ -79,7 +79,7 @@ void add_votes(Map& map, const Map& other, const cv::Mat& others) {
   }
 }
 
-/// The weaker part (first quarter) of the boundary map along the region's outline.
+/// The strength of the weaker part (first quarter) of the boundary map along the region's outline.
 double border_strength(const cv::Mat& mask, const cv::Mat& boundary) {
   cv::Mat inner;
   cv::erode(mask, inner, cv::Mat::ones(3, 3, CV_8U), {-1, -1}, 1, cv::BORDER_CONSTANT, 0);
@@ -100,7 +100,7 @@ struct Candidate {
   int label;
 };
 
-/// 0 of what cannot be an element.
+/// The score of a region; 0 where it cannot be an element.
 double score_of(const Map& map, std::size_t i, const cv::Mat& boundary, double element_px2) {
   const RegionBox& region = map.regions()[i];
   const double border = border_strength(map.labels->mask_of(i), boundary(region.box));
@@ -117,7 +117,7 @@ cv::Mat voted_regions(const std::vector<LabelRuns>& label_maps, const cv::Mat& b
   std::vector<Map> maps;
   for (const LabelRuns& labels : label_maps) maps.push_back(map_of(labels, element_px2));
   balance_weights(maps);
-  for (const Map& other : maps) {  // one after the other: its labels take room
+  for (const Map& other : maps) {  // one after the other, because its labels take memory
     const cv::Mat others = other.labels->labels();
     cv::parallel_for_({0, int(maps.size())}, [&](const cv::Range& range) {
       for (int i = range.start; i < range.end; ++i) {

@@ -18,14 +18,14 @@ const std::array<cv::Point, 4> kSides = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 constexpr int kOutside = 0;
 constexpr int kDry = -1;
 
-/// kDry inside the mask, kOutside elsewhere.
+/// Labels to begin with: kDry inside the mask, kOutside elsewhere.
 cv::Mat dry_ground(cv::Size size, const cv::Mat& mask) {
   cv::Mat labels(size, CV_32S, cv::Scalar(kDry));
   if (!mask.empty()) labels.setTo(kOutside, mask == 0);
   return labels;
 }
 
-/// Labels the level plain around `start` if nothing beside it is lower.
+/// Labels the level plain around `start` if no neighbour is lower.
 class Minima {
  public:
   Minima(const cv::Mat& relief, cv::Mat& labels)
@@ -66,7 +66,7 @@ class Minima {
   int count_ = 0;
 };
 
-/// Water rises from what is labelled; on level ground it spreads evenly (first come, first served).
+/// Lets water rise from labelled pixels; on level ground it spreads evenly (first come, first served).
 void flood(const cv::Mat& relief, cv::Mat& labels) {
   struct Shore {
     float level;
@@ -86,7 +86,8 @@ void flood(const cv::Mat& relief, cv::Mat& labels) {
       shore.push({std::max(relief.at<float>(q), relief.at<float>(p)), order++, q.x, q.y});
     }
   };
-  for (int y = 0; y < relief.rows; ++y) {  // from the rims of the minima: wide plains would fill the queue
+  // begins at the rims of the minima, because wide plains would fill the queue
+  for (int y = 0; y < relief.rows; ++y) {
     for (int x = 0; x < relief.cols; ++x) {
       const auto is_beside = [&](cv::Point side) { return is_dry(cv::Point(x, y) + side); };
       if (labels.at<int>(y, x) > 0 && std::any_of(kSides.begin(), kSides.end(), is_beside))

@@ -28,7 +28,7 @@ class Ends {
   bool is_used(std::size_t line) const { return used_[line]; }
   void use(std::size_t line) { used_[line] = true; }
 
-  /// The end of an unused line that is nearest to that place, the first by number.
+  /// Finds the end of an unused line that is nearest to that place; of equal ones that of the first line.
   bool find(NestPoint p, End& found) {
     const auto [x, y] = cell(p);
     bool any = false;
@@ -58,7 +58,7 @@ class Ends {
   using Place = std::pair<std::int64_t, std::int64_t>;
   struct Cell {
     std::vector<End> ends;
-    std::size_t first = 0;  // all before are used
+    std::size_t first = 0;  // all lines before are used
   };
   Place cell(NestPoint p) const {
     constexpr double kMost = 1e15;
@@ -72,7 +72,7 @@ class Ends {
   std::map<Place, Cell> cells_;
 };
 
-/// Says of each line whether it is the first of its kind: no earlier line has the same points, in either direction.
+/// Says for each line whether it is the first of its kind: no earlier line has the same points, in either direction.
 std::vector<bool> first_ones(const std::vector<NestRing>& lines) {
   const auto less = [](const NestRing& a, const NestRing& b) {
     return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), [](NestPoint p, NestPoint q) {
@@ -92,18 +92,18 @@ bool encloses_something(const NestRing& ring) {
   if (ring.size() < 3) return false;
   const NestBox box = box_of(ring);
   const double longest = std::max(box.width(), box.height());
-  // A bow tie of equal halves has no signed area: it is for check_contour to refuse.
+  // A bow tie with equal halves has no signed area; check_contour() refuses it.
   return std::abs(signed_area(ring)) > 1e-9 * longest * longest || crosses_itself(ring);
 }
 
-/// The length of the points from `first` on.
+/// The length of the line from point `first` on.
 double length_of(const NestRing& line, std::size_t first) {
   double sum = 0;
   for (std::size_t i = first + 1; i < line.size(); ++i) sum += norm(line[i] - line[i - 1]);
   return sum;
 }
 
-/// Lines joined so far.
+/// A chain of joined lines.
 struct Chain {
   NestRing points;
   std::vector<JoinedLine> lines;
@@ -114,8 +114,8 @@ struct Chain {
     points.insert(points.end(), line.begin() + (points.empty() ? 0 : 1), line.end());
     lines.push_back(which);
   }
-  /// The chain's last line that begins where the chain ends: that line and those after it are a loop. lines.size() where
-  /// there is none. Bits of a finely divided line, all of them shorter than the reach, are no loop.
+  /// The chain's last line that begins where the chain ends: it and the lines after it are a loop. lines.size() where there
+  /// is none. Pieces of a finely divided line that are all shorter than the reach are no loop.
   std::size_t loop(double reach) const {
     for (std::size_t i = lines.size(); i-- > 0;) {
       const bool meets = norm(points[starts[i]] - points.back()) <= reach;

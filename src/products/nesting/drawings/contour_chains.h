@@ -1,4 +1,4 @@
-// Lines and arcs of a drawing joined to closed contours.
+// Joins lines and arcs of a drawing to closed contours.
 #pragma once
 
 #include <cstddef>
@@ -9,18 +9,18 @@
 namespace tessera {
 
 struct JoinedLine {
-  std::size_t number = 0;  // among the lines given
+  std::size_t number = 0;  // index of the line among those given
   bool backwards = false;
 };
 
 struct JoinedContour {
   NestRing ring;
-  std::vector<JoinedLine> lines;  // that it consists of, from its first point on
+  std::vector<JoinedLine> lines;  // the lines it consists of, from its first point on
 };
 
-/// Closed contours, without the first point at their end: lines that are closed, and those whose ends meet within
-/// `reach`, in the order of their first lines. What stays open or encloses nothing is counted. A line that is there
-/// twice counts once.
+/// The closed contours, without the first point at their end: lines that are closed, and lines whose ends meet within
+/// `reach`, in the order of their first lines. `open` counts lines that stay open or enclose nothing. A repeated line
+/// counts once.
 std::vector<JoinedContour> joined_contours(const std::vector<NestRing>& lines, double reach, int& open);
 
 }  // namespace tessera

@@ -15,16 +15,16 @@ namespace {
 
 constexpr std::size_t kMostLevels = 64;
 constexpr std::size_t kMostEntities = 200'000;
-constexpr double kMostScale = 1e40;  // beyond it products of coordinates could overflow
+constexpr double kMostScale = 1e40;  // products of larger coordinates could overflow
 
 /// A block, and how a reference places it.
 struct PlacedBlock {
   const DxfBlock* block = nullptr;
   Affine mm_from_block;
-  std::string_view layer = "0";  // of the reference: that of what lies on layer 0 in the block
+  std::string_view layer = "0";  // layer of the reference, which entities on layer 0 of the block get
 };
 
-/// Places a block's own coordinates, for one place of the reference's array.
+/// Maps a block's coordinates, for one place of the reference's array.
 Affine placement(const DxfEntity& insert, const DxfBlock& block, int column, int row) {
   const DxfNumbers& of = insert.numbers;
   const NestTurn turn = turn_of(of.get(50));
@@ -57,7 +57,8 @@ class DxfDrawer {
   DxfLines take() { return std::move(found_); }
 
  private:
-  /// A reference on a layer that is off draws what its block has on other layers; on a frozen one it draws nothing.
+  /// Whether the layer hides the entity. A reference on a layer that is off still draws the parts of its block on other
+  /// layers; on a frozen layer it draws nothing.
   bool is_hidden(const DxfEntity& entity, std::string_view layer) const {
     if (document_.layers.empty()) return false;
     const auto found = document_.layers.find(dxf_key(layer));
@@ -94,7 +95,7 @@ class DxfDrawer {
 
   void add_line(const DxfEntity& entity, const Affine& mm) {
     NestRing line = dxf_outline(entity, mm, kMostDrawingPoints - points_);
-    // A spline may have more control points than points: its references would take long, and draw little.
+    // A spline may have more control points than points; then its references would take long and draw little.
     points_ += std::max(line.size(), entity.vertices.size());
     if (points_ > kMostDrawingPoints) fail_dxf_points(path_);
     if (line.size() > 1) found_.lines.push_back(std::move(line));

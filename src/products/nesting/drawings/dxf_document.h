@@ -1,5 +1,5 @@
-// What a DXF holds that is of use here, before anything is drawn: its unit, layers, blocks and entities. Texts point into
-// the file's text.
+// The useful content of a DXF, before anything is drawn: its unit, layers, blocks and entities. Texts point into the file's
+// text.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace tessera {
 
-/// Numbers of an entity by their group codes. Of a code that comes twice the last one counts.
+/// Numbers of an entity by their group codes. If a code is repeated, the last number counts.
 class DxfNumbers {
  public:
   void set(int code, double value) {
@@ -49,20 +49,20 @@ struct DxfVertex {
 struct DxfEntity {
   std::string_view kind;
   std::string_view layer = "0";
-  std::string_view block;  // that an INSERT refers to
+  std::string_view block;  // block that an INSERT refers to
   DxfNumbers numbers;
   std::vector<DxfVertex> vertices;     // of a polyline; control points of a SPLINE
   std::vector<double> knots, weights;  // of a SPLINE
 };
 
-/// How many things of which name. Only the first few names are kept apart, by their first 60 bytes: a hostile file has
-/// millions of them, or long ones.
+/// Counts things by name. Only the first few names are kept apart, by their first 60 bytes, because a hostile file may have
+/// millions of names or long ones.
 class DxfTally {
  public:
   void add(std::string_view name, int count = 1);
   void add(const DxfTally& other);
   int count() const;
-  /// "HATCH, TEXT", fit for people.
+  /// The names for people: "HATCH, TEXT".
   std::string names() const;
 
  private:
@@ -74,7 +74,7 @@ struct DxfBlock {
   NestPoint base;
   bool is_external = false;  // a reference to another file
   std::vector<DxfEntity> entities;
-  DxfTally unread;  // entities that no reader knows, by their kinds or why they cannot be read
+  DxfTally unread;  // entities that cannot be read, by kind or reason
 };
 
 struct DxfLayer {
@@ -84,23 +84,23 @@ struct DxfLayer {
 
 struct DxfDocument {
   DxfBlock model;                          // what lies in no block
-  std::map<std::string, DxfBlock> blocks;  // by dxf_key of their names
-  std::map<std::string, DxfLayer> layers;  // by dxf_key of their names; those that are off or frozen
-  double mm = 1;                           // of one unit
-  bool says_unit = false;                  // $INSUNITS names one
+  std::map<std::string, DxfBlock> blocks;  // by dxf_key() of their names
+  std::map<std::string, DxfLayer> layers;  // by dxf_key() of their names; only those that are off or frozen
+  double mm = 1;                           // mm in one unit
+  bool says_unit = false;                  // $INSUNITS names a unit
   bool measures_in_inches = false;         // $MEASUREMENT is 0
   int in_paper = 0;                        // entities of layouts on paper, which are not read
 };
 
-/// A POLYLINE or LWPOLYLINE.
+/// Whether the entity is a POLYLINE or LWPOLYLINE.
 bool is_polyline(std::string_view kind);
-/// Whether the points of such an entity are those of the drawing, not of a plane of its own.
+/// Whether the points of such an entity are those of the drawing, not of its own plane.
 bool is_in_world(const DxfEntity& entity);
 
-/// Names of layers and blocks are the same in capital and small letters; their first kMostNameBytes bytes count.
+/// The key of a layer's or block's name: capital and small letters are the same, and its first kMostNameBytes bytes count.
 std::string dxf_key(std::string_view name);
 
-/// Throws InputError: the file has more points than kMostDrawingPoints.
+/// Throws InputError, because the file has more points than kMostDrawingPoints.
 [[noreturn]] void fail_dxf_points(const std::string& path);
 
 }  // namespace tessera

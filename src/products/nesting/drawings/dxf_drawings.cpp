@@ -16,13 +16,13 @@ namespace {
 
 constexpr std::size_t kMostLines = 20'000;
 
-/// A place in the units of the file, y up.
+/// A place as a text, in the units of the file, y up.
 std::string place_text(NestPoint p_mm, double mm) {
   constexpr int kDigits = 10;
   return "(" + significant(p_mm.x / mm, kDigits) + ", " + significant(p_mm.y == 0 ? 0 : -p_mm.y / mm, kDigits) + ")";
 }
 
-/// The lower left corner, y down.
+/// The lower left corner; y points down.
 NestPoint lower_left(const NestBox& box) { return {box.low.x, box.high.y}; }
 
 NestPoint centre_of(const NestBox& box) { return (box.low + box.high) * 0.5; }
@@ -33,8 +33,8 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// The lower left corner of most contours: one that lies far from all others, as a stray one at the origin, does not
-/// count. There is one box at least.
+/// The lower left corner of most contours. A contour far from all others, such as a stray one at the origin, does not
+/// count. There must be one box at least.
 NestPoint corner_of_most(const std::vector<NestBox>& boxes) {
   std::vector<double> x, y;
   for (const NestBox& box : boxes) {
@@ -53,7 +53,7 @@ NestPoint corner_of_most(const std::vector<NestBox>& boxes) {
 
 bool is_far(const NestBox& box) { return std::max({-box.low.x, -box.low.y, box.high.x, box.high.y}) > kFarthest_mm; }
 
-/// Names each contour by its number and where it begins: the outlines of a DXF have no names of their own.
+/// Names each contour by its number and its first point, because the outlines of a DXF have no names.
 std::vector<NamedContour> named_contours(std::vector<JoinedContour> contours, const std::string& name, double mm,
                                          std::vector<std::string>& notes) {
   std::vector<NamedContour> named;

@@ -11,7 +11,7 @@ namespace tessera {
 namespace {
 
 constexpr unsigned kIsMesh = 16 | 64;    // flags of a POLYLINE
-constexpr unsigned kIsSplineFrame = 16;  // flag of a VERTEX: a control point, through which no line goes
+constexpr unsigned kIsSplineFrame = 16;  // flag of a VERTEX: a control point that the line does not touch
 
 bool is_read(std::string_view kind) {
   static constexpr std::array<std::string_view, 8> kRead = {"LINE",   "CIRCLE", "ARC",        "ELLIPSE",
@@ -34,7 +34,7 @@ std::string_view why_unread(const DxfEntity& entity) {
   return is_nurbs(nurbs_of(entity, {})) ? "" : "SPLINE whose knots or weights are wrong";
 }
 
-/// How many points an entity has at least when it is drawn.
+/// The least number of points that an entity has when it is drawn.
 std::size_t least_points(const DxfEntity& entity) {
   constexpr std::size_t kOfCurve = 8;  // add_arc
   if (entity.kind == "LINE") return 2;
@@ -57,7 +57,7 @@ void DxfEntities::begin(const DxfPair& pair, DxfBlock& block, int& in_paper) {
 void DxfEntities::finish(DxfBlock& block, int& in_paper) {
   end_vertex();
   DxfEntity entity = std::exchange(entity_, {});
-  // A VIEWPORT draws nothing; an ATTDEF in a block stands for the text of each of its references.
+  // A VIEWPORT draws nothing. An ATTDEF in a block is a template for the text of each reference.
   if (entity.kind.empty() || entity.kind == "VIEWPORT" || (entity.kind == "ATTDEF" && !block.name.empty())) return;
   if (entity.numbers.get(67) == 1) {
     ++in_paper;

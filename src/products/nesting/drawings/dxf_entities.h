@@ -1,4 +1,4 @@
-// The entities of a DXF, put together from their pairs.
+// Builds the entities of a DXF from their pairs.
 #pragma once
 
 #include <string>
@@ -11,14 +11,14 @@ namespace tessera {
 /// Takes the pairs of one entity after the other, and adds each entity to its block.
 class DxfEntities {
  public:
-  /// `pairs`, `path`: for messages. Both live longer.
+  /// `pairs`, `path`: for messages. Both outlive it.
   DxfEntities(const DxfPairs& pairs, const std::string& path) : pairs_(pairs), path_(path) {}
 
-  /// A pair of code 0 that begins an entity, or goes on with the POLYLINE before it. The entity before is added to
-  /// `block`; `in_paper` counts what lies on paper. Throws InputError where there are too many points.
+  /// Takes a pair of code 0 that begins an entity, or continues the POLYLINE before it. The entity before is added to
+  /// `block`; `in_paper` counts entities on paper. Throws InputError where there are too many points.
   void begin(const DxfPair& pair, DxfBlock& block, int& in_paper);
 
-  /// A pair of the entity that began last. Throws InputError where a number that is used is none.
+  /// Takes a pair of the present entity. Throws InputError where a number that is used is not a number.
   void value(const DxfPair& pair);
 
   /// Adds the last entity, if any.
@@ -37,7 +37,7 @@ class DxfEntities {
   DxfEntity entity_;
   bool in_vertex_ = false;
   double vertex_flags_ = 0;
-  std::size_t points_ = 0;  // of all entities, or fewer: curves count their least
+  std::size_t points_ = 0;  // of all entities, or fewer: curves count with their least number
 };
 
 }  // namespace tessera

@@ -27,11 +27,12 @@ NestRing arc(NestPoint centre, NestPoint u, NestPoint v, double first, double la
   return ring;
 }
 
-/// From `from`, which is ring.back() under the map, to `to`.
+/// Adds the arc from `from` to `to`. `from`, under the map, is ring.back().
 void add_bulge(double bulge, NestPoint from, NestPoint to, const Affine& map, NestRing& ring) {
   const NestPoint chord = to - from;
   if (std::abs(bulge) >= 1e-9 && from != to) {
-    const double height = (1 - bulge * bulge) / (4 * bulge);  // of the centre above the chord, in chords
+    // of the centre above the chord, in lengths of the chord
+    const double height = (1 - bulge * bulge) / (4 * bulge);
     const NestPoint centre = (from + to) * 0.5 + NestPoint{-chord.y, chord.x} * height;
     const NestPoint u = from - centre, v{-u.y, u.x};
     add_arc(map.apply(centre), map.turned(u), map.turned(v), 0, 4 * std::atan(bulge), ring);
@@ -65,7 +66,7 @@ NestRing ellipse(const DxfEntity& entity, const Affine& map) {
 }  // namespace
 
 Affine plane_of(const DxfEntity& entity) {
-  // The points of an ELLIPSE are those of the drawing, but it turns the other way.
+  // The points of an ELLIPSE are those of the drawing, but it turns in the opposite direction.
   const bool is_mirrored = is_seen_from_below(entity) && !is_in_world(entity) && entity.kind != "ELLIPSE";
   return is_mirrored ? Affine{-1, 0, 0, 1, 0, 0} : Affine{};
 }

@@ -32,7 +32,7 @@ double DxfPairs::number(const DxfPair& pair) const {
   double value = 0;
   const std::string_view text = pair.value.starts_with('+') ? pair.value.substr(1) : pair.value;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool is_whole = end == text.data() + text.size();  // "50,5" is not
+  const bool is_whole = end == text.data() + text.size();  // false for "50,5"
   if (error != std::errc() || !is_whole || !std::isfinite(value) || std::abs(value) > 1e12)
     fail(pair.line + 1,
          "found \"" + std::string(pair.value.substr(0, 20)) + "\", allowed: a number from -1e12 to 1e12");

@@ -1,4 +1,4 @@
-// The pairs of lines that an ASCII DXF is made of: a group code, and its value.
+// Reads the pairs of lines of an ASCII DXF: a group code and its value.
 #pragma once
 
 #include <string>
@@ -9,18 +9,18 @@ namespace tessera {
 struct DxfPair {
   int code = 0;
   std::string_view value;  // without white space around it
-  int line = 0;            // of the code; the value is in the next one
+  int line = 0;            // line of the code; the value is in the next one
 };
 
 class DxfPairs {
  public:
-  /// `path`: for messages. Both live longer. Throws InputError where the file is a binary DXF or a DWG.
+  /// `path`: for messages. Both outlive it. Throws InputError where the file is a binary DXF or a DWG.
   DxfPairs(std::string_view text, const std::string& path);
 
-  /// False at the end of the file. Throws InputError, naming the line.
+  /// False at the end of the file. Throws InputError that names the line.
   bool next(DxfPair& pair);
 
-  /// The value as a number. Throws InputError where it is none, or is beyond 1e12 either way.
+  /// The value as a number. Throws InputError where it is none, or beyond +-1e12.
   double number(const DxfPair& pair) const;
 
   /// Throws InputError.

@@ -11,10 +11,10 @@
 namespace tessera {
 namespace {
 
-constexpr std::size_t kMostNames = 100'000;  // of layers, and of blocks
+constexpr std::size_t kMostNames = 100'000;  // of layers and of blocks
 
-/// By $INSUNITS: none, inch, foot, mile, mm, cm, m, km, microinch, mil, yard, angstrom, nm, um, dm, dam, hm, Gm,
-/// astronomical unit, light year, parsec.
+/// Millimetres in a unit of $INSUNITS: none, inch, foot, mile, mm, cm, m, km, microinch, mil, yard, angstrom, nm, um, dm,
+/// dam, hm, Gm, astronomical unit, light year, parsec.
 constexpr std::array<double, 21> kMmOfUnit = {1,
                                               25.4,
                                               304.8,
@@ -59,7 +59,7 @@ class DxfReader {
   }
 
  private:
-  /// What the pairs between two pairs of code 0 belong to.
+  /// The thing that pairs between two pairs of code 0 belong to.
   enum class Part { none, section_name, layer, block, entity };
 
   void begin(const DxfPair& pair) {
@@ -83,7 +83,7 @@ class DxfReader {
     }
   }
 
-  /// Where the entities that come now belong.
+  /// The block to which new entities are added.
   DxfBlock& drawn_on() { return section_ == "BLOCKS" ? block_ : document_.model; }
 
   void value(const DxfPair& pair) {
@@ -129,7 +129,7 @@ class DxfReader {
     if (pair.code == 70) block_.is_external = std::fmod(pairs_.number(pair), 2 * kIsExternal) >= kIsExternal;
   }
 
-  /// Keeps what the part that ends has brought.
+  /// Stores the data of the part that ends.
   void end_part() {
     entities_.finish(drawn_on(), document_.in_paper);
     if (part_ == Part::layer) {
@@ -137,7 +137,7 @@ class DxfReader {
       layer_ = {};
       layer_name_ = {};
     }
-    // A block goes on with its entities; its end, another block or the section's end closes it.
+    // A block continues with its entities; its end, another block or the section's end closes it.
     const bool closes_block = section_ == "BLOCKS" && (part_ == Part::entity || part_ == Part::block);
     if (closes_block && !block_.name.empty()) keep(document_.blocks, block_.name, std::move(block_), "blocks");
     if (closes_block) block_ = {};

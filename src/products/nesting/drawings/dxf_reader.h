@@ -1,4 +1,4 @@
-// An ASCII DXF, R12 or later, read as far as it is of use: the sections HEADER, TABLES, BLOCKS and ENTITIES.
+// Reads the useful sections of an ASCII DXF, R12 or later: HEADER, TABLES, BLOCKS and ENTITIES.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace tessera {
 
-/// `text` lives longer than the document. Throws InputError, naming `path` and the line, where the file is no ASCII DXF,
-/// or has too many points, layers or blocks.
+/// `text` must outlive the document. Throws InputError that names `path` and the line where the file is no ASCII DXF, or
+/// has too many points, layers or blocks.
 DxfDocument dxf_document(std::string_view text, const std::string& path);
 
 }  // namespace tessera

@@ -1,4 +1,4 @@
-// Which contours of a filled path are to be seen.
+// Finds the visible contours of a filled path.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace tessera {
 
-/// For each contour of one path whether the fill ends there. By the even-odd rule it does everywhere. By the nonzero rule
-/// a contour inside another that runs the same way has fill on both sides. Contours that cross are not looked into.
+/// Whether the fill ends at each contour of one path. By the even-odd rule it always does. By the nonzero rule a contour
+/// inside another one with the same direction has fill on both sides. Contours that cross are not examined.
 std::vector<bool> ends_fill(const std::vector<NestRing>& contours, bool even_odd);
 
 }  // namespace tessera

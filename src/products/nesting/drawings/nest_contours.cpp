@@ -85,19 +85,19 @@ bool lies_in(const NestRing& inner, const RingRows& outer) {
 
 namespace {
 
-/// The least of what is no number: contour_fault finds the points.
+/// The steps, within bounds; `least` for NaN, whose points contour_fault() finds.
 double whole_steps(double wanted, double least, double most) {
   return wanted > least ? std::min(std::ceil(wanted), most) : least;
 }
 
-/// Of each contour the largest that it lies in; -1: none.
+/// The largest contour around each contour; -1: none.
 std::vector<int> outermost(const std::vector<NamedContour>& contours) {
   std::vector<double> areas;
   std::vector<RingRows> rows;
   std::vector<std::size_t> largest_first;
   for (const NamedContour& contour : contours) {
     largest_first.push_back(areas.size());
-    // One that crosses itself may enclose nothing, as two equal halves of a bow do; what lies in it lies in its box.
+    // A contour that crosses itself may enclose nothing, like a bow with equal halves. Its bounding box counts then.
     const NestBox box = box_of(contour.ring);
     areas.push_back(contour.fault.empty() ? std::abs(signed_area(contour.ring)) : box.width() * box.height());
     rows.emplace_back(contour.ring);
@@ -119,7 +119,7 @@ std::vector<int> outermost(const std::vector<NamedContour>& contours) {
 }  // namespace
 
 std::vector<NestDrawing> drawings_of(std::vector<NamedContour> contours) {
-  // Of these nothing can be said, not even what lies in them.
+  // Nothing is known about these, not even what lies in them.
   std::erase_if(contours,
                 [](const NamedContour& contour) { return contour.ring.size() < 3 || !is_near(contour.ring); });
   const std::vector<int> outer = outermost(contours);

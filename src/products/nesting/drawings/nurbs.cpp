@@ -55,8 +55,8 @@ struct Piece {
   NestPoint from, to;
 };
 
-/// Adds the points of a piece after its first one. The piece is halved until three points between its ends are close
-/// to its chord; `halvings`: how often that may happen.
+/// Adds the points of a piece after its first one. The piece is halved until three points between its ends are near to its
+/// chord. `halvings`: how often that may happen.
 void add_piece(const Span& span, const Piece& piece, double flatness, int halvings, std::size_t most, NestRing& ring) {
   if (ring.size() > most) return;
   const double middle = (piece.first + piece.last) / 2;
@@ -74,7 +74,7 @@ void add_piece(const Span& span, const Piece& piece, double flatness, int halvin
 
 void add_span(const Nurbs& curve, const Span& span, double flatness, std::size_t most, NestRing& ring) {
   constexpr int kMostHalvings = 12;
-  // Between three samples the curve could only hide a bend that its degree has beyond four.
+  // Between three samples the curve can only hide a bend if its degree is above four; then there are more steps.
   const int steps = curve.degree == 1 ? 1 : std::max(2, curve.degree - 2);
   const auto parameter = [&](int i) { return span.first() + (span.last() - span.first()) * (double(i) / steps); };
   NestPoint from = span.at(span.first());
@@ -104,7 +104,7 @@ bool is_nurbs(const Nurbs& curve) {
 }
 
 NestRing nurbs_outline(const Nurbs& curve, double flatness, std::size_t most) {
-  // A sample may be a little closer to the chord than the farthest point is.
+  // A sample may be a little nearer to the chord than the farthest point of the curve.
   constexpr double kOfSample = 0.9;
   NestRing ring;
   if (!is_nurbs(curve)) return ring;

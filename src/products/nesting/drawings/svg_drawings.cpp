@@ -20,12 +20,12 @@ namespace {
 constexpr std::size_t kMostContours = 4'000;
 constexpr std::size_t kMostOpenPaths = 20'000;
 
-/// Throws InputError where there are more up to here than a file may have.
+/// Throws InputError where there are more than a file may have.
 void check_count(const char* what, std::size_t count, std::size_t allowed) {
   if (count > allowed) throw InputError(too_many(allowed, what + std::string(" in a file")));
 }
 
-/// "a, b, c and 3 more".
+/// The names as a text: "a, b, c and 3 more".
 std::string some_of(const std::vector<std::string>& names) {
   constexpr std::size_t kMost = 3;
   std::string text;
@@ -40,7 +40,7 @@ NestRing ring_of(const FlatSubpath& subpath) {
   return ring;
 }
 
-/// A path that is filled is closed for that, where there is anything to fill.
+/// Whether a filled path, which is closed for that, has an area.
 bool has_area(const NestRing& ring) {
   if (ring.size() < 3) return false;
   const NestBox box = box_of(ring);
@@ -124,7 +124,7 @@ class SvgReader {
   }
 
  private:
-  /// Coordinates of the ring, whichever way it was drawn.
+  /// The coordinates of the ring, the same for both directions.
   static std::vector<std::pair<double, double>> one_way(const NestRing& ring) {
     std::vector<std::pair<double, double>> there, back;
     for (const NestPoint p : ring) there.emplace_back(p.x, p.y);
@@ -177,7 +177,7 @@ class SvgReader {
     return closed(std::move(all));
   }
 
-  /// The names of the lines that belong to no contour, each name once.
+  /// The names of the lines that belong to no contour, each once.
   std::vector<std::string> names_but(const std::vector<JoinedContour>& contours) const {
     std::set<std::size_t> joined;
     for (const JoinedContour& contour : contours) {
@@ -195,7 +195,7 @@ class SvgReader {
   std::vector<NamedContour> contours_;
   std::set<std::vector<std::pair<double, double>>> seen_;
   int twice_ = 0;         // contours that were there already
-  int inside_fills_ = 0;  // contours that nobody sees, as there is fill on both sides
+  int inside_fills_ = 0;  // invisible contours, with fill on both sides
   std::vector<NestRing> lines_;
   std::vector<PathSteps> line_steps_;
   std::vector<std::string> names_;  // of the lines
@@ -204,7 +204,7 @@ class SvgReader {
 
 std::string size_text(const NestBox& box) { return fixed(box.width(), 1) + " x " + fixed(box.height(), 1) + " mm"; }
 
-/// A rectangle with level sides, and nothing beside it.
+/// Whether the drawing is a level rectangle with everything else in it, which is probably the bed of a machine.
 bool is_bed(const std::vector<NestDrawing>& drawings) {
   if (drawings.size() != 1 || drawings.front().holes.empty() || drawings.front().outline.size() != 4) return false;
   const NestBox box = box_of(drawings.front().outline);

@@ -1,4 +1,4 @@
-// The closed shapes of an SVG, in mm.
+// Reads the closed shapes of an SVG, in mm.
 #pragma once
 
 #include <string>
@@ -11,16 +11,16 @@ namespace tessera {
 
 struct SvgDrawings {
   std::vector<NestDrawing> drawings;
-  /// What was left out or joined, for people: "left out 1 chain of lines that does not close".
+  /// Notes for people about what was left out or joined: "left out 1 chain of lines that does not close".
   std::vector<std::string> notes;
 };
 
-/// How far apart the ends of two open paths may be that are joined, mm.
+/// The largest distance of ends of two open paths that are joined, mm.
 inline constexpr double kJoinedEnds_mm = 0.05;
 
 /// The pieces of an SVG: its fills, and its lines that are closed or close each other. They have the names of their
-/// elements; elements called `left_out` are not cut. A contour that lies inside another, of whatever element, is a hole of
-/// it. Where some outlines are good, bad ones are left out. `path` stands in messages. Throws InputError, naming it.
+/// elements; elements named in `left_out` are not cut. A contour inside another, of any element, is a hole of it. Unusable
+/// outlines are left out if others are good. Throws InputError that names `path`.
 SvgDrawings svg_drawings(const SvgOutlines& outlines, const std::string& path,
                          const std::vector<std::string>& left_out = {});
 

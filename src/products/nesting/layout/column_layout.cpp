@@ -63,7 +63,7 @@ void ColumnLayout::add(std::span<const int> items, double from, NestLayout& layo
       at = {};
     }
     layout.pieces.push_back({box.item, box.angle, box.corner + at, layout.sheets});
-    if (at.y == 0) column_end = at.x + box.width;  // the widest of its column
+    if (at.y == 0) column_end = at.x + box.width;  // the widest piece of its column
     layout.used_length = std::max(layout.used_length, at.x + box.width);
     at.y += box.height + problem_->spacing;
   }

@@ -1,5 +1,5 @@
-// A layout without a search: pieces in columns beside each other, by their boxes. It is what there is of a layout
-// before a search has found a better one.
+// A layout without a search: pieces in columns beside each other, by their bounding boxes. It is the layout before a search
+// has found a better one.
 #pragma once
 
 #include <span>
@@ -11,26 +11,26 @@ namespace tessera {
 
 class ColumnLayout {
  public:
-  /// Refers to the problem, which lives longer.
+  /// Refers to the problem, which must outlive it.
   explicit ColumnLayout(const NestProblem& problem);
 
-  /// Of all pieces.
+  /// A layout of all pieces.
   NestLayout all() const;
 
   /// The items that are too large for the material at all of their angles.
   std::vector<int> too_large() const;
 
-  /// Adds pieces, given by their items, to a layout: on a strip from x = `from` on, on sheets from a new sheet on. What
-  /// is too large at all of its angles is left over. `layout.used_length` then is that of the strip, or of the last
-  /// sheet.
+  /// Adds pieces, given by their items, to a layout: on a strip from x = `from` on, on sheets from a new sheet on. Pieces
+  /// that are too large at all of their angles are left over. `layout.used_length` becomes that of the strip, or of the
+  /// last sheet.
   void add(std::span<const int> items, double from, NestLayout& layout) const;
 
  private:
-  /// A piece at the angle at which its box is smallest, of equals the narrowest.
+  /// A piece at the angle at which its bounding box is smallest; of equal ones the narrowest.
   struct Boxed {
     int item = 0;
     int angle = -1;    // -1: none fits
-    NestPoint corner;  // the shift that puts the box into the corner of the material
+    NestPoint corner;  // shift that moves the box into the corner of the material
     double width = 0, height = 0;
   };
   Boxed boxed(int item) const;

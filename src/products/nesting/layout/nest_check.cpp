@@ -20,7 +20,7 @@ bool lies_deeper(NestPoint p, const RingRows& outer, double depth) {
   return !is_near;
 }
 
-/// Where the side ab is cut by the ring, as parts of its length, its ends among them.
+/// The cuts of the side ab by the ring, as parts of the side's length, with its ends.
 void find_cuts(NestPoint a, NestPoint b, const RingRows& ring, std::vector<double>& cuts) {
   cuts.assign({0, 1});
   ring.visit_sides(box_of({a, b}), [&](std::size_t side) {
@@ -32,7 +32,8 @@ void find_cuts(NestPoint a, NestPoint b, const RingRows& ring, std::vector<doubl
   std::sort(cuts.begin(), cuts.end());
 }
 
-/// By points of `inner`'s boundary, one between each two that are cut, and one inside it.
+/// Whether `inner` reaches deeper than `depth` into `outer`: tests a point of its boundary between each two cuts, and one
+/// point inside it.
 bool reaches_deeper(const RingRows& inner, NestPoint middle, const RingRows& outer, double depth) {
   if (lies_deeper(middle, outer, depth)) return true;
   std::vector<double> cuts;
@@ -62,13 +63,13 @@ std::string count_fault(const NestProblem& problem, const NestLayout& layout) {
   std::vector<int> counts = layout.left_over;
   counts.resize(problem.items.size(), 0);
   for (const NestedPiece& piece : layout.pieces) {
-    if (piece.item < 0 || piece.item >= int(counts.size())) return "a piece of no item";
+    if (piece.item < 0 || piece.item >= int(counts.size())) return "a piece of an unknown item";
     if (piece.angle < 0 || piece.angle >= int(problem.items[std::size_t(piece.item)].angles_deg.size()))
-      return "a piece at no angle of its own";
+      return "a piece at an angle that it may not have";
     ++counts[std::size_t(piece.item)];
   }
   for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (counts[i] != problem.items[i].demand) return "item " + std::to_string(i) + " is there another number of times";
+    if (counts[i] != problem.items[i].demand) return "item " + std::to_string(i) + " has a wrong number of pieces";
   }
   return "";
 }
@@ -92,7 +93,7 @@ bool are_nearer(const RingRows& a, const RingRows& b, double distance) {
   return nearer;
 }
 
-/// The pieces of a layout where they lie.
+/// The pieces of a layout in their poses.
 class PlacedPieces {
  public:
   PlacedPieces(const NestProblem& problem, const NestLayout& layout)
@@ -143,7 +144,7 @@ class PlacedPieces {
     return others;
   }
 
-  /// A point inside the piece. That of its item is found once.
+  /// A point inside the piece; it is computed once for each item.
   NestPoint middle(std::size_t i) {
     const NestedPiece& piece = layout_.pieces[i];
     const NestItem& item = problem_.items[std::size_t(piece.item)];

@@ -1,4 +1,4 @@
-// Whether a layout keeps its promises, by the pieces' own outlines and by nothing that the search uses.
+// Checks a layout by the pieces' own outlines, without any code that the search uses.
 #pragma once
 
 #include <functional>
@@ -9,17 +9,17 @@
 
 namespace tessera {
 
-/// Depth to which pieces may lie in each other or beyond the strip, and by how much they may be too near, parts of the
-/// strip's height.
+/// Depth to which pieces may lie in each other or beyond the strip, or be too near, as a part of the strip's
+/// height.
 inline constexpr double kNestTolerance = 1e-6;
 
-/// Nothing where all is well; else what is wrong, for a message: pieces that overlap or are too near, stick out, are
-/// missing or too many, or are turned by an angle that they may not have. `check_stop`, if any, is called for each two
-/// pieces that are near each other; what it throws ends the check.
+/// The fault of the layout, for a message; empty: there is none. Faults are: pieces that overlap or are too near, stick
+/// out, are missing or too many, or have an angle that is not allowed. `check_stop` is called for each two pieces that are
+/// near each other; what it throws ends the check.
 std::string nest_fault(const NestProblem& problem, const NestLayout& layout, const StopCheck& check_stop = never_stop);
 
-/// Whether a point of one outline's boundary, or its middle, lies inside the other one and farther than `depth` from
-/// the other's boundary.
+/// Whether a point of one outline's boundary, or its middle, lies inside the other one and farther than `depth` from its
+/// boundary.
 bool lie_deeper(const NestRing& a, const NestRing& b, double depth);
 
 /// Whether two points of the boundaries are nearer to each other than `distance`.

@@ -1,4 +1,4 @@
-// The order in which pieces are laid.
+// The order in which pieces are placed.
 #pragma once
 
 #include <algorithm>
@@ -8,10 +8,10 @@
 
 namespace tessera {
 
-/// What is hard to place: the size of the hull times the longer side of the box.
+/// A measure of how hard a piece is to place: the size of its hull times the longer side of its bounding box.
 inline double size_to_place(const PosedShape& shape) { return double(shape.weight) * double(shape.diameter); }
 
-/// The largest items first.
+/// Sorts items, the largest first.
 inline void order_by_size(const NestScene& scene, std::vector<int>& items) {
   std::stable_sort(items.begin(), items.end(), [&](int a, int b) {
     const double of_a = size_to_place(scene.shape(a, 0)), of_b = size_to_place(scene.shape(b, 0));

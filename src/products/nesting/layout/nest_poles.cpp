@@ -8,8 +8,8 @@ namespace tessera {
 namespace {
 
 constexpr int kNodes = 48;        // of the grid along the longer side of the box
-constexpr double kCovered = 0.9;  // of the area by all discs
-constexpr double kLeast = 0.05;   // radius, parts of the largest disc's
+constexpr double kCovered = 0.9;  // part of the area that all discs cover
+constexpr double kLeast = 0.05;   // least radius, as a part of the largest disc's
 
 /// How large a disc round p may be.
 double room(const NestRing& ring, const std::vector<NestPole>& poles, NestPoint p) {
@@ -19,7 +19,7 @@ double room(const NestRing& ring, const std::vector<NestPole>& poles, NestPoint 
   return room;
 }
 
-/// Climbs to where there is more room, by halved steps.
+/// Moves the disc to where there is more room, in halved steps.
 NestPole climbed(const NestRing& ring, const std::vector<NestPole>& poles, NestPole pole, double step) {
   for (int halvings = 0; halvings < 12;) {
     bool moved = false;
@@ -58,7 +58,7 @@ std::vector<NestPole> poles_of(const NestRing& ring, int most) {
   const NestBox box = box_of(ring);
   double step = std::max(box.width(), box.height()) / kNodes;
   std::vector<Node> nodes = nodes_inside(ring, step);
-  // Each halving costs four times as much; what is thinner is left to the end.
+  // Each halving costs four times as much; thinner shapes are handled at the end.
   for (int finer = 0; nodes.empty() && finer < 2; ++finer) nodes = nodes_inside(ring, step /= 2);
   std::vector<NestPole> poles;
   double left = kCovered * std::abs(signed_area(ring));
@@ -72,7 +72,7 @@ std::vector<NestPole> poles_of(const NestRing& ring, int most) {
     left -= std::numbers::pi * pole.radius * pole.radius;
     for (Node& node : nodes) node.room = std::min(node.room, norm(node.at - pole.centre) - pole.radius);
   }
-  if (poles.empty()) {  // thinner than any node sees: the middle of a diagonal will do
+  if (poles.empty()) {  // thinner than the grid sees: takes the middle of a diagonal
     for (std::size_t i = 0; i < ring.size() && poles.empty(); ++i) {
       const NestPoint middle = (ring[i] + ring[(i + 1) % ring.size()] + ring[(i + 2) % ring.size()]) * (1.0 / 3);
       if (contains(ring, middle)) poles.push_back({middle, distance_to_boundary(ring, middle)});

@@ -1,4 +1,4 @@
-// Discs that stand for the inside of a shape: how deep two shapes lie in each other is estimated by them.
+// Discs inside a shape, from which the overlap of two shapes is estimated.
 #pragma once
 
 #include <vector>
@@ -12,8 +12,8 @@ struct NestPole {
   double radius = 0;
 };
 
-/// Discs inside the ring that do not overlap, the largest first, until they cover nine tenths of it or are
-/// `most` many. At least one, whose centre is inside.
+/// Discs inside the ring that do not overlap, the largest first, until they cover nine tenths of it or there are `most` of
+/// them. There is at least one, whose centre is inside.
 std::vector<NestPole> poles_of(const NestRing& ring, int most);
 
 }  // namespace tessera

@@ -1,4 +1,4 @@
-// Random numbers of one chain of nesting: counted, so that they depend on the seed and on what was done, on nothing else.
+// Random numbers of one chain of a nesting. They are counter-based: they depend only on the seed and the draws before.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@ class NestRandom {
  public:
   explicit NestRandom(std::uint64_t key) : key_(mix_bits(key)) {}
 
-  /// In [0, 1).
+  /// A number in [0, 1).
   double unit() { return double(bits() >> 11) * (1.0 / 9007199254740992.0); }
   double between(double low, double high) { return low + (high - low) * unit(); }
-  /// 0 to count - 1.
+  /// A number from 0 to count - 1.
   int below(int count) { return int(((bits() >> 32) * std::uint64_t(count)) >> 32); }
 
  private:

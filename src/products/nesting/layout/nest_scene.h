@@ -1,5 +1,5 @@
-// Pieces on a strip that may overlap while they are being separated: where each lies, how deep each two are in each
-// other, and what that weighs.
+// Pieces on a strip that may overlap while the search separates them: their poses, how deep each two overlap, and the
+// weight of that.
 #pragma once
 
 #include <cstdint>
@@ -15,14 +15,12 @@ struct NestPose {
   NestPoint shift;
 };
 
-/// Called for every piece that is moved, by the thread that searches, with NestScene::work; what it throws ends the
-/// search.
+/// Called for every piece that is moved, by the thread that searches, with NestScene::work. What it throws ends the search.
 using NestWatch = std::function<void(std::uint64_t work)>;
 
 class NestScene {
  public:
-  /// `items`: of each piece. Both lists of shapes live as long as the scene. The pieces lie at the origin until they are
-  /// put somewhere.
+  /// `shapes` outlives the scene. The scene has no pieces until they are added.
   NestScene(const PosedItems& shapes, double height, double spacing, NestWatch watch = {});
 
   int size() const { return int(items_.size()); }
@@ -35,43 +33,43 @@ class NestScene {
   const PosedShape& shape(int item, int angle) const { return (*shapes_)[std::size_t(item)][std::size_t(angle)]; }
   const PosedShape& shape(int piece) const { return shape(item(piece), pose(piece).angle); }
   int angles_of(int item) const { return int((*shapes_)[std::size_t(item)].size()); }
-  /// The piece's own box where it lies.
+  /// The bounding box of the piece itself in its pose.
   NestBox own_box(int piece) const;
 
-  /// Where shifts keep the shape on the strip: from low to high. Empty where it is too large, by more than rounding
-  /// (nest_tuning::kInset); what is as large as the strip has one place.
+  /// The shifts, from low to high, that keep the shape on the strip. Empty where it is too large by more than rounding
+  /// (nest_tuning::kInset); a shape as large as the strip has one place.
   NestBox range(const PosedShape& shape) const;
-  /// Whether it can lie on the strip.
+  /// Whether the shape can lie on the strip.
   bool fits(const PosedShape& shape) const {
     const NestBox free = range(shape);
     return free.low.x <= free.high.x && free.low.y <= free.high.y;
   }
 
   void set_length(double length) { length_ = length; }
-  /// How far the pieces reach in x.
+  /// The length up to which the pieces reach in x.
   double used_length() const;
 
   void add(int item, const NestPose& pose);
   void remove_last();
-  /// All pieces at once; weights are 1 again.
+  /// Sets the poses of all pieces; weights become 1 again.
   void restore(const std::vector<NestPose>& poses);
   void move(int piece, const NestPose& pose);
-  /// Moves every piece onto the strip, turned by another of its angles where it is too long for it. False where one has
-  /// none: then nothing changes.
+  /// Moves every piece onto the strip, at another of its angles where it is too long. False where a piece has no such
+  /// angle; then nothing changes.
   bool clamp_all();
 
-  /// What the piece would overlap at that pose, weighted; or some number above `most` where it is more. A piece of -1
-  /// is a new one of `item`, all weights being 1.
+  /// The weighted overlap of the piece in that pose, or any number above `most` where it is more. Piece -1 is a new piece
+  /// of `item`, with all weights 1.
   double cost(int item, int piece, const NestPose& pose, double most);
-  double overlap_of(int piece) const;           // as it lies, not weighted
-  double weighted_overlap_of(int piece) const;  // as it lies
+  double overlap_of(int piece) const;           // in its pose, not weighted
+  double weighted_overlap_of(int piece) const;  // in its pose
   double overlap() const;                       // of all pairs, not weighted
   void grow_weights();
 
   void check_stop() const {
     if (watch_) watch_(work_);
   }
-  /// How many pairs were held against each other: what a budget counts.
+  /// The number of pairs that were compared; a budget counts these.
   std::uint64_t work() const { return work_; }
 
  private:
@@ -89,9 +87,9 @@ class NestScene {
   NestWatch watch_;
   std::vector<int> items_;
   std::vector<NestPose> poses_;
-  std::vector<double> low_x_, low_y_, high_x_, high_y_;  // boxes of the boundaries
+  std::vector<double> low_x_, low_y_, high_x_, high_y_;  // bounding boxes of the boundaries
   std::size_t stride_ = 0;
-  std::vector<double> overlap_;  // of each two, symmetric
+  std::vector<double> overlap_;  // of each two pieces, symmetric
   std::vector<double> weight_;
   std::vector<int> near_;
   std::uint64_t work_ = 0;

@@ -20,7 +20,7 @@ bool fits(const NestScene& scene, int item) {
   return false;
 }
 
-/// The items of all pieces that can lie somewhere; the others are left over.
+/// The items of all pieces that fit onto the material; the others become left over.
 std::vector<int> pieces_of(const NestScene& scene, const NestProblem& problem, NestLayout& layout) {
   std::vector<int> pieces;
   for (int item = 0; item < int(problem.items.size()); ++item) {
@@ -40,7 +40,7 @@ void take_sheet(const NestScene& scene, NestLayout& layout) {
   layout.used_length = scene.used_length();
 }
 
-/// One chain: its random numbers, and what it tells others.
+/// One chain: its random numbers, and its reports.
 class Chain {
  public:
   Chain(const NestProblem& problem, const PosedItems& shapes, NestRandom& random, const NestFound& found,
@@ -51,7 +51,7 @@ class Chain {
         found_(found),
         watch_(watch) {}
 
-  /// `layout` has what is left over.
+  /// Lays the pieces on a strip. `layout` has the left-over pieces.
   void lay_on_strip(const std::vector<int>& pieces, std::uint64_t work_of_piece, NestLayout& layout) {
     tell_with_columns(layout, pieces, 0);
     const std::uint64_t most_work = work_of_piece * pieces.size();
@@ -66,13 +66,14 @@ class Chain {
     tell(layout);
   }
 
-  /// What is on the last sheet moves together, so that what is left of it can be used.
+  /// Lays the pieces on sheets. The pieces of the last sheet are pushed together, so that its rest can be used.
   void lay_on_sheets(std::vector<int> pieces, std::uint64_t work_of_piece, NestLayout& layout) {
     const double all = double(pieces.size());
     while (!pieces.empty()) {
       tell_with_columns(layout, pieces, 0);
       const std::size_t before = pieces.size();
-      const std::uint64_t most_work = work_of_piece * before;  // a sheet has as much as its pieces and those to come
+      // a sheet's budget counts its pieces and all that are still to come
+      const std::uint64_t most_work = work_of_piece * before;
       NestScene scene(shapes_, problem_.height, problem_.spacing,
                       watch_of(most_work, 1 - double(before) / all, double(before) / all));
       scene.set_length(problem_.length);
@@ -89,7 +90,7 @@ class Chain {
   }
 
  private:
-  /// Of a scene whose budget is that part of the chain's.
+  /// The watch of a scene whose budget is that part of the chain's budget.
   NestWatch watch_of(std::uint64_t most_work, double done_before, double part) {
     if (!watch_) return {};
     return [=, this](std::uint64_t work) {
@@ -110,8 +111,8 @@ class Chain {
     tell(layout);
   }
 
-  /// A strip on which some pieces lie where the search laid them: now and then, since the first poor layout is no good
-  /// one of many pieces.
+  /// Reports a strip on which the first pieces are laid and the rest stand in columns. It does so sixteen times at most,
+  /// because the first layout of many pieces is poor.
   void tell_begun(NestLayout layout, const NestScene& scene, std::span<const int> left) {
     constexpr std::size_t kTimes = 16;
     const std::size_t step = std::max<std::size_t>(1, (left.size() + std::size_t(scene.size())) / kTimes);
@@ -134,7 +135,7 @@ class Chain {
 }  // namespace
 
 const NestEffort* nest_effort(const std::string& word) {
-  // About 1, 30 and 120 s of one core for 40 pieces of 10 corners, a chain.
+  // About 1, 30 and 120 s of one core for each chain, with 40 pieces of 10 corners.
   static constexpr NestEffort kDraft{2, 100'000}, kGood{2, 3'000'000}, kBest{4, 12'000'000};
   return word == "draft" ? &kDraft : word == "good" ? &kGood : word == "best" ? &kBest : nullptr;
 }

@@ -1,4 +1,4 @@
-// Nesting as a whole: independent chains, of which the best is taken.
+// Nesting as a whole: runs independent chains and takes the best.
 #pragma once
 
 #include <cstdint>
@@ -12,36 +12,37 @@
 
 namespace tessera {
 
-/// How much is tried, whatever machine it is: that many pairs of pieces held against each other.
+/// The effort, on any machine: the number of pairs of pieces that are compared.
 struct NestEffort {
   int chains = 2;
   std::uint64_t work_of_piece = 0;  // of each chain, for each piece
 };
 
-/// "draft", "good" or "best"; nothing for another word.
+/// The effort of "draft", "good" or "best"; null for another word.
 const NestEffort* nest_effort(const std::string& word);
 
-/// Told each better layout of all pieces that a chain finds, by the thread that searches; the first one at once, a poor
-/// one: columns of boxes.
+/// Receives each better layout of all pieces that a chain finds, in the thread that searches. The first one comes at once
+/// and is poor: columns of boxes.
 using NestFound = std::function<void(const NestLayout&)>;
 
-/// Called for every piece that is moved, by the thread that searches, with the part of the chain's budget that is used,
-/// 0 to 1. What it throws ends the chain.
+/// Called for every piece that is moved, by the thread that searches, with the part (0 to 1) of the chain's budget that is
+/// used. What it throws ends the chain.
 using NestChainWatch = std::function<void(double done)>;
 
-/// Most pieces of all items together.
+/// The most pieces of all items together.
 inline constexpr int kMostNestedPieces = 2'000;
 
-/// One chain: the same problem, seed and number give the same layout anywhere. What is too large for the sheet or
-/// the strip at all of its angles is left over. Where `watch` ends it, the last that `found` was told is what it has.
+/// Runs one chain. The same problem, seed and number give the same layout on any machine. Pieces that are too large for the
+/// sheet or strip at all of their angles are left over. Where `watch` ends the chain, its result is the last layout that
+/// `found` received.
 NestLayout nest_chain(const NestProblem& problem, const PosedItems& shapes, const NestEffort& effort,
                       std::uint64_t seed, int chain, const NestFound& found = {}, const NestChainWatch& watch = {});
 
-/// Whether `a` is the better one: fewer pieces left over, fewer sheets, shorter, of an earlier chain. A total order of
-/// the layouts of different chains: the best of the best of any shares of them is the best of all.
+/// Whether `a` is better: fewer pieces left over, fewer sheets, shorter, or found by an earlier chain. That is a total
+/// order of the layouts of different chains, so the best of the best of any groups is the best of all.
 bool is_better(const NestLayout& a, const NestLayout& b);
 
-/// The best of one layout or more.
+/// The best of at least one layout.
 const NestLayout& best_layout(const std::vector<NestLayout>& layouts);
 
 }  // namespace tessera

@@ -12,7 +12,7 @@ using namespace nest_tuning;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A new piece, or one that lies somewhere.
+/// The piece that is searched a place: a new one, or one on the strip.
 struct Searched {
   int item;
   int piece;  // -1: new
@@ -22,7 +22,7 @@ NestPoint clamped(const NestBox& free, NestPoint p) {
   return {std::max(free.low.x, std::min(p.x, free.high.x)), std::max(free.low.y, std::min(p.y, free.high.y))};
 }
 
-/// The few best so far, no two of them near each other.
+/// The best few places so far, no two of them near each other.
 class Finalists {
  public:
   double worst() const { return int(places_.size()) < kDescents ? kInfinity : places_.back().cost; }
@@ -87,7 +87,7 @@ class Search {
     try_pose({angle, clamped(scene_.range(shape), {x - low.x, y - low.y})});
   }
 
-  /// At an edge, or just beside the box of another piece, or level with it; in x and y.
+  /// Tries a place at an edge, beside the box of another piece, or level with it; in x and y.
   void flush() {
     const int angle = any_angle();
     const PosedShape& shape = scene_.shape(searched_.item, angle);
@@ -124,7 +124,7 @@ class Search {
     }
   }
 
-  /// Steps along one of four lines, longer after a gain and shorter after none.
+  /// Descends in steps along one of four lines; steps become longer after a gain and shorter without one.
   NestPlace descended(NestPlace place, double first, double last) {
     constexpr double kLonger = 1.1, kShorter = 0.5, kDiagonal = 0.7071067811865476;
     const PosedShape& shape = scene_.shape(searched_.item, place.pose.angle);
@@ -139,7 +139,7 @@ class Search {
                                         : NestPoint{step.x * kDiagonal, -step.y * kDiagonal};
       const bool gained = stepped(place, free, way) || stepped(place, free, way * -1.0);
       const double factor = gained ? kLonger : kShorter;
-      // Of a diagonal both, by half as much.
+      // On a diagonal both steps change, by half as much.
       if (line != 1) step.x *= line == 0 ? factor : (1 + factor) / 2;
       if (line != 0) step.y *= line == 1 ? factor : (1 + factor) / 2;
     }

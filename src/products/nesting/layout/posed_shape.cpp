@@ -20,7 +20,7 @@ NestRing turned(const NestRing& ring, const NestTurn& turn) {
   return out;
 }
 
-/// What is the same at each angle.
+/// The parts of a shape that are the same at each angle.
 struct UnposedShape {
   NestRing own, body, boundary;
   std::vector<NestPole> poles;

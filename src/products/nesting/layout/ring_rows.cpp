@@ -6,7 +6,7 @@ namespace tessera {
 
 RingRows::RingRows(const NestRing& ring) : ring_(&ring), box_(box_of(ring)) {
   constexpr std::size_t kSidesPerRow = 2, kMostRowsPerSide = 8;
-  // Long sides lie in many rows: the fewer rows there are, the less is stored.
+  // Long sides lie in many rows; with fewer rows less is stored.
   for (std::size_t rows = std::max<std::size_t>(1, ring.size() / kSidesPerRow);; rows = (rows + 1) / 2) {
     divide(rows);
     const std::size_t stored = std::accumulate(begins_.begin(), begins_.end(), std::size_t(0));
@@ -25,7 +25,7 @@ std::pair<std::size_t, std::size_t> RingRows::rows_of_side(std::size_t side) con
   return {row_of(std::min(a, b)), row_of(std::max(a, b))};
 }
 
-/// Counts in begins_[i + 1] how many sides lie in row i.
+/// Counts in begins_[i + 1] the sides in row i.
 void RingRows::divide(std::size_t rows) {
   row_height_ = box_.height() / double(rows);
   begins_.assign(rows + 1, 0);

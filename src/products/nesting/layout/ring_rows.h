@@ -1,4 +1,4 @@
-// The sides of a polygon by rows of equal height: a question about one place looks at the sides of its row alone.
+// Sorts the sides of a polygon into rows of equal height, so that a query at one place looks only at the sides of its row.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace tessera {
 
-/// Refers to a ring, which lives longer. Side i goes from point i - 1 to point i, side 0 from the last point.
+/// Refers to a ring, which must outlive it. Side i goes from point i - 1 to point i, side 0 from the last point.
 class RingRows {
  public:
   explicit RingRows(const NestRing& ring);
@@ -19,10 +19,10 @@ class RingRows {
   NestPoint from(std::size_t side) const { return (*ring_)[side > 0 ? side - 1 : ring_->size() - 1]; }
   NestPoint to(std::size_t side) const { return (*ring_)[side]; }
 
-  /// As tessera::contains.
+  /// See tessera::contains().
   bool contains(NestPoint p) const;
 
-  /// Calls visit(side) for each side whose box meets the window; for some of them more than once.
+  /// Calls visit(side) for each side whose bounding box meets the window; for some sides more than once.
   template <class Visit>
   void visit_sides(const NestBox& window, Visit visit) const {
     if (window.high.y < box_.low.y || window.low.y > box_.high.y) return;
@@ -36,7 +36,7 @@ class RingRows {
 
  private:
   std::size_t rows() const { return begins_.size() - 1; }
-  /// Never less for a larger y. What lies beyond the ring has the first row or the last.
+  /// The row of y. It never falls where y grows. Places beyond the ring belong to the first or last row.
   std::size_t row_of(double y) const;
   std::pair<std::size_t, std::size_t> rows_of_side(std::size_t side) const;
   void divide(std::size_t rows);
@@ -45,7 +45,7 @@ class RingRows {
   const NestRing* ring_;
   NestBox box_;
   double row_height_ = 0;
-  std::vector<std::size_t> begins_;  // of each row in sides_, and the end of the last
+  std::vector<std::size_t> begins_;  // of each row: its first side in sides_; at the end, the number of sides
   std::vector<std::uint32_t> sides_;
 };
 

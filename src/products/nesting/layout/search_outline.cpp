@@ -11,7 +11,7 @@ bool in_triangle(NestPoint a, NestPoint b, NestPoint c, NestPoint p) {
   return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
 }
 
-/// Whether no point of the ring but those of the triangle itself lies in it.
+/// Whether the triangle contains no points of the ring but its own.
 bool is_free(const NestRing& ring, NestPoint a, NestPoint b, NestPoint c) {
   const NestBox box = box_of({a, b, c});
   return std::none_of(ring.begin(), ring.end(), [&](NestPoint p) {
@@ -20,14 +20,15 @@ bool is_free(const NestRing& ring, NestPoint a, NestPoint b, NestPoint c) {
   });
 }
 
-/// One way to have a point less: `b` goes, or `b` and `c` become `corner`.
+/// A way to remove a point: `b` goes, or `b` and `c` become `corner`.
 struct Removal {
   double area = 0;
   bool joins = false;
   NestPoint corner;
 };
 
-/// Filling the dent at ring[i], or bringing back the corner that the side from ring[i] cuts off. False: neither.
+/// Finds such a way: fills the dent at ring[i], or extends the corner that the side from ring[i] cuts off. False: neither
+/// is possible.
 bool removal_at(const NestRing& ring, std::size_t i, Removal& removal) {
   const std::size_t n = ring.size();
   const NestPoint a = ring[(i + n - 1) % n], b = ring[i], c = ring[(i + 1) % n], d = ring[(i + 2) % n];
@@ -60,7 +61,7 @@ NestPoint unit(NestPoint a) {
 
 NestPoint right_of(NestPoint direction) { return {direction.y, -direction.x}; }
 
-/// Corners of a polygon outside of the arc round `centre` from one unit direction to another, its sides touching it.
+/// Adds corners of a polygon outside the arc round `centre` from one unit direction to another; its sides touch the arc.
 void add_arc(NestPoint centre, NestPoint from, NestPoint to, double radius, NestRing& out) {
   constexpr double kLeastCosine = 0.87;  // 30 degrees
   const double cosine = dot(from, to);
@@ -110,7 +111,7 @@ NestRing without_spikes(NestRing ring) {
       continue;
     }
     ring.erase(ring.begin() + std::ptrdiff_t(i));
-    // Its two ends may be the same point now; and what was before it may be a tip.
+    // The two ends may now be the same point, and the point before may be a tip.
     const std::size_t before = (i + ring.size() - 1) % ring.size();
     if (ring[before] == ring[i % ring.size()]) ring.erase(ring.begin() + std::ptrdiff_t(before));
     i = i > 2 ? i - 2 : 0;
@@ -120,7 +121,7 @@ NestRing without_spikes(NestRing ring) {
 
 NestRing enlarged_to_fewer_points(NestRing ring, double most_area) {
   double left = most_area;
-  // By steps of what a point may cost, so that cheap ones go first.
+  // The allowed area grows step by step, so that cheap removals come first.
   for (double allowed = most_area / 256; allowed <= most_area; allowed *= 2) {
     for (std::size_t i = 0; i < ring.size() && ring.size() > 4; ++i) {
       Removal removal;

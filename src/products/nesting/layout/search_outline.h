@@ -1,27 +1,28 @@
-// The outline that a piece is searched a place with: never smaller than the piece, with fewer points, grown by half the
-// spacing, and a touch smaller at the end, so that pieces may touch.
+// Makes the outline with which the search works. It has fewer points than the piece and is never smaller, is grown by half
+// the spacing, and at the end slightly reduced, so that pieces may touch.
 #pragma once
 
 #include "products/nesting/layout/nest_polygon.h"
 
 namespace tessera {
 
-/// Without points that repeat or lie on a straight side, the interior on the left.
+/// The ring without points that repeat or lie on a straight side, with the interior on the left.
 NestRing tidied(NestRing ring);
 
-/// Without sides that go out and straight back, which enclose nothing: to 1e-9 of the ring's size. A ring without any is
-/// the same to the bit.
+/// The ring without sides that go out and straight back and enclose nothing, to 1e-9 of the ring's size. A ring without
+/// such sides stays the same to the bit.
 NestRing without_spikes(NestRing ring);
 
-/// A polygon that holds `ring` and has as few points as adding `most_area` in all allows: dents are filled, and corners
-/// that were cut off come back.
+/// A polygon that holds `ring` and has as few points as possible if at most `most_area` is added: it fills dents and
+/// extends corners that were cut off.
 NestRing enlarged_to_fewer_points(NestRing ring, double most_area);
 
-/// The curve at `distance` outside of the ring (interior on the left): no point is nearer, and at corners none farther
-/// than 1.04 times. Narrow dents may make it cross itself; what it encloses is right then, too.
+/// The curve at `distance` outside the ring (interior on the left). No point is nearer, and at corners none is farther than
+/// 1.04 times. Narrow dents may make the curve cross itself; what it encloses is right even then.
 NestRing grown(const NestRing& ring, double distance);
 
-/// Every side moved inside by `depth`, corners by no more than 8 times that. `depth` is small beside all sides.
+/// The ring with every side moved inward by `depth`, corners by at most 8 times that. `depth` must be small compared with
+/// all sides.
 NestRing inset(const NestRing& ring, double depth);
 
 }  // namespace tessera

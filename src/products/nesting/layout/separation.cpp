@@ -7,7 +7,7 @@
 namespace tessera {
 namespace {
 
-/// Less than that part of what was is a gain.
+/// A pass gains where the overlap falls below this part of the former one.
 constexpr double kGain = 0.98;
 
 std::vector<int> overlapping(const NestScene& scene, NestRandom& random) {
@@ -20,7 +20,7 @@ std::vector<int> overlapping(const NestScene& scene, NestRandom& random) {
   return pieces;
 }
 
-/// Every piece that overlaps another moves to where it overlaps less.
+/// Moves every overlapping piece to a place where it overlaps less.
 void move_all_once(NestScene& scene, NestRandom& random) {
   for (const int piece : overlapping(scene, random)) {
     scene.check_stop();

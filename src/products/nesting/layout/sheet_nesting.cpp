@@ -11,12 +11,12 @@
 namespace tessera {
 namespace {
 
-/// Those that fit without moving any other.
+/// Lays the pieces that fit without moving others, and returns the rest.
 std::vector<int> lay_where_free(NestScene& scene, const std::vector<int>& items, NestRandom& random) {
   std::vector<int> left;
   for (const int item : items) {
     scene.check_stop();
-    // Of the same item the next one would fail as well.
+    // If one piece of an item failed, the next one of this item would fail, too.
     NestPlace place;
     const bool free = (left.empty() || left.back() != item) &&
                       place_for_new(scene, item, nest_tuning::kTimesForNew, random, place) && !(place.cost > 0);
@@ -28,7 +28,7 @@ std::vector<int> lay_where_free(NestScene& scene, const std::vector<int>& items,
   return left;
 }
 
-/// Adds the piece where it overlaps least, and separates all.
+/// Adds the piece where it overlaps least, and separates all pieces.
 bool squeeze_in(NestScene& scene, int item, std::uint64_t most_work, NestRandom& random) {
   NestPlace place;
   if (!place_for_new(scene, item, nest_tuning::kTimesForNew, random, place)) return false;
@@ -51,7 +51,7 @@ double area_left(const NestScene& scene) {
 std::vector<int> fill_sheet(NestScene& scene, std::vector<int> items, std::uint64_t most_work, NestRandom& random) {
   order_by_size(scene, items);
   std::vector<int> left = lay_where_free(scene, items, random);
-  // An item that failed has its turn again only after all others had theirs.
+  // An item that failed is tried again only after all others.
   for (bool gained = true; gained && scene.work() < most_work;) {
     gained = false;
     int failed = -1;

@@ -1,4 +1,4 @@
-// As few sheets as are needed: each is filled as well as is found, the largest pieces first.
+// Fills as few sheets as possible, one after the other, the largest pieces first.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace tessera {
 
-/// Puts as many of the pieces, given by their items, on the sheet as are found to fit, and returns the others. What is
-/// put in makes the others move.
+/// Puts as many of the pieces, given by their items, on the sheet as it can, and returns the others. Pieces on the sheet
+/// move to make room.
 std::vector<int> fill_sheet(NestScene& scene, std::vector<int> items, std::uint64_t most_work, NestRandom& random);
 
 }  // namespace tessera

@@ -18,7 +18,7 @@ struct Layout {
   double overlap = 0;
 };
 
-/// Everything right of a random cut moves left, and the strip is shorter by as much. False where a piece is longer.
+/// Shortens the strip at a random cut: all pieces right of it move left. False where a piece is longer than the strip.
 bool shrink(NestScene& scene, double by, NestRandom& random) {
   const double cut = random.between(0, scene.length());
   scene.set_length(scene.length() - by);
@@ -31,8 +31,8 @@ bool shrink(NestScene& scene, double by, NestRandom& random) {
   return scene.clamp_all();
 }
 
-/// Slides the piece left as far as nothing is met on the way by steps, or by one jump to beside another's box. Steps
-/// grow where the way is many times the piece's width: a tiny piece on a long strip would never be there.
+/// Slides the piece left, in steps or by one jump to beside another's box, as far as it meets nothing. Steps grow where the
+/// way is many times the piece's width; otherwise a tiny piece on a long strip would take for ever.
 bool slid_left(NestScene& scene, int piece) {
   constexpr double kFirst = 0.02, kLast = 1e-6;  // parts of the piece's width
   constexpr int kSmallSteps = 128;
@@ -54,7 +54,7 @@ bool slid_left(NestScene& scene, int piece) {
     else if (++steps > kSmallSteps)
       step *= 2;
   }
-  // The exact places that steps only come near to.
+  // The exact places, which steps only come near to.
   goes_to(least);
   for (int other = 0; other < scene.size(); ++other) {
     if (other != piece) goes_to(scene.own_box(other).high.x + scene.spacing() - shape.own_box.low.x);
@@ -62,7 +62,7 @@ bool slid_left(NestScene& scene, int piece) {
   return scene.pose(piece).shift.x < start;
 }
 
-/// Every piece as far left as the others let it, the leftmost first, a few times, as the budget allows.
+/// Slides every piece as far left as the others allow, the leftmost first, a few times, within the budget.
 void slide_all_left(NestScene& scene, std::uint64_t most_work) {
   constexpr int kTimes = 3;
   for (int time = 0; time < kTimes; ++time) {
@@ -91,7 +91,7 @@ void take(NestScene& scene, Layout& best, std::uint64_t most_work, const Shorter
 
 NestPoint middle(const NestBox& box) { return (box.low + box.high) * 0.5; }
 
-/// Two large pieces of different shapes change places.
+/// Swaps two large pieces of different shapes.
 void swap_large_ones(NestScene& scene, NestRandom& random) {
   constexpr double kLargest = 0.5;  // part of the pieces
   std::vector<int> order(std::size_t(scene.size()));
@@ -123,7 +123,7 @@ class Failures {
     layouts_.insert(at, std::move(layout));
   }
   void clear() { layouts_.clear(); }
-  /// Rather one of the first.
+  /// A random layout, more likely one of the first.
   const Layout& any(NestRandom& random) const {
     const double u = random.unit();
     return layouts_[std::size_t(u * u * double(layouts_.size()))];
@@ -182,7 +182,7 @@ void lay_in_order(NestScene& scene, std::vector<int> items, NestRandom& random,
     bool found = place_for_new(scene, item, kTimesForNew, random, place) && !(place.cost > 0);
     if (!found) {
       scene.set_length(length + scene.spacing() + width);
-      // Beyond all others there is room for some angle: the caller has seen that one fits.
+      // Beyond all other pieces there is room for some angle; the caller has checked that one fits.
       for (int angle = 0; !found && angle < scene.angles_of(item); ++angle) {
         const PosedShape& shape = scene.shape(item, angle);
         if (!scene.fits(shape)) continue;

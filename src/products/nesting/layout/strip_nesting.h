@@ -1,4 +1,4 @@
-// The shortest strip: exploring, that is shrinking it and separating the pieces, and compressing what came of it.
+// Finds a short strip in two phases: exploring (shrinking the strip and separating the pieces), and compressing the result.
 // After Gardeyn and Wauters (separation.h), Algorithms "explore" and "compress".
 #pragma once
 
@@ -10,13 +10,13 @@
 
 namespace tessera {
 
-/// Puts pieces of these items one after the other, the largest first, each as far left as is found. They do not overlap;
-/// the strip is as long as they reach. `laid`, if any, is told after each piece which items still have none.
+/// Places pieces of these items one after the other, the largest first, each as far left as it finds. They do not overlap;
+/// the strip ends where they end. `laid` is called after each piece with the items that are still to be placed.
 void lay_in_order(NestScene& scene, std::vector<int> items, NestRandom& random,
                   const std::function<void(std::span<const int> left)>& laid = {});
 
-/// Makes the strip as short as the budget allows. The scene's pieces do not overlap, before and after. `shorter`, if any,
-/// is told each new length.
+/// Makes the strip as short as the budget allows. The scene's pieces do not overlap, before and after. `shorter` is called
+/// with each new length.
 void shorten(NestScene& scene, std::uint64_t most_work, NestRandom& random,
              const std::function<void(double length)>& shorter);
 

@@ -12,29 +12,30 @@
 namespace tessera {
 namespace {
 
-/// What a boundary beside a gap costs, in parts of what one in contact is worth.
+/// The cost of a boundary beside a gap, in units of what a touching boundary is worth.
 constexpr float kGapCost = 1;
-/// How much agreement (of pictures, and of how close boundaries run) adds to the worth of a boundary in contact;
-/// disagreement takes as much away. The boundary itself is worth 1 where it is bent and 0.3 where it is straight.
+/// How much agreement (of pictures, and of how close boundaries are) adds to the worth of a touching boundary; disagreement
+/// takes as much away. The boundary itself is worth 1 where it is bent and 0.3 where it is straight.
 constexpr float kOfAgreement = 0.5f;
-/// Of what is laid in one place: the best and so many others.
+/// Upper bound of branches: the surest place and its best rivals.
 constexpr std::size_t kMostBranches = 4;
-/// A place's contact is worth so much, by its matches from corner to corner (PuzzlePlace::whole_sides): one comes about by
-/// chance, two hardly.
+/// Factor for a place's contact, by its matches from corner to corner (PuzzlePlace::whole_sides): one may be chance, two
+/// hardly.
 constexpr std::array<float, 4> kOfSides = {0.5f, 1, 2, 3};
-/// Coherence is next to nothing where a tenth of the boundaries is beside narrow gaps, and grows with the pieces still.
+/// Coherence is nearly 0 where a tenth of the boundaries is beside narrow gaps, and still grows with the number of pieces.
 constexpr double kGapsAgainst = 10;
 constexpr double kLeastCoherent = 0.05;
-/// What a place must be worth, in sides of a piece: so much agrees by chance. Or, for small pieces, in parts of what
-/// the place would be worth where all of the boundary touched.
+/// The least worth of a place, in sides of a piece, because so much agrees by chance; or, for small pieces, as a part of
+/// the worth that the place would have if all of its boundary touched.
 constexpr float kLeastWorth = 0.3f;
 constexpr float kLeastPart = 0.5f;
-/// Gaps beside a piece that lies where another belongs, in parts of what touches: 15 to 36 %, beside one that belongs there
-/// 7 % at most (400 pieces that have lost a pixel).
+/// The largest part of gaps beside a piece, relative to what touches. A piece where another belongs has 15 to 36 %, a piece
+/// in its own place at most 7 % (400 pieces that have lost a pixel).
 constexpr float kMostBesideGaps = 0.12f;
-/// Of an arrangement, the best; a puzzle of 400 pieces has some hundreds, drawings that are none may have any number.
+/// Upper bound of the places of an arrangement, of which the best are kept. A puzzle of 400 pieces has some hundreds, other
+/// drawings may have any number.
 constexpr std::size_t kMostPlaces = 4'000;
-/// Steps in which a piece comes to rest when it is laid, and in which all do in the end.
+/// Steps of settling for a piece that is laid, and for all pieces in the end.
 constexpr int kSettlingSteps = 3;
 constexpr int kLastSteps = 4;
 
@@ -140,7 +141,7 @@ std::vector<PosedPiece> PuzzleArranger::neighbours(const PosedPiece& piece, cons
   return all;
 }
 
-/// Lets the place come to rest between all that lie around it: the match that led to it knew one of them.
+/// Settles the place between all pieces around it: the match that led to it knew only one of them.
 void PuzzleArranger::settle(PuzzlePlace& place, const std::vector<PosedPiece>& around) const {
   place.pose = settled(posed({place.piece, place.pose}), around, scale_, 1);
   const PosedPiece piece = posed({place.piece, place.pose});
@@ -177,7 +178,7 @@ bool PuzzleArranger::same_place(const PuzzlePlace& a, const PuzzlePlace& b) cons
   return norm(off) < 4 * scale_.tolerance && turned < 0.005f;
 }
 
-/// Whether only one of them can come true.
+/// Whether only one of the two places can be used.
 bool PuzzleArranger::rivals(const PuzzlePlace& a, const PuzzlePlace& b) const {
   if (a.piece == b.piece) return true;
   const PuzzlePiece &p = pieces_[std::size_t(a.piece)], &q = pieces_[std::size_t(b.piece)];
@@ -213,7 +214,7 @@ void PuzzleArranger::lay(const PuzzlePlace& place, Arrangement& in) const {
   in.places.resize(kMostPlaces);
 }
 
-/// Two matches may lead to one place, which then counts the whole sides of both.
+/// Joins the place with an equal one, which then counts the whole sides of both matches.
 bool PuzzleArranger::joins_a_place(const PuzzlePlace& place, Arrangement& in) const {
   const auto there =
       std::find_if(in.places.begin(), in.places.end(), [&](const PuzzlePlace& p) { return same_place(p, place); });
@@ -233,7 +234,7 @@ void PuzzleArranger::add_places_beside(const LaidPiece& laid, Arrangement& in) c
     PuzzlePlace place{.piece = match.piece,
                       .pose = followed_by(match.here_from_there, laid.pose),
                       .whole_sides = match.whole_side ? 1 : 0};
-    if (joins_a_place(place, in)) continue;  // before it comes to rest, which takes longer
+    if (joins_a_place(place, in)) continue;  // before settling, which takes longer
     tell(in);
     const PosedPiece piece = posed({place.piece, place.pose});
     const std::vector<PosedPiece> around = neighbours(piece, in);
@@ -252,14 +253,14 @@ void PuzzleArranger::find_places(Arrangement& in) const {
   }
 }
 
-/// In the frame's corners a piece may lie that no neighbour's side leads to.
+/// Adds places along the frame: in its corners a piece may lie that no neighbour's side leads to.
 Arrangement PuzzleArranger::with_open_frame(Arrangement one) const {
   one.frame_is_open = true;
   add_places_beside(one.laid.front(), one);
   return one;
 }
 
-/// The place that leads most over its rivals, and with it the best of those.
+/// Adds the arrangement with the place that is farthest ahead of its rivals; `with_rivals`: and with the best rivals.
 void PuzzleArranger::branch(const Arrangement& one, bool with_rivals, std::vector<Arrangement>& next) const {
   std::vector<float> rival(one.places.size(), 0);
   for (std::size_t i = 0; i < one.places.size(); ++i) {
@@ -296,7 +297,7 @@ void PuzzleArranger::branch(const Arrangement& one, bool with_rivals, std::vecto
   }
 }
 
-/// The same pieces, laid equally well: as a rule in the same places, whatever their order.
+/// Whether the same pieces are laid equally well. Usually they then lie in the same places, in any order.
 bool PuzzleArranger::same(const Arrangement& a, const Arrangement& b) const {
   return a.used == b.used && std::abs(a.worth - b.worth) < 1e-3;
 }

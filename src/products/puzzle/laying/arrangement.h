@@ -1,5 +1,5 @@
-// Pieces of a puzzle that are laid one after the other: which places are open beside those that lie, what each place is
-// worth, and which arrangement is the best that follows.
+// Lays pieces of a puzzle one after the other: finds the open places beside laid pieces, appraises them, and follows the
+// best arrangements.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,12 @@
 
 namespace tessera {
 
-/// A place that a piece may have, in one arrangement.
+/// A place that a piece may have in one arrangement.
 struct PuzzlePlace {
   int piece = 0;
   Similarity pose = {};
-  std::vector<Beside> beside = {};  // of each point of its boundary
-  float agreement = 0;              // of pictures and boundaries, see_neighbour's sum
+  std::vector<Beside> beside = {};  // for each point of its boundary
+  float agreement = 0;              // of pictures and boundaries: the sum of see_neighbour()
   float worth = 0;
   int whole_sides = 0;  // matches from corner to corner that led to it; one side may have several
 };
@@ -29,22 +29,22 @@ struct LaidPiece {
 };
 
 struct Arrangement {
-  std::vector<LaidPiece> laid;  // the frame first, if any
+  std::vector<LaidPiece> laid;  // the frame comes first, if there is one
   std::vector<bool> used;       // by piece
   std::vector<PuzzlePlace> places;
   double worth = 0;
-  bool frame_is_open = false;  // pieces are looked for along the frame, too
+  bool frame_is_open = false;  // places along the frame are searched, too
 };
 
-/// Part of a piece's boundary, as it counts, that touches others in the end: a straight side agrees with any other, so that
-/// what touches less does not belong to them.
+/// The least part of a piece's weighted boundary that must touch others in the end. A straight side agrees with any other,
+/// so a piece that touches less does not belong there.
 inline constexpr float kLeastTouching = 0.2f;
 
-/// Lays pieces. It refers to what it is given, which may change between two calls.
+/// Lays pieces. It refers to its arguments, which may change between two calls.
 class PuzzleArranger {
  public:
-  /// `frame`: the number of the last piece where that is a frame, else -1. `watch` is called often with the number of
-  /// pieces that lie; what it throws ends the work.
+  /// `frame`: the number of the last piece if that is a frame, else -1. `watch` is called often with the number of laid
+  /// pieces; what it throws ends the work.
   PuzzleArranger(const std::vector<PuzzlePiece>& pieces, const std::vector<std::vector<PieceMatch>>& matches,
                  const PuzzleScale& scale, int frame, std::function<void(std::size_t)> watch)
       : pieces_(pieces),
@@ -60,49 +60,50 @@ class PuzzleArranger {
   const PuzzleScale& scale() const { return scale_; }
   std::vector<PosedPiece> laid_pieces(const Arrangement& in) const;
 
-  /// One piece alone, or the frame.
+  /// An arrangement of one piece, or of the frame.
   Arrangement beginning(int first) const;
 
-  /// One more piece. The places of others that it takes away go, those beside it come.
+  /// Lays one more piece. Places that it takes away are removed, places beside it are added.
   void lay(const PuzzlePlace& place, Arrangement& in) const;
 
-  /// All places beside what lies, for an arrangement that was not made by lay() alone.
+  /// Finds all places beside laid pieces, for an arrangement that was not made by lay() alone.
   void find_places(Arrangement& in) const;
 
-  /// What comes of `starts`, where `width` arrangements are followed at a time: the one with most pieces. More than one
-  /// branch over places that exclude each other.
+  /// Follows `starts`, `width` arrangements at a time, and returns the one with most pieces. With more than one it branches
+  /// over places that exclude each other.
   Arrangement followed_to_the_end(std::vector<Arrangement> starts, int width) const;
 
-  /// All pieces settle along their neighbours; the first one stays.
+  /// Settles all pieces along their neighbours; the first one stays.
   void settle_all(Arrangement& in) const;
 
-  /// Takes out pieces of which less than this part of the boundary, as it counts, touches others, until no such piece is
-  /// left. The first piece stays.
+  /// Takes out pieces of which less than this part of the weighted boundary touches others, until there is no such piece.
+  /// The first piece stays.
   void drop_loose(float least_touching, Arrangement& in) const;
 
-  /// Takes out pieces beside which gaps are long beside what touches: they lie where others belong. The first one stays.
+  /// Takes out pieces whose boundary has much gap compared with what touches, because they lie where others belong. The
+  /// first piece stays.
   void drop_misfits(Arrangement& in) const;
 
   std::size_t placed(const Arrangement& in) const;
 
-  /// Part of the boundary of all pieces that is beside a narrow gap.
+  /// The part of the boundary of all pieces that is beside a narrow gap.
   double gaps(const Arrangement& in) const;
 
-  /// All pieces lie and fit.
+  /// Whether all pieces lie and fit.
   bool whole(const Arrangement& in) const;
 
-  /// How much pieces have in common; what is beside narrow gaps counts against it more than what touches counts for it.
+  /// The agreement of all pieces. A boundary beside a narrow gap counts more against it than a touching one counts for it.
   double coherence(const Arrangement& in) const;
 
-  /// Calls the watch.
+  /// Calls `watch`.
   void tell(const Arrangement& in) const { watch_(placed(in)); }
 
  private:
   std::vector<PosedPiece> neighbours(const PosedPiece& piece, const Arrangement& in, int but = -1) const;
-  /// Parts of a piece's boundary, as it counts.
+  /// Parts of a piece's weighted boundary.
   struct Boundary {
     float touching = 0, beside_gaps = 0;
-    float agreement = 0;  // see_neighbour's
+    float agreement = 0;  // from see_neighbour()
   };
   Boundary boundary_of(const LaidPiece& laid, const Arrangement& in) const;
   void settle(PuzzlePlace& place, const std::vector<PosedPiece>& around) const;

@@ -10,23 +10,23 @@
 namespace tessera {
 namespace {
 
-/// Pieces laid in all, taken back ones included: some 2 ms each.
+/// Upper bound of pieces laid, including those taken back: some 2 ms each.
 constexpr int kMostLaid = 4'000;
-/// Steps in which a piece comes to rest beside what is there.
+/// Steps in which a piece settles beside laid ones.
 constexpr int kCoveringSteps = 3;
-/// How far from a corner it is seen whether something lies there, in steps along the side and away from it: less than
-/// the narrowest corner of a piece, more than the outlines' errors.
+/// Distance from a corner at which it is tested whether something lies there, in steps along the side and away from it:
+/// less than the narrowest corner of a piece, more than the outlines' errors.
 constexpr std::size_t kAlong = 8;
 constexpr float kAway = 2;
-/// Cosines and sines of the directions from a corner, 30 to 165 degrees from its side, in which a corner of what is
-/// free that is narrower than a straight line meets something. Written out, as they must be the same everywhere.
+/// Cosines and sines of directions from a corner, 30 to 165 degrees from its side: a free corner that is narrower than a
+/// straight line meets something in one of these. Written out, because they must be the same on all machines.
 constexpr std::array<Vec2, 6> kTurned = {
     {{0.866025f, 0.5f}, {0.5f, 0.866025f}, {0, 1}, {-0.5f, 0.866025f}, {-0.866025f, 0.5f}, {-0.965926f, 0.258819f}}};
 
-/// A corner of a laid piece, and what may lie from it on along the side ahead.
+/// A corner of a laid piece, and the pieces that may lie along its side ahead.
 struct OpenCorner {
-  std::size_t owner = 0;   // in laid
-  std::size_t corner = 0;  // of the piece
+  std::size_t owner = 0;   // index in laid
+  std::size_t corner = 0;  // corner of that piece
   std::vector<PosedPiece> candidates = {};
 };
 
@@ -75,7 +75,7 @@ class Search {
     return false;
   }
 
-  /// Of the corners that one of them must fill, the candidates of that with the fewest.
+  /// The candidates of the corner with the fewest, among corners that one of them must fill.
   std::vector<PosedPiece> narrowest(const State& state) const {
     const OpenCorner* best = nullptr;
     for (const OpenCorner& corner : state.corners) {
@@ -85,7 +85,7 @@ class Search {
     return best ? best->candidates : std::vector<PosedPiece>{};
   }
 
-  /// A place beside the corner's side that what fills it covers; `turned` away from its direction to the outside.
+  /// A point beside the corner's side that the filling piece covers; `turned` away from its outward direction.
   static Vec2 beside(const PosedPiece& owner, const PuzzleCorner& corner, Vec2 turned) {
     const Vec2 along = corner.ahead[kAlong] - corner.ahead.front();
     const Vec2 outside{along.y, -along.x};
@@ -108,7 +108,7 @@ class Search {
     });
   }
 
-  /// As two congruent pieces do, or one turned by a symmetry of its own.
+  /// Whether both cover the same area, like two congruent pieces, or one piece turned by its own symmetry.
   bool cover_the_same(const PosedPiece& a, const PosedPiece& b) const {
     if (norm(a.pose.apply(a.piece->centre) - b.pose.apply(b.piece->centre)) > 2 * scale_.tolerance) return false;
     if (std::abs(a.piece->area / b.piece->area - 1) > 0.1) return false;

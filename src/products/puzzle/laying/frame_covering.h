@@ -1,4 +1,5 @@
-// Fills a puzzle's frame with straight-sided pieces that may be alike, as a tangram's: any way to cover it holds.
+// Fills a puzzle's frame with straight-sided pieces that may be alike, as in a tangram: any way to cover the frame is
+// right.
 #pragma once
 
 #include <functional>
@@ -11,13 +12,13 @@
 
 namespace tessera {
 
-/// More pieces are not tried.
+/// It tries at most so many pieces.
 inline constexpr std::size_t kMostCoveringPieces = 24;
 
-/// Poses frame_from_piece of all pieces but the last, which is the frame; nothing where none were found in a bounded
-/// number of steps. A corner of what is free that is narrower than a straight line can only be filled by a corner of a
-/// piece that lies along its side: the corner with the fewest such pieces comes first, each is tried, and where there
-/// is none the last piece goes back. `watch` is called before each piece.
+/// The poses frame_from_piece of all pieces but the last, which is the frame; empty where a bounded number of steps finds
+/// none. A corner of the free area that is narrower than a straight line can only be filled by a piece's corner along its
+/// side. The corner with the fewest such pieces comes first, each of them is tried, and where there is none the last piece
+/// is taken back. `check_stop` is called before each piece.
 std::optional<std::vector<Similarity>> frame_covering(const std::vector<PuzzlePiece>& pieces,
                                                       const std::vector<std::vector<PieceMatch>>& matches,
                                                       const PuzzleScale& scale, const StopCheck& check_stop);

@@ -8,16 +8,15 @@ namespace {
 
 /// In tolerances: boundaries that are farther apart do not pull.
 constexpr float kPullingReach = 2;
-/// A weak pull towards where a piece lies, as strong as that of so many boundary points. It decides only where no neighbour
-/// pulls.
+/// A weak pull towards a piece's present pose, in boundary points. It only matters where no neighbour pulls.
 constexpr double kKeeping = 1e-3;
 
-/// How a point of a boundary moves along a normal with the two shifts and the turn of its piece.
+/// How a boundary point moves along a normal with the two shifts and the turn of its piece.
 Eigen::Vector3d by_pose(Vec2 p, Vec2 centre, Vec2 normal, double arm) {
   return {normal.x, normal.y, cross(p - centre, normal) / arm};
 }
 
-/// Least squares over the poses of all pieces but the first, three unknowns each.
+/// Least squares over the poses of all pieces but the first, with three unknowns each.
 class Pulls {
  public:
   Pulls(const std::vector<PosedPiece>& pieces, const PuzzleScale& scale)
@@ -33,7 +32,7 @@ class Pulls {
     }
   }
 
-  /// Where the pieces come to lie.
+  /// The pieces in their new poses.
   std::vector<PosedPiece> moved_pieces() const {
     Eigen::SparseMatrix<double> hessian(gradient_.size(), gradient_.size());
     hessian.setFromTriplets(entries_.begin(), entries_.end());
@@ -49,8 +48,8 @@ class Pulls {
   }
 
  private:
-  /// Adds the pull between two pieces: each point of piece i that lies near the boundary of piece j. A frame has no points of
-  /// its own here; the pieces along it pull.
+  /// Adds the pull between two pieces: each point of piece i near the boundary of piece j. A frame has no points of its own
+  /// here; the pieces along it pull.
   void add(std::size_t i, std::size_t j) {
     const PosedPiece &here = pieces_[i], &there = pieces_[j];
     if (here.piece->area < 0) return;
@@ -75,7 +74,7 @@ class Pulls {
     if (near_any) put(i, j, hessian, gradient);
   }
 
-  /// The place of one of the six unknowns of two pieces among all; negative: of the first piece, which stays.
+  /// The index of one of the six unknowns of two pieces among all; negative for the first piece, which stays.
   static Eigen::Index place(std::size_t i, std::size_t j, int k) {
     const std::size_t piece = k < 3 ? i : j;
     return piece == 0 ? -1 : Eigen::Index(3 * (piece - 1)) + k % 3;
@@ -95,7 +94,7 @@ class Pulls {
 
   const std::vector<PosedPiece>& pieces_;
   const PuzzleScale& scale_;
-  const double arm_;  // brings turns to lengths
+  const double arm_;  // turns angles into lengths
   std::vector<Eigen::Triplet<double>> entries_;
   Eigen::VectorXd gradient_;
 };

@@ -12,52 +12,53 @@
 namespace tessera {
 namespace {
 
-/// Parts by which areas and radii of pieces of one outline differ at most.
+/// The largest relative differences of areas and radii of pieces with one outline.
 constexpr double kSameSize = 0.05;
-/// Tolerances by which outlines of one shape differ, as they were traced.
+/// The largest difference of outlines of one shape, in tolerances; it comes from tracing.
 constexpr float kSameOutline = 3;
-/// Agreement for a point of the cuts below which another place is as good; it goes from -1 to 1. Where all is right it is
-/// 0.2 and more (chelsea.png in 20 rectangles), where pieces lie wrongly some are below 0.08.
+/// Agreement (-1 to 1) for each point of the cuts; below it another place is as good. A right puzzle has 0.2 and more
+/// (chelsea.png in 20 rectangles); wrongly laid pieces have less than 0.08.
 constexpr float kAsGood = 0.1f;
-/// Mean agreement along a side below which it is worth looking for another order, and below which pieces are strangers. Of
-/// right ones the least seen was 0.07 (the same).
+/// Mean agreement along a side: below the first another order is searched, below the second the pieces are unrelated. The
+/// least of right pieces was 0.07 (same puzzle).
 constexpr float kPoorSide = 0.1f;
 constexpr float kStrangers = -0.3f;
-/// Points of a side, in parts of a piece's: pieces that meet at a corner share fewer.
+/// Least number of points of a side, as a part of a piece's points: pieces that meet at a corner share fewer.
 constexpr float kLeastSide = 0.1f;
-/// What fills a place in one way takes 2 KB: some 300 rectangles.
+/// Each way to fill a place takes 2 KB; this is enough for some 300 rectangles.
 constexpr std::size_t kMostWays = 200'000;
-/// Where exchanges alone leave a doubt, the places are filled anew from many beginnings, at most so many. One filling takes
-/// time with the square of the pieces, so that there are fewer beginnings where there are more pieces.
+/// The most beginnings from which the places are filled anew where exchanges leave a doubt. The time of one filling grows
+/// with the square of the pieces, so more pieces get fewer beginnings.
 constexpr int kBeginningsOfFew = 600;
 constexpr int kBeginningsBySquare = 300'000;
-/// Exchanges make a filling better by some tenths, and take most of the time: so much of the best one is worth them.
+/// Exchanges improve a filling by some tenths and take most of the time: only fillings with this part of the best agreement
+/// get them.
 constexpr float kWorthExchanging = 0.8f;
 
 bool is_turned_alike(const Similarity& a, const Similarity& b) { return a.a * b.a + a.b * b.b > 0.99f; }
 
 using Colours = std::vector<std::optional<PiecePicture::Colour>>;  // at the ends of a slot
 
-/// How a piece fills a slot.
+/// A way in which a piece fills a slot.
 struct Way {
   Similarity pose;
   Colours colours;
 };
 
-/// A place that is filled by one piece or another.
+/// A place that one piece or another may fill.
 struct Slot {
-  PosedPiece first;                              // what lay there at first: the place's outline
-  std::vector<int> ends = {};                    // of contacts: twice its number, and 1 more on its second side
+  PosedPiece first;                              // the piece that was there first: the place's outline
+  std::vector<int> ends = {};                    // of contacts: twice the contact's number, plus 1 on its second side
   std::map<int, std::vector<Way>> fitting = {};  // by piece
 };
 
-/// A point of the cut between two slots, and what is a little inside of each.
+/// A point of the cut between two slots, and points a little inside each of them.
 struct Contact {
   int slots[2] = {};
   Vec2 inside[2] = {};
 };
 
-/// What fills a slot.
+/// The piece in a slot, and its way.
 struct Filling {
   int piece = 0;
   const Way* way = nullptr;
@@ -65,7 +66,7 @@ struct Filling {
 
 struct Change {
   float gain = 0;
-  Filling a, b;  // nothing: there is none
+  Filling a, b;  // no way: there is none
 };
 
 class Exchange {
@@ -81,7 +82,7 @@ class Exchange {
 
   bool is_feasible() const { return ways_ <= kMostWays; }
 
-  /// As long as an exchange or a turn makes the whole agree better.
+  /// Makes exchanges and turns as long as they make the whole agree better.
   void improve(const StopCheck& check_stop) {
     constexpr float kLeastGain = 1e-3f;  // more than sums are rounded by
     for (bool better = true; better;) {
@@ -98,8 +99,9 @@ class Exchange {
     }
   }
 
-  /// Fills all slots anew from many beginnings and keeps the best filling. A beginning is one piece in one slot; the slot and
-  /// the piece that agree best with what lies are filled next. Swaps alone cannot move a group of pieces that fit each other.
+  /// Fills all slots anew from many beginnings and keeps the best filling. A beginning is one piece in one slot; then the
+  /// slot and the piece are filled that agree best with the laid ones. Exchanges alone cannot move a group of pieces that
+  /// fit each other.
   void grow(const StopCheck& check_stop) {
     std::vector<Filling> best = fillings_;
     float most = agreement();
@@ -119,7 +121,7 @@ class Exchange {
 
   bool has_poor_side() const { return count_of(beside_sides_below(kPoorSide)) > 0; }
 
-  /// Pieces that agree about as well after a change, or lie beside strangers.
+  /// The number of pieces that agree about as well after a change, or lie beside unrelated ones.
   int undecided(const StopCheck& check_stop) const {
     std::vector<bool> open = beside_sides_below(kStrangers);
     for (int a = 0; a < count(); ++a) {
@@ -163,7 +165,7 @@ class Exchange {
     }
   }
 
-  /// A piece's own pose is the first of its own slot's.
+  /// Adds the ways of all pieces. A piece's own pose comes first in its own slot.
   void add_ways(int s) {
     for (int piece = 0; piece < count() && ways_ <= kMostWays; ++piece) {
       std::vector<Similarity> poses;
@@ -176,7 +178,7 @@ class Exchange {
     slot(s).fitting[s].push_back({slot(s).first.pose, {}});
   }
 
-  /// Where outlines lie on each other, a corner on each corner.
+  /// Adds poses in which the outlines lie on each other, corner on corner.
   void add_fitting_poses(int s, int piece, std::vector<Similarity>& poses) const {
     const PuzzlePiece &p = *slot(piece).first.piece, &q = *slot(s).first.piece;
     if (p.corners.empty() || std::abs(p.area / q.area - 1) > kSameSize ||
@@ -194,7 +196,7 @@ class Exchange {
     }
   }
 
-  /// From one direction to the other, which is as long; else nothing.
+  /// The rotation from one direction to the other; empty where their lengths differ.
   std::optional<Similarity> turning(Vec2 from, Vec2 to) const {
     if (std::abs(norm(from) - norm(to)) > kSameOutline * scale_.tolerance) return std::nullopt;
     const Vec2 turn{dot(from, to), cross(from, to)};
@@ -211,7 +213,7 @@ class Exchange {
 
   static int count_of(const std::vector<bool>& slots) { return int(std::count(slots.begin(), slots.end(), true)); }
 
-  /// Slots with pieces that may lie elsewhere, and with a side along which the pictures agree less than that.
+  /// Marks slots whose pieces may lie elsewhere and that have a side with less agreement than `least`.
   std::vector<bool> beside_sides_below(float least) const {
     struct Side {
       float agreement = 0;
@@ -253,7 +255,7 @@ class Exchange {
     return colours;
   }
 
-  /// Slots from `a` on that may change with it.
+  /// The slots from `a` on that may exchange their pieces with it.
   std::vector<int> alike_from(int a) const {
     std::vector<int> alike;
     for (int b = a; b < count(); ++b) {
@@ -262,8 +264,8 @@ class Exchange {
     return alike;
   }
 
-  /// How well the contacts of a slot agree, if that is what fills it, and that what fills `other`; those between both
-  /// count or not.
+  /// The agreement of the contacts of slot `s`, if it has the way `in_s` and `other` has `in_other`. `with_between`:
+  /// contacts between the two slots count.
   float agreement_at(int s, const Way& in_s, int other, const Way& in_other, bool with_between) const {
     const std::vector<int>& ends = slot(s).ends;
     float sum = 0;
@@ -286,14 +288,14 @@ class Exchange {
     return agreement_at(a, in_a, b, in_b, true) + (a == b ? 0 : agreement_at(b, in_b, a, in_a, false));
   }
 
-  /// Of all; every contact counts twice.
+  /// The agreement of all slots; every contact counts twice.
   float agreement() const {
     float sum = 0;
     for (int s = 0; s < count(); ++s) sum += agreement_at(s, *filling(s).way, s, *filling(s).way, true);
     return sum;
   }
 
-  /// The best of all that changes what fills a and b; with a == b the piece is turned.
+  /// The best change of the pieces in a and b; with a == b the piece is turned.
   Change best_change(int a, int b) const {
     const auto for_a = slot(a).fitting.find(filling(b).piece), for_b = slot(b).fitting.find(filling(a).piece);
     if (for_a == slot(a).fitting.end() || for_b == slot(b).fitting.end()) return {};
@@ -335,13 +337,13 @@ class Exchange {
 
   int most_beginnings() const { return std::clamp(kBeginningsBySquare / (count() * count()), 1, kBeginningsOfFew); }
 
-  /// Finds the piece that would fill a slot best, beside the pieces that lie.
+  /// An offer: the piece that fills a slot best, beside the laid pieces.
   struct Offer {
     Filling filling = {-1, nullptr};
     float agreement = -1e9f;
   };
 
-  /// False: a slot is left for which there is no piece.
+  /// Fills all slots. False: there is no piece for a slot.
   bool fill_from(const Beginning& beginning) {
     fillings_.assign(slots_.size(), Filling{-1, nullptr});
     std::vector<bool> used(slots_.size(), false);

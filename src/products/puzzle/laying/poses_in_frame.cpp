@@ -8,20 +8,21 @@
 namespace tessera {
 namespace {
 
-/// Turns that are tried; between two of them a boundary two pieces from the centre moves by less than a tenth of one.
+/// The number of turns that are tried. Between two of them a boundary two pieces from the centre moves by less than a tenth
+/// of a piece.
 constexpr int kTurns = 128;
-/// Of these, so many are followed.
+/// How many of these are followed.
 constexpr std::size_t kMostPoses = 8;
-/// Rest after so many steps of Gauss and Newton.
+/// Gauss-Newton steps until a pose is settled.
 constexpr int kSteps = 30;
-/// Of the outer boundary, so many points in all.
+/// Points of the outer boundary, at most.
 constexpr std::size_t kMostPoints = 512;
-/// Part of the frame's edge that pieces reach where they have its scale, and part of their outer boundary that may lie
-/// beyond it.
+/// Part of the frame's edge that pieces must reach at the right scale, and part of their outer boundary that may lie beyond
+/// it.
 constexpr float kLeastReached = 0.6f;
 constexpr float kMostBeyond = 0.02f;
 
-/// The points of all pieces' boundaries beside which no other piece lies, as if they were one piece.
+/// The boundary points of all pieces beside which no other piece lies, as if all were one piece.
 PuzzlePiece outer_boundary(const std::vector<PosedPiece>& laid, const PuzzlePiece& frame, const PuzzleScale& scale) {
   PuzzlePiece outer{.outline = frame.outline};
   double x = 0, y = 0, length = 0;
@@ -56,7 +57,7 @@ PuzzlePiece outer_boundary(const std::vector<PosedPiece>& laid, const PuzzlePiec
 
 /// The convex hull of points, seen from evenly spaced directions.
 struct Hull {
-  Vec2 centre;      // its Steiner point: moves, turns and grows with the points
+  Vec2 centre;      // its Steiner point, which moves, turns and grows with the points
   float width = 0;  // mean
 };
 
@@ -78,24 +79,24 @@ Hull hull_of(const std::vector<Vec2>& points) {
   return {{float(kOfSum * x), float(kOfSum * y)}, float(kOfSum * sum)};
 }
 
-/// Mean distance from the frame, at most `reach`.
+/// The mean distance from the frame, at most `reach`.
 float distance_from(const PuzzlePiece& frame, const PuzzlePiece& outer, const Similarity& pose, float reach) {
   double sum = 0;
   for (const Vec2 p : outer.points) sum += frame.outline.approach(pose.apply(p), reach).distance;
   return outer.points.empty() ? reach : float(sum / double(outer.points.size()));
 }
 
-using Tried = std::vector<std::pair<float, Similarity>>;  // with how far the outer boundary is from the frame
+using Tried = std::vector<std::pair<float, Similarity>>;  // with the distance of the outer boundary from the frame
 
 void sort_nearest_first(Tried& tried) {
   std::stable_sort(tried.begin(), tried.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
 }
 
-/// The hull's centre on that of the frame, enlarged so many times, at all turns: the best.
+/// The best poses with the hull's centre on that of the frame, enlarged `times` times, over all turns.
 Tried turned_in_frame(const PuzzlePiece& outer, const Hull& hull, const PuzzlePiece& frame, const Hull& frame_hull,
                       float times, const PuzzleScale& scale) {
   Tried tried;
-  // Not by sines and cosines, which differ from machine to machine: half a turn's tangent goes from -1 to 1, twice.
+  // Without sines and cosines, which differ from machine to machine: half a turn's tangent goes from -1 to 1, twice.
   for (int k = 0; k < kTurns; ++k) {
     const float half = 4 * (float(k % (kTurns / 2)) + 0.5f) / float(kTurns) - 1;
     const float sign = k < kTurns / 2 ? 1.f : -1.f, length = 1 + half * half;
@@ -109,8 +110,8 @@ Tried turned_in_frame(const PuzzlePiece& outer, const Hull& hull, const PuzzlePi
   return tried;
 }
 
-/// Moved, turned and scaled so that what is nearer to the frame than `reach` lies along it: least squares, as settled()
-/// does it without the scale.
+/// Moves, turns and scales the boundary so that the parts nearer to the frame than `reach` lie along it: least squares like
+/// settled(), but with the scale.
 Similarity along_frame(const PuzzlePiece& outer, Similarity pose, const PuzzlePiece& frame, float reach, float arm) {
   for (int step = 0; step < kSteps / 3; ++step) {
     Eigen::Matrix4d hessian = Eigen::Matrix4d::Identity() * 0.5;
@@ -135,7 +136,7 @@ Similarity along_frame(const PuzzlePiece& outer, Similarity pose, const PuzzlePi
   return pose;
 }
 
-/// Part of the frame's edge along which outer boundary lies; 0: some of it lies beyond the edge.
+/// The part of the frame's edge that the outer boundary reaches; 0: too much of it lies beyond the edge.
 float reached_part(const PuzzlePiece& outer, const Similarity& pose, const PuzzlePiece& frame,
                    const PuzzleScale& scale) {
   std::size_t there = 0, beyond = 0;

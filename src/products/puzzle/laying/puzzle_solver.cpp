@@ -20,33 +20,33 @@
 namespace tessera {
 namespace {
 
-/// Beginnings without a frame, where most of the pieces do not go together.
+/// Beginnings without a frame, for puzzles in which most pieces do not fit together.
 constexpr int kMostIslands = 4;
-/// Pieces that may lie in a corner of the frame.
+/// The most pieces that are tried in a corner of the frame.
 constexpr std::size_t kMostBeginnings = 16;
-/// Arrangements times pieces: more than 250 pieces are laid by greed alone.
+/// Arrangements times pieces: a puzzle of more than 250 pieces is solved greedily.
 constexpr int kMostFollowed = 2'000;
-/// Arrangements that are followed at a time at most, and beside pieces that were moved into the frame.
+/// The most arrangements that are followed at a time, also beside pieces that were moved into the frame.
 constexpr int kWidest = 64, kWidestBesideMoved = 8;
-/// The same where pieces may be grown in several ways: what is cheap comes first, for all of them.
+/// The same where pieces may be grown in several ways: the cheap search is made for all ways first.
 constexpr std::array<int, 2> kWidestInTurn = {1, 8};
-/// Part of a frame that is full, as exact as outlines are; other pieces are foreign.
+/// The part of a frame that counts as full, because outlines are not exact; other pieces are foreign.
 constexpr double kFull = 0.985;
-/// Places in the frame of what was laid without it that are looked at in full.
+/// Poses in the frame of what was laid without it that are tried in full.
 constexpr std::size_t kMostMoves = 4;
-/// Scales less apart are one, as what fills the frame says it better.
+/// Scales that differ by less count as equal; filling the frame tells the scale better.
 constexpr double kSameScale = 0.01;
-/// A piece of which less than this part touches others may hang outside, by a straight side, while its place is a hole.
+/// A piece of which less than this part touches others may hang outside by a straight side, while its place is a hole.
 constexpr float kLeastHeld = 0.5f;
-/// How often the holes of what was laid are filled, each time by at least so much of what the pieces have in common.
+/// How often holes are filled, and the least gain of coherence each time.
 constexpr int kMostFillings = 8;
 constexpr double kLeastFuller = 1e-6;
-/// Frames that are tried where nearly all pieces lie, and how much larger each is than the one before.
+/// Larger frames to try where nearly all pieces lie, and the growth from one to the next.
 constexpr int kLargerFrames = 4;
 constexpr double kLarger = 0.001;
 
-/// Mean distance of the pictures' colours between places of different pieces, along their boundaries; 0 without
-/// pictures, and of plain ones.
+/// The mean distance of the pictures' colours between places of different pieces, along their boundaries. 0 without
+/// pictures, and for plain ones.
 float contrast_of(const std::vector<PuzzlePiece>& pieces, const PuzzleScale& scale) {
   constexpr std::size_t kPlaces = 16;  // of each piece
   constexpr float kPlain = 4;          // levels of 255
@@ -77,7 +77,7 @@ PuzzleScale scale_of(const std::vector<std::vector<Vec2>>& pieces) {
 
 struct Solved {
   PuzzleSolution solution = {};
-  bool done = false;     // nothing is left to be laid, or no room in the frame, and what lies there fits
+  bool done = false;     // no piece is left, or no room in the frame, and the laid pieces fit
   double coherence = 0;  // PuzzleArranger::coherence
 };
 
@@ -99,8 +99,8 @@ class Solver {
     matches_ = piece_matches(pieces_, scale_, tell_matching());
   }
 
-  /// Pieces among themselves first: what fits a frame's straight edges is found by chance. What pieces alone do not
-  /// decide, a frame may.
+  /// Solves the puzzle. The pieces are first laid without the frame, because matches with its straight edges are often
+  /// chance. The frame may decide what the pieces alone do not.
   Solved solve(const PuzzleInput& input) {
     Arrangement alone = solved_alone();
     if (frame_ < 0 || (arranger_.whole(alone) && fit_into_frame(alone))) return solution_of(std::move(alone));
@@ -115,15 +115,15 @@ class Solver {
   }
 
  private:
-  /// As it lies round pieces that are `times` as large.
+  /// The frame for pieces that are `times` as large.
   PuzzlePiece frame_piece(const std::vector<Vec2>& frame, double times) const {
     std::vector<Vec2> around(frame.rbegin(), frame.rend());
     for (Vec2& p : around) p = p * float(1 / times);
     return puzzle_piece(around, scale_);
   }
 
-  /// Without the frame. What matches longest may be strangers that fit each other alone: then what is left over is
-  /// tried.
+  /// Solves without the frame. The longest match may join foreign pieces that only fit each other; then the remaining
+  /// pieces are tried.
   Arrangement solved_alone() const {
     Arrangement best = solved({arranger_.beginning(longest_match(std::vector<bool>(pieces_.size())))}, widest_);
     std::vector<bool> tried = best.used;
@@ -135,7 +135,7 @@ class Solver {
     return best;
   }
 
-  /// The piece with the longest match but for the frame, of those that were not tried.
+  /// The piece with the longest match, without the frame, among those that were not tried.
   int longest_match(const std::vector<bool>& tried) const {
     int longest = 0;
     float most = -1;
@@ -155,7 +155,7 @@ class Solver {
     return poses;
   }
 
-  /// Each beginning alone, then more and more arrangements at a time, until one is whole.
+  /// Follows each beginning alone, then more and more arrangements at a time, until one is whole.
   Arrangement solved(const std::vector<Arrangement>& starts, int widest) const {
     Arrangement best = starts.front();
     const auto follow = [&](const std::vector<Arrangement>& from, int width) {
@@ -180,9 +180,9 @@ class Solver {
     return found;
   }
 
-  /// When all have settled there may be room where there was none, as small errors ran through all pieces before; and it
-  /// shows which lie where others belong, or hang outside. What has more in common wins, even with a piece less: the next
-  /// round may lay that again.
+  /// Fills holes after all pieces have settled: small errors have disappeared, so there may be room, and pieces in wrong
+  /// places show. The arrangement with more coherence wins, even with a piece less, because the next round may lay that
+  /// again.
   Arrangement filled_up(Arrangement found) const {
     double coherence = arranger_.coherence(found);
     for (int round = 0; round < kMostFillings; ++round) {
@@ -205,8 +205,8 @@ class Solver {
     return found;
   }
 
-  /// Without pieces that lie where others belong. `hanging_too`: and without those that hang; none of these where taking
-  /// them out would leave less than half, as of pieces with straight sides, which touch each other little.
+  /// The arrangement without pieces that lie where others belong; `hanging_too`: also without hanging ones. Hanging pieces
+  /// stay where less than half would be left, as with straight-sided pieces, which touch each other little.
   Arrangement without_misfits(const Arrangement& found, bool hanging_too) const {
     Arrangement sound = found;
     arranger_.drop_misfits(sound);
@@ -217,7 +217,8 @@ class Solver {
     return held;
   }
 
-  /// What was laid alone, by each piece that may lie in a corner of the frame, or by its outer boundary.
+  /// Poses in the frame of what was laid without it: by each piece that may lie in a corner of the frame, or by its outer
+  /// boundary.
   std::vector<Similarity> poses_of(const Arrangement& alone) const {
     std::vector<Similarity> poses;
     for (const PieceMatch& match : matches_[std::size_t(frame_)]) {
@@ -230,7 +231,7 @@ class Solver {
     return poses;
   }
 
-  /// False: nowhere do all lie in it and fit.
+  /// Moves the arrangement into the frame. False: there is no pose in which all pieces lie in it and fit.
   bool fit_into_frame(Arrangement& in) const {
     for (const Similarity& frame_from_puzzle : poses_of(in)) {
       if (pieces_within_frame(in, frame_from_puzzle, arranger_) < arranger_.placed(in)) continue;
@@ -242,7 +243,7 @@ class Solver {
     return false;
   }
 
-  /// The scale at which what was laid alone reaches the frame's edges, where it is another one. False: nothing changed.
+  /// Takes the scale at which the laid pieces reach the frame's edges, if it differs. False: nothing changed.
   bool take_scale(const Arrangement& alone, const std::vector<Vec2>& frame) {
     const auto pose = scaled_pose_in_frame(arranger_.laid_pieces(alone), pieces_[std::size_t(frame_)], scale_);
     if (!pose || std::abs(double(pose->scale()) - 1) < kSameScale) return false;
@@ -256,8 +257,8 @@ class Solver {
     match_frame_anew(pieces_, scale_, matches_, tell_matching());
   }
 
-  /// A scale that follows from areas is a little wrong where outlines are, and then the last row finds no room. Where most
-  /// pieces lie, the frame is made larger bit by bit.
+  /// A scale computed from areas has small errors, so that the last row may find no room. Where most pieces lie, this tries
+  /// slightly larger frames.
   Arrangement in_larger_frames(Arrangement best, const std::vector<Vec2>& frame) {
     const double first = times_;
     double best_times = times_;
@@ -274,7 +275,7 @@ class Solver {
     return best;
   }
 
-  /// As many pieces as fit together in the frame.
+  /// Solves in the frame, with as many pieces as fit together.
   Arrangement solved_in_frame(const Arrangement& alone) const {
     const Arrangement moved = best_moved(alone);
     const bool sound = arranger_.placed(moved) == arranger_.placed(alone) &&
@@ -292,7 +293,7 @@ class Solver {
     return in;
   }
 
-  /// What was laid alone where most of it lies in the frame; what does not is taken out.
+  /// Moves what was laid without the frame into it, where most of it fits; the rest is taken out.
   Arrangement best_moved(const Arrangement& alone) const {
     std::vector<std::pair<std::size_t, Similarity>> tried;
     for (const Similarity& pose : poses_of(alone))
@@ -326,7 +327,7 @@ class Solver {
     return empty;
   }
 
-  /// One piece in a corner of the frame, each that may lie in one: from there on pieces follow pieces.
+  /// Begins with one piece in a corner of the frame, each that may lie in one; others follow from there.
   Arrangement from_corners() const {
     Arrangement empty = arranger_.beginning(frame_);
     std::stable_sort(empty.places.begin(), empty.places.end(),
@@ -343,7 +344,7 @@ class Solver {
     return solved(starts, widest_);
   }
 
-  /// The frame filled in any way, or else what there is.
+  /// Fills the frame in any way; returns `other` where that fails.
   Arrangement covering_or(Arrangement other) const {
     if (arranger_.whole(other)) return other;
     const auto poses = frame_covering(pieces_, matches_, scale_, [&] { tell_laying(0); });
@@ -355,7 +356,7 @@ class Solver {
     return arranger_.whole(all) ? all : other;
   }
 
-  /// Pieces of one outline to where their pictures agree best. Returns how many might as well lie elsewhere.
+  /// Moves pieces of one outline to where their pictures agree best. Returns how many might as well lie elsewhere.
   int exchange_alike(Arrangement& in) const {
     const std::size_t first = arranger_.is_frame(in.laid.front()) ? 1 : 0;
     const std::vector<PosedPiece> all = arranger_.laid_pieces(in);
@@ -398,20 +399,20 @@ class Solver {
     return [this](std::size_t piece) { watch_({.laying = false, .done = piece, .of = pieces_.size()}); };
   }
 
-  /// Of the arrangement that is being laid.
+  /// Reports the present arrangement.
   void tell_laying(std::size_t laid) const { watch_({.laying = true, .done = laid, .of = arranger_.pieces_count()}); }
 
   const int widest_;  // arrangements that are followed at a time at most
   PuzzleScale scale_;
   const std::function<void(const PuzzleProgress&)>& watch_;
   std::vector<PuzzlePiece> pieces_;
-  const int frame_;   // its number; -1: none
+  const int frame_;   // index of the frame; -1: none
   double times_ = 1;  // PuzzleSolution::scale
   std::vector<std::vector<PieceMatch>> matches_;
   PuzzleArranger arranger_;
 };
 
-/// How much longer the pieces are when they are grown, as the square root of their area.
+/// By how much the pieces become longer when they are grown: the ratio of the square roots of their areas.
 double times_grown(const std::vector<std::vector<Vec2>>& before, const std::vector<std::vector<Vec2>>& after) {
   double area_before = 0, area_after = 0;
   for (const std::vector<Vec2>& polygon : before) area_before += signed_area(polygon);
@@ -419,7 +420,7 @@ double times_grown(const std::vector<std::vector<Vec2>>& before, const std::vect
   return std::sqrt(area_after / area_before);
 }
 
-/// A frame that was made as large as all pieces grows with them.
+/// Solves with grown pieces. A frame that was made as large as all pieces grows with them.
 Solved solved_grown(const PuzzleInput& input, float erosion, int widest) {
   PuzzleInput grown = input;
   for (std::vector<Vec2>& polygon : grown.pieces) polygon = grown_polygon(polygon, erosion);

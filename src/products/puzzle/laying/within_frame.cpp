@@ -8,14 +8,15 @@
 namespace tessera {
 namespace {
 
-/// Tolerances by which a piece may reach beyond the edge before it is moved in, or before all pieces settle.
+/// In tolerances: how far a piece may reach beyond the edge before it is moved in, or before all pieces settle.
 constexpr float kMovedIn = 4, kBeforeSettling = 8;
-/// Of a piece's boundary, so many points say about where it lies.
+/// The number of boundary points that tell about where a piece lies.
 constexpr std::size_t kFewPoints = 12;
-/// A piece is moved in by what reaches farthest, so many times: in a corner two sides take turns.
+/// The most moves of a piece into the frame; in a corner two sides take turns.
 constexpr int kMoves = 12;
 
-/// Its solid part is what lies round it (puzzle_piece.h).
+/// Whether the point lies beyond the frame's edge by more than `distance`; the solid part of a frame is the area around it
+/// (puzzle_piece.h).
 bool is_beyond(const PosedPiece& frame, Vec2 p, float distance) {
   return covers(frame, p) && !frame.piece->outline.nearer_than(distance, p);
 }
@@ -29,7 +30,7 @@ bool is_about_within(const PosedPiece& piece, const PosedPiece& frame, float dis
   return true;
 }
 
-/// From the point of the piece that lies farthest beyond the edge, of those within `reach` of it, to the edge.
+/// The way to the edge from the piece's point that lies farthest beyond it, among points within `reach` of the edge.
 Vec2 way_in(const PosedPiece& piece, const PosedPiece& frame, float reach) {
   Vec2 way{0, 0};
   float farthest = 0;
@@ -49,7 +50,7 @@ bool is_within(const PosedPiece& piece, const PosedPiece& frame, float distance)
                       [&](Vec2 point) { return is_beyond(frame, piece.pose.apply(point), distance); });
 }
 
-/// The pose near by at which it lies in the frame; nothing: it lies too far beyond the edge.
+/// The near pose in which the piece lies in the frame; empty: it is too far beyond the edge.
 std::optional<Similarity> within(PosedPiece piece, const PosedPiece& frame, const PuzzleScale& scale) {
   if (is_within(piece, frame, scale.tolerance)) return piece.pose;
   if (!is_within(piece, frame, kMovedIn * scale.tolerance)) return {};

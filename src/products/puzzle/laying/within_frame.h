@@ -1,4 +1,4 @@
-// Which pieces lie in the frame of their puzzle: nothing is laid beyond its edge.
+// Keeps pieces within the frame of their puzzle.
 #pragma once
 
 #include <cstddef>
@@ -7,17 +7,17 @@
 
 namespace tessera {
 
-/// About how many pieces of an arrangement without a frame lie in it, moved as a whole.
+/// About how many pieces of an arrangement without a frame lie in the frame, when it is moved as a whole.
 std::size_t pieces_within_frame(const Arrangement& alone, const Similarity& frame_from_puzzle,
                                 const PuzzleArranger& arranger);
 
-/// The arrangement in the frame, which comes first in it, settled; without the pieces that lie beyond the frame's edge,
-/// and without those that touch hardly anything then. Its places are not known.
+/// The arrangement moved into the frame, which becomes its first piece, and settled. Pieces beyond the frame's edge are
+/// left out, and pieces that then hardly touch others. Its places are not known.
 Arrangement moved_into_frame(const Arrangement& alone, const Similarity& frame_from_puzzle,
                              const PuzzleArranger& arranger);
 
-/// Of an arrangement in its frame: pieces that reach beyond the edge by more than the tolerance of outlines are moved
-/// in, if they do so by little, and taken out otherwise.
+/// Handles pieces of an arrangement in its frame that reach beyond the edge by more than the outlines' tolerance: it moves
+/// them in if it is little, and takes them out otherwise.
 void keep_within_frame(Arrangement& in, const PuzzleArranger& arranger);
 
 }  // namespace tessera

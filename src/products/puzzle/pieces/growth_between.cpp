@@ -7,17 +7,17 @@
 namespace tessera {
 namespace {
 
-/// Steps of Gauss and Newton.
+/// Gauss-Newton steps.
 constexpr int kGrowthSteps = 5;
 /// In tolerances: boundaries that are farther apart belong to other sides.
 constexpr float kGrowthReach = 2;
-/// Fewer points than a short side has say nothing.
+/// The least number of points, those of a short side; fewer tell nothing.
 constexpr std::size_t kLeastPoints = 24;
-/// What an unknown that the points do not tell stays at 0 by.
+/// Keeps unknowns at 0 that the points do not determine.
 constexpr double kDamping = 0.5;
 
-/// One point of the boundary: how far it lies from the other boundary along its normal, and how that changes with the two
-/// shifts, the turn and the distance between both.
+/// One point of the boundary: its distance from the other boundary along the normal, and how that changes with the two
+/// shifts, the turn and the growth.
 struct Row {
   Eigen::Vector4d by;
   double apart;
@@ -42,7 +42,7 @@ std::vector<Row> rows_of(const PosedPiece& piece, const PosedPiece& neighbour, c
 }  // namespace
 
 std::optional<GrowthBetween> growth_between(PosedPiece piece, const PosedPiece& neighbour, const PuzzleScale& scale) {
-  const double arm = scale.piece / 2;  // brings turns to lengths
+  const double arm = scale.piece / 2;  // turns angles into lengths
   GrowthBetween found;
   for (int step = 0; step < kGrowthSteps; ++step) {
     const std::vector<Row> rows = rows_of(piece, neighbour, scale, arm);

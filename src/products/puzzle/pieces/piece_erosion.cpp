@@ -12,24 +12,25 @@
 namespace tessera {
 namespace {
 
-/// Distances that are tried: multiples of this part of a piece's size, up to so many. The best pairs tell the rest.
+/// Distances that are tried: multiples of this part of a piece's size, at most so many. The best pairs tell the exact
+/// value.
 constexpr float kStep = 1.f / 256;
 constexpr std::size_t kMostErosions = 12;
-/// So many steps after the best one none better is expected.
+/// The search ends so many steps after the best one.
 constexpr std::size_t kPatience = 3;
-/// Pieces whose boundaries are followed; they are held against all.
+/// Pieces whose boundaries are followed; they are compared with all.
 constexpr std::size_t kSample = 16;
-/// How much better boundaries must run alike before pieces count as eroded: chance brings some per cent; a pixel that
-/// was lost of pieces of 60 to 160 px with tabs brings 45 to 100.
+/// How much longer boundaries must agree before pieces count as eroded. Chance brings some per cent; a lost pixel on pieces
+/// of 60 to 160 px with tabs brings 45 to 100.
 constexpr double kLeastGain = 1.2;
-/// Pairs that belong together are among the best: so much of what was found is looked at.
+/// The best pairs, one in so many, are examined: pairs that belong together are among them.
 constexpr std::size_t kBestPart = 4;
-/// Boundaries tell only where it is seen when pieces are grown too far: by so many steps, with tabs two fifths or less are
-/// left of what ran alike. Of polygons three quarters are left, and what is the most came about by chance.
+/// Boundaries tell the distance only if it is visible that pieces are grown too far. With tabs, two fifths or less of the
+/// agreement are left after so many steps; with polygons three quarters are left, and the maximum is chance.
 constexpr std::size_t kTooFar = kPatience;
 constexpr double kMostTooFar = 0.5;
-/// In tolerances: what is lost at least where a frame says it, and at most, as pieces may as well be missing; and what
-/// is usual.
+/// In tolerances: the erosion that a frame may tell is between these two, because pieces may also be missing; and the usual
+/// erosions.
 constexpr float kLeastFilling = 0.125f, kMostFilling = 2;
 constexpr float kUsual[] = {0, 1, 0.5f};
 
@@ -45,7 +46,7 @@ std::vector<PuzzlePiece> grown_pieces(const Polygons& polygons, float distance, 
   return pieces;
 }
 
-/// How much more the pieces must grow: the median of the pairs that meet best.
+/// How much more the pieces must grow: the median over the pairs that meet best.
 float missing_growth(const std::vector<PuzzlePiece>& pieces, const PuzzleScale& scale, const StopCheck& check_stop) {
   std::vector<GrowthBetween> found;
   for (const SideMatch& side : sampled_sides(pieces, kSample, scale, check_stop)) {

@@ -10,17 +10,17 @@
 namespace tessera {
 namespace {
 
-/// Steps from the corner that a first alignment goes by, unless a side ends before.
+/// Steps from the corner for the first alignment, unless a side ends before.
 constexpr float kFirstSteps = 20;
-/// Steps that must run alike.
+/// Steps that must agree.
 constexpr int kLeastSteps = 6;
-/// Corners are round: the points next to them say nothing.
+/// Corners are round, so the points next to them are ignored.
 constexpr int kRound = 2;
-/// Steps by which sides of one length may differ.
+/// Difference, in steps, of sides that count as equally long.
 constexpr float kSameLength = 1;
-/// Of each corner and side so many of the longest are held against the outlines.
+/// How many of the longest matches of each corner and side are compared with the outlines.
 constexpr std::size_t kMostTried = 24;
-/// All of them, as a rule, where there are few pieces, so that no way to lay them is missed.
+/// Usually all of them where there are few pieces, so that no arrangement is missed.
 constexpr std::size_t kMostTriedOfFew = 96;
 constexpr std::size_t kFewPieces = 25;
 
@@ -29,7 +29,7 @@ struct Alignment {
   float rms = 0;
 };
 
-/// Least squares of there[k] on here[k], k from kRound to last.
+/// Least squares of there[k] on here[k], k from kRound to `last`.
 Alignment aligned(const std::vector<Vec2>& here, const std::vector<Vec2>& there, int last) {
   double hx = 0, hy = 0, tx = 0, ty = 0;
   const int n = last - kRound + 1;
@@ -60,7 +60,7 @@ Alignment aligned(const std::vector<Vec2>& here, const std::vector<Vec2>& there,
   return result;
 }
 
-/// The chords from the corner, which no turn changes: a cheap first look.
+/// Compares the chords from the corner, which no turn changes: a cheap first test.
 bool chords_agree(const std::vector<Vec2>& here, const std::vector<Vec2>& there, int last, float tolerance) {
   for (const int k : {last / 2, last}) {
     const float a = norm(here[std::size_t(k)] - here[0]), b = norm(there[std::size_t(k)] - there[0]);
@@ -74,7 +74,7 @@ struct Run {
   int steps = 0;
 };
 
-/// As far as both run alike; 0 steps: they do not.
+/// Follows both boundaries as far as they agree; 0 steps: they do not.
 Run run_alike(const std::vector<Vec2>& here, const std::vector<Vec2>& there, int first, float tolerance) {
   const int longest = int(std::min(here.size(), there.size())) - 1;
   Run run{aligned(here, there, first), first};
@@ -96,20 +96,20 @@ bool fills(const PuzzleCorner& here, const PuzzleCorner& there, const Similarity
   return norm(off) < 2 * scale.tolerance;
 }
 
-/// Lengths count so much more where the pictures agree, and so much less where they do not.
+/// Lengths count more by this factor where the pictures agree, and less where they do not.
 constexpr float kPictureShare = 0.5f;
-/// And so much less where boundaries run as far apart as is tolerated: those of strangers, where pieces are small.
+/// Lengths count less by this factor where boundaries are as far apart as tolerated: small foreign pieces are.
 constexpr float kApartShare = 0.7f;
 
 struct Found {
   int piece;
   Run run;
   bool whole_side;
-  float steps;  // of the run, with what the pictures say
-  float close;  // the same, less where both run apart
+  float steps;  // of the run, with the agreement of the pictures
+  float close;  // the same, reduced by the distance of the boundaries
 };
 
-/// Along the run, mean.
+/// The mean agreement of the pictures along the run.
 float pictures_agree(const PuzzlePiece& here, const PuzzleCorner& ahead, const PuzzlePiece& there,
                      const PuzzleCorner& back, int steps, const PuzzleScale& scale) {
   if (scale.contrast <= 0) return 0;
@@ -134,7 +134,7 @@ void keep_best(std::vector<Found>& found, std::size_t most) {
 
 using Matches = std::vector<std::vector<PieceMatch>>;
 
-/// What runs alike from corner `c` of piece `i` ahead, of the pieces from `first` on.
+/// Adds the matches from corner `c` of piece `i` ahead, with the pieces from `first` on.
 void add_matches(const std::vector<PuzzlePiece>& pieces, std::size_t i, std::size_t c, std::size_t first,
                  const PuzzleScale& scale, Matches& matches) {
   const PuzzleCorner& here = pieces[i].corners[c];
@@ -142,7 +142,7 @@ void add_matches(const std::vector<PuzzlePiece>& pieces, std::size_t i, std::siz
   for (std::size_t j = first; j < pieces.size(); ++j) {
     if (j == i) continue;
     for (const PuzzleCorner& there : pieces[j].corners) {
-      const std::size_t last = std::min(here.ahead.size(), there.back.size()) - 1;  // of a speck that is near
+      const std::size_t last = std::min(here.ahead.size(), there.back.size()) - 1;  // few for a speck
       const int steps = std::min(int(std::min({kFirstSteps, here.side_ahead, there.side_back})), int(last));
       if (steps < kLeastSteps || !chords_agree(here.ahead, there.back, steps, 1.5f * scale.tolerance)) continue;
       const Run run = run_alike(here.ahead, there.back, steps, scale.tolerance);

@@ -1,4 +1,4 @@
-// What is on a puzzle piece: along a cut the pictures of both pieces go on in each other.
+// The picture on a puzzle piece. Across a cut the pictures of both pieces continue each other.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ class PiecePicture {
   /// `bgra`: rows of straight 8-bit pixels, whose centres have the coordinates x + 0.5, y + 0.5.
   PiecePicture(int width, int height, const std::vector<std::uint8_t>& bgra, const Similarity& px_from_piece);
 
-  /// Mean of the opaque part of the 3 x 3 px round a place of the piece; nothing beyond the picture and where all of it
+  /// The mean of the opaque part of the 3 x 3 px round a point of the piece; empty beyond the picture and where all of it
   /// is transparent.
   std::optional<Colour> at(Vec2 piece_point) const;
 
@@ -29,7 +29,7 @@ class PiecePicture {
   Similarity px_from_piece_;
 };
 
-/// From 0; as of pixels.
+/// The Euclidean distance of two colours, in steps of 8-bit channels.
 float colour_distance(const PiecePicture::Colour& a, const PiecePicture::Colour& b);
 
 }  // namespace tessera

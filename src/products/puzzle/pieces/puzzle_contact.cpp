@@ -7,23 +7,24 @@
 namespace tessera {
 namespace {
 
-/// A gap is what is wider than the tolerance, and narrower than so many times.
+/// A gap is wider than the tolerance, and narrower than so many tolerances.
 constexpr float kWidestGap = 4;
-/// Steps.
+/// Distance from the edge at which pictures are compared, in steps.
 constexpr float kInside = 1.5f;
-/// Part of a piece's points that may lie deeper in another than the tolerance.
+/// Part of a piece's points that may lie deeper in another piece than the tolerance.
 constexpr float kOverlapping = 0.02f;
 
 bool is_frame(const PuzzlePiece& piece) { return piece.area < 0; }
 
-/// Of the solid part: of a frame what lies round it.
+/// Whether the point lies in the solid part; for a frame that is the area around it.
 bool covers(const PuzzlePiece& piece, Vec2 p) { return piece.outline.contains(p) != is_frame(piece); }
 
-/// Whether more points of `a` than may be lie deep in `b`.
+/// Whether too many points of `a` lie deep in `b`.
 bool lies_in(const PosedPiece& a, const PosedPiece& b, const PuzzleScale& scale) {
   const Similarity b_from_a = followed_by(a.pose, rigid_inverse(b.pose));
   const Box& box = b.piece->outline.box();
-  if (covers(*b.piece, b_from_a.apply(a.piece->deepest))) return true;  // as where one of the same outline lies on it
+  // for example, a piece of the same outline in the same place
+  if (covers(*b.piece, b_from_a.apply(a.piece->deepest))) return true;
   const std::size_t n = a.piece->points.size();
   const std::size_t most = std::size_t(kOverlapping * float(n));
   std::size_t deep = 0;
@@ -37,8 +38,8 @@ bool lies_in(const PosedPiece& a, const PosedPiece& b, const PuzzleScale& scale)
   return false;
 }
 
-/// From 1, where boundaries lie on each other, to -2, where they are so far apart as those of strangers often are. Straight
-/// lines say nothing: all of them are alike, and how far apart they lie is what the pieces have lost.
+/// From 1, where boundaries lie on each other, to -2, where they are as far apart as those of unrelated pieces often are.
+/// Straight lines tell nothing: all of them are alike, and their distance is what the pieces have lost.
 float closeness(float distance, float bend, const PuzzleScale& scale) {
   constexpr float kOfStrangers = 0.6f, kWorst = 3;
   const float apart = distance / (kOfStrangers * scale.tolerance);
@@ -114,7 +115,7 @@ Similarity moved(const PosedPiece& piece, Vec2 shift, double turn) {
 
 Similarity settled(PosedPiece piece, const std::vector<PosedPiece>& neighbours, const PuzzleScale& scale, int steps) {
   const float reach = 2 * scale.tolerance;
-  const double arm = scale.piece / 2;  // brings turns to lengths
+  const double arm = scale.piece / 2;  // turns angles into lengths
   for (int step = 0; step < steps; ++step) {
     Eigen::Matrix3d hessian = Eigen::Matrix3d::Identity() * 0.5;
     Eigen::Vector3d gradient = Eigen::Vector3d::Zero();

@@ -1,4 +1,4 @@
-// How the boundaries of two puzzle pieces lie to each other, and where a piece lies best between those that stand.
+// Compares the boundaries of two puzzle pieces, and finds the best pose of a piece between laid ones.
 #pragma once
 
 #include <cstdint>
@@ -9,47 +9,48 @@
 
 namespace tessera {
 
-/// What is beside a point of a piece's boundary; of several neighbours the largest holds.
+/// The neighbourhood of a point of a piece's boundary; with several neighbours the largest value counts.
 enum class Beside : std::uint8_t { nothing, gap, contact };
 
 struct PosedPiece {
   const PuzzlePiece* piece = nullptr;
-  Similarity pose;  // puzzle_from_piece; of a frame the identity
+  Similarity pose;  // puzzle_from_piece; for a frame the identity
 };
 
-/// `there * here`: first `here`.
+/// `there * here`: applies `here` first.
 Similarity followed_by(const Similarity& here, const Similarity& there);
 
-/// Of a rotation and a shift.
+/// The inverse of a rotation and a shift.
 Similarity rigid_inverse(const Similarity& pose);
 
-/// Whether one can touch the other.
+/// Whether one piece can touch the other.
 bool may_touch(const PosedPiece& a, const PosedPiece& b, float reach);
 
-/// Whether a point lies in it; of a frame in what is round it.
+/// Whether a point lies in the piece; for a frame, in the area around it.
 bool covers(const PosedPiece& piece, Vec2 p);
 
-/// Whether they overlap by more than their outlines' errors.
+/// Whether they overlap by more than the errors of their outlines.
 bool overlap(const PosedPiece& a, const PosedPiece& b, const PuzzleScale& scale);
 
-/// How far from their edges, which are blurred, pictures are compared.
+/// The distance from the edges, which are blurred, at which pictures are compared.
 float inside_from_edge(const PuzzleScale& scale);
 
-/// How alike the pictures of two pieces are beside a place of their common boundary, each a little inside its own: from
-/// 1, as where one goes on in the other, to -1, as of strangers. 0: unknown. The directions point outside, unit length.
+/// How well the pictures of two pieces agree beside a point of their common boundary, each a little inside its own piece:
+/// from 1, where one continues the other, to -1, for unrelated pictures. 0: unknown. The directions point outward and have
+/// unit length.
 float pictures_agree(const PuzzlePiece& here, Vec2 at_here, Vec2 outside_here, const PuzzlePiece& there, Vec2 at_there,
                      Vec2 outside_there, const PuzzleScale& scale);
 
-/// Raises `beside`, one of each point of `piece`, by what `neighbour` is to it. Returns how well the pictures agree and how
-/// close the boundaries run along the points that come into contact, as a sum over them.
+/// Raises `beside`, one for each point of `piece`, by what `neighbour` is to it. Returns how well the pictures agree and
+/// how close the boundaries are along the points in contact, as a sum over them.
 float see_neighbour(const PosedPiece& piece, const PosedPiece& neighbour, const PuzzleScale& scale,
                     std::vector<Beside>& beside);
 
 /// The piece's pose shifted, and turned about its centre by an angle with that tangent.
 Similarity moved(const PosedPiece& piece, Vec2 shift, double turn);
 
-/// The pose near by in which the boundary lies best along those of the neighbours: least squares of the distances,
-/// steps of Gauss and Newton. Along straight lines it stays.
+/// The near pose in which the boundary lies best along those of the neighbours: least squares of the distances in
+/// Gauss-Newton steps. It does not slide along straight lines.
 Similarity settled(PosedPiece piece, const std::vector<PosedPiece>& neighbours, const PuzzleScale& scale, int steps);
 
 }  // namespace tessera

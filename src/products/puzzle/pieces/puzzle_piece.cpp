@@ -8,16 +8,16 @@
 namespace tessera {
 namespace {
 
-/// Turns are seen over so many steps to either side: outlines that come from pixels have round corners.
+/// Turns are measured over so many steps to either side, because outlines traced from pixels have round corners.
 constexpr int kCornerReach = 3;
 /// Cosine of the least turn of a corner, 27 degrees.
 constexpr float kStraightest = 0.89f;
-/// Profiles end where so much of the boundary is behind them.
+/// Profiles end after this part of the boundary,
 constexpr float kLongestProfile = 0.6f;
-/// Or after so many steps, eight pieces long.
+/// or after so many steps, which are eight pieces long.
 constexpr int kMostProfileSteps = 512;
-/// Of all pieces together, but for the least that each has: a tabbed piece has twelve. Each has a boundary's length of
-/// points either way, and is held against all others.
+/// Corners of all pieces together, and the least and most of each: a piece with tabs has twelve. Each corner has a profile
+/// in both directions and is compared with all others.
 constexpr std::size_t kAllCorners = 20'000;
 constexpr std::size_t kLeastCorners = 16, kMostCorners = 64;
 
@@ -39,7 +39,7 @@ float straightness(const std::vector<Vec2>& points, std::size_t k) {
   return dot(before, after) / std::max(norm(before) * norm(after), 1e-20f);
 }
 
-/// Sharpest within the reach.
+/// Indices of the sharpest points within the reach.
 std::vector<std::size_t> corner_points(const std::vector<Vec2>& points, std::size_t most) {
   const std::size_t n = points.size();
   std::vector<float> straight(n);
@@ -60,7 +60,7 @@ std::vector<std::size_t> corner_points(const std::vector<Vec2>& points, std::siz
   return corners;
 }
 
-/// Between the points: `at` in steps along the boundary.
+/// The point at `at` steps along the boundary, between its points.
 Vec2 point_at(const std::vector<Vec2>& points, float at) {
   const float n = float(points.size());
   const float whole = std::floor(at);
@@ -100,10 +100,10 @@ std::vector<float> bends_of(const std::vector<Vec2>& directions) {
   return bends;
 }
 
-/// What agreement of straight lines says, beside that of bends.
+/// Weight of the agreement of straight lines; bends have 1.
 constexpr float kStraight = 0.3f;
 
-/// Of the points of a grid over its box.
+/// The deepest point among those of a grid over its box.
 Vec2 deepest_point(const PolygonIndex& outline) {
   constexpr int kPoints = 16;
   const Box& box = outline.box();
