@@ -76,7 +76,7 @@ TEST(KeyReference, of_a_key_has_all_about_it) {
             "  unit     px\n"
             "  allowed  one value, [min, max] with the smaller one first, a list of three values or more, or a list of "
             "[min, max], from 2 to 5000 px\n"
-            "  default  [30, 150]\n"
+            "  default  [20, 160]\n"
             "  in mm    pieces.scale_mm, where canvas.size_mm says how large the canvas is\n"
             "  collage  the key decides about it: an interrupted run goes on with the same value alone\n"
             "  more     docs/job-format.md, [pieces]\n");
