@@ -20,6 +20,7 @@ void add_rank_command(CLI::App& app, Command& selected);
 void add_recognize_command(CLI::App& app, Command& selected);
 void add_card_command(CLI::App& app, Command& selected);
 void add_match_command(CLI::App& app, Command& selected);
+void add_keys_command(CLI::App& app, Command& selected);
 void add_devices_command(CLI::App& app, Command& selected);
 
 /// Only for the help: "tessera bench ..." is the command line of another program, tessera-bench.

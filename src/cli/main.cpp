@@ -20,6 +20,7 @@ void add_commands(CLI::App& app, Command& selected) {
       "  tessera collage my_drawings/                     a first collage of a folder's drawings\n"
       "  tessera library build my_svgs/ -o my.h5          a library from artwork\n"
       "  tessera collage my_job.toml                      a collage from it (docs/job-format.md)\n"
+      "  tessera keys pieces                              the keys of a job's table [pieces]\n"
       "  mpirun -n 3 tessera collage my_job.toml          the same on a master and two workers\n"
       "  tessera mosaic my_photo.jpg my.h5                a picture made of it: the job and the collage\n"
       "  tessera puzzle solve pieces.h5 --size 600,400    a jigsaw's pieces laid together\n"
@@ -45,6 +46,7 @@ void add_commands(CLI::App& app, Command& selected) {
   add_card_command(app, selected);
   add_recognize_command(app, selected);
   add_match_command(app, selected);
+  add_keys_command(app, selected);
   add_devices_command(app, selected);
   add_bench_command(app);
 }

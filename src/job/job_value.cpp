@@ -309,26 +309,26 @@ std::optional<JobValue> read_job_value(const JobKey& key, const toml::node& node
   }
 }
 
+std::string range_text(const JobKey& key) { return number_text(key.min) + " to " + number_text(key.max); }
+
 std::string allowed_values(const JobKey& key) {
-  const std::string min = number_text(key.min);
-  const std::string max = number_text(key.max);
+  const std::string range = range_text(key);
   switch (key.kind) {
-    case JobKind::number: return with_unit(key, "a number from " + min + " to " + max);
-    case JobKind::integer: return with_unit(key, "a whole number from " + min + " to " + max);
+    case JobKind::number: return with_unit(key, "a number from " + range);
+    case JobKind::integer: return with_unit(key, "a whole number from " + range);
     case JobKind::flag: return "true or false";
     case JobKind::intervals:
       return "one value, [min, max] with the smaller one first, a list of three values or more, or a list of [min, "
              "max], from " +
-             min + " to " + with_unit(key, max);
-    case JobKind::point: return with_unit(key, "[x, y], numbers from " + min + " to " + max);
+             with_unit(key, range);
+    case JobKind::point: return with_unit(key, "[x, y], numbers from " + range);
     case JobKind::uses:
-      return "a whole number from " + min + " to " + max + ", or [at least, at most] of such; at most 0 = unlimited";
+      return "a whole number from " + range + ", or [at least, at most] of such; at most 0 = unlimited";
     case JobKind::name: return "a text";
     case JobKind::size:
-      return with_unit(key, "[width, height], whole numbers from " + min + " to " + max) + ", " +
-             number_text(kMaxCanvas_px2 / 1e6) + " million px or less in all";
-    case JobKind::paper_size:
-      return with_unit(key, "[width, height], numbers from " + min + " to " + max) + ", or [0, 0]";
+      return with_unit(key, "[width, height], whole numbers from " + range) + ", " + number_text(kMaxCanvas_px2 / 1e6) +
+             " million px or less in all";
+    case JobKind::paper_size: return with_unit(key, "[width, height], numbers from " + range) + ", or [0, 0]";
     case JobKind::word: return quoted_words(key, " or ");
     case JobKind::file: return "a path";
     case JobKind::texts: return "a text, or a list of texts";
@@ -339,8 +339,8 @@ std::string allowed_values(const JobKey& key) {
              "\"#rrggbb\"";
     case JobKind::colour: return "\"#rrggbb\"" + (key.words.empty() ? "" : " or " + quoted_words(key, " or "));
     case JobKind::devices:
-      return quoted_words(key, ", ") + " or distinct indices from " + min + " to " + max + " like \"0,2\" or [0, 2]";
-    case JobKind::indices: return "a list of distinct whole numbers from " + min + " to " + max;
+      return quoted_words(key, ", ") + " or distinct indices from " + range + " like \"0,2\" or [0, 2]";
+    case JobKind::indices: return "a list of distinct whole numbers from " + range;
   }
   return {};
 }

@@ -14,6 +14,9 @@ namespace tessera {
 /// become lower case, device indices "0,2" however they were written; paths stay as they are.
 std::optional<JobValue> read_job_value(const JobKey& key, const toml::node& node);
 
+/// The range of the key's numbers without the unit: "0 to 500". Both ends are allowed.
+std::string range_text(const JobKey& key);
+
 /// The allowed values of the key, for messages and the documentation: "a number from 0 to 500 px".
 std::string allowed_values(const JobKey& key);
 

@@ -1,5 +1,5 @@
 // The exit codes of tessera that are no errors. Those of errors are in comm/failure.h (1: the machine failed, 2: bad
-// input). docs/guide/first-collage.md and `tessera --help` list all of them.
+// input). docs/reference/exit-codes.md and `tessera --help` list all of them.
 #pragma once
 
 namespace tessera {

@@ -20,7 +20,8 @@ std::string TextTable::text() const {
   for (const auto& row : rows_) {
     for (std::size_t c = 0; c < row.size(); ++c) {
       const std::string blanks(width[c] - row[c].size(), ' ');
-      text += c == 0 ? row[c] + blanks : "  " + blanks + row[c];
+      const bool left = c == 0 || cells_ == Cells::words;
+      text += (c == 0 ? "" : "  ") + (left ? row[c] + blanks : blanks + row[c]);
     }
     text.erase(text.find_last_not_of(' ') + 1);
     text += "\n";

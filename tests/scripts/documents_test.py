@@ -13,8 +13,8 @@ MOST_LINES_OF_README = 150
 PAGES = ("*.md", "docs/*.md", "docs/*/*.md", "slurm/*.md", "jobs/*/*.md")
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 KEY = re.compile(r"^([a-z_]+\.[a-z_]+)(?:$| = )")
-FILE_ENDINGS = ("png", "svg", "h5", "json", "toml", "txt", "geojson", "log", "csv", "pdf", "dxf", "md", "sh", "sbatch", "tif", "cpp",
-                "cl", "h", "previous", "lock")
+FILE_ENDINGS = ("png", "svg", "h5", "json", "toml", "txt", "geojson", "log", "csv", "pdf", "dxf", "md", "sh", "sbatch", "tif", "tiff",
+                "cpp", "cl", "h", "previous", "lock")
 
 
 def anchors_of(text):
@@ -74,7 +74,7 @@ def faults_of(page, program, keys):
                     yield f"the link {target}: no such heading"
     if page.startswith("docs/concepts/") and not re.search(r"^!\[.+\]\(.+\)$", text, re.M):
         yield "a page of the concepts without a figure"
-    if not page.startswith(("README", "docs/guide")):
+    if not page.startswith(("README", "docs/guide", "docs/reference")):
         return
     for block in re.findall(r"^```\n(.*?)^```$", text, re.M | re.S):
         for line in block.replace("\\\n", " ").split("\n"):

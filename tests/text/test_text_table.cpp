@@ -14,6 +14,13 @@ TEST(TextTable, columns_are_as_wide_as_their_widest_cell) {
   EXPECT_EQ(table.text(), "result    pieces\na       12345678\n");
 }
 
+TEST(TextTable, words_begin_below_each_other) {
+  TextTable table({"key", "unit", "meaning"}, TextTable::Cells::words);
+  table.add({"seed", "", "start"});
+  table.add({"a", "px", "b"});
+  EXPECT_EQ(table.text(), "key   unit  meaning\nseed        start\na     px    b\n");
+}
+
 TEST(TextTable, a_cell_is_no_line_and_no_command_to_a_terminal) {
   TextTable table({"result", "rank"});
   table.add({"a\nb  1\x1b[2J", "1"});
