@@ -95,7 +95,7 @@ class Outlines(unittest.TestCase):
             (np.zeros((0, 2)), "an outline without curves"),
             ([[1, 2]], "curve 0: found 1 point, allowed: 3 points or more"),
             (SQUARE[:1], "curve 0: found 1 point"),
-            (np.zeros((5, 2)), "all one"),
+            (np.zeros((5, 2)), "all equal"),
             (SQUARE * np.nan, "curve 0: point 0: found the coordinate nan"),
             (np.where(SQUARE > 0, np.inf, 0), "curve 0: point 1: found the coordinate inf"),
             (SQUARE * 1e300, "found the coordinate 1e+300, allowed: -1e15 to 1e15"),
