@@ -104,9 +104,10 @@ come_back_or_fail() {
     echo "given up after $restarts restarts (TESSERA_MAX_RESTARTS)" >&2
     exit 1
   fi
-  echo "queued again (restart $((restarts + 1)) of $most_restarts)"
-  scontrol requeue "$SLURM_JOB_ID"
-  exit 0
+  echo "queueing the job again (restart $((restarts + 1)) of $most_restarts)"
+  scontrol requeue "$SLURM_JOB_ID" && exit 0
+  echo "Slurm did not queue the job again; the same sbatch command continues it" >&2
+  exit "$status"
 }
 
 # mpirun ends the job as soon as a node is lost. Slurm notices minutes later, and would then call the job failed.

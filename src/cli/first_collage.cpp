@@ -66,13 +66,23 @@ FirstCanvas canvas_of(const FirstCollageArguments& first, const std::string& job
   return canvas;
 }
 
-/// Throws InputError where somebody has written or changed the job file; it is then not replaced.
-void check_job_is_ours(const std::string& job) {
-  if (!fs::exists(job)) return;
+/// Whether the user has changed the job that an earlier run wrote: it is kept then, and run with the drawings of today. Throws
+/// InputError where the file is another job, or where an option would change a job that is kept.
+bool keeps_changed_job(const FirstCollageArguments& first, const std::string& job) {
+  if (!fs::exists(job)) return false;
   const std::vector<std::uint8_t> bytes = read_regular_file(job, kMostJobBytes);
-  if (is_unedited_first_job({bytes.begin(), bytes.end()})) return;
-  throw InputError(job + ": is there already, and was written or changed by somebody; tessera collage " +
-                   shell_word(job) + " runs it as it is; --job FILE.toml writes another one");
+  const std::string text(bytes.begin(), bytes.end());
+  if (is_unedited_first_job(text)) return false;
+  if (!is_first_job(text)) {
+    throw InputError(job + ": exists, and is not the job of a first collage; tessera collage " + shell_word(job) +
+                     " runs it; --job FILE.toml writes another one");
+  }
+  if (first.size_px) {
+    throw InputError(job +
+                     ": you have changed it, so --size cannot; allowed: canvas.size_px in the job, or --job FILE.toml, "
+                     "which writes another one");
+  }
+  return true;
 }
 
 /// Writes the job. Where an override of --set is wrong, a newly written job is removed again.
@@ -98,16 +108,21 @@ std::string first_job_path(const FirstCollageArguments& first) {
 }
 
 void write_first_job(const FirstCollageArguments& first, const CollageArguments& collage) {
-  check_job_is_ours(collage.job);
+  const bool keeps_job = keeps_changed_job(first, collage.job);
   const FirstCanvas canvas = canvas_of(first, collage.job);  // first: a mistyped option costs no time
   const std::string library = library_of(first, collage.quiet);
+  if (keeps_job) {
+    if (!collage.quiet)
+      print_line("%s: you have changed it, so it is kept; --job FILE.toml writes another one", collage.job.c_str());
+    return print_now();
+  }
   const std::size_t shapes = LibraryView({.files = {library}, .names = {}}).size();
   write_checked(collage, first_job(name_of_source(first.source), path_in_job(library, collage.job), shapes, canvas));
   if (collage.quiet) return;
   const FirstSizes sizes = first_sizes(canvas.area_px2, shapes);
   print_line("%s: %d x %d px%s, pieces of %g to %g px out of %s; change what you like in it, then: tessera collage %s",
              collage.job.c_str(), canvas.width_px, canvas.height_px,
-             first.canvas.empty() ? "" : (" round " + first.canvas).c_str(), sizes.smallest_px, sizes.largest_px,
+             first.canvas.empty() ? "" : (" inside " + first.canvas).c_str(), sizes.smallest_px, sizes.largest_px,
              count_text(shapes, "shape").c_str(), shell_word(collage.job).c_str());
   print_now();
 }

@@ -22,8 +22,8 @@ struct FirstCollageArguments {
 std::string first_job_path(const FirstCollageArguments& first);
 
 /// Builds the library out/NAME.h5 of a folder and writes `collage.job`; for rank 0 only. Reports on stdout unless
-/// `collage.quiet`. Throws InputError where the source, the canvas or an override cannot be used, and where somebody
-/// has changed the job file; EnvironmentError.
+/// `collage.quiet`. Throws InputError where the source, the canvas or an override cannot be used, and where
+/// the job file is not one of a first collage. A job that the user has changed is kept. Throws EnvironmentError.
 void write_first_job(const FirstCollageArguments& first, const CollageArguments& collage);
 
 }  // namespace tessera::cli

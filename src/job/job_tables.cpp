@@ -32,7 +32,7 @@ JobTable shapes_table() {
   const std::string t = "shapes";
   JobTable table{
       t,
-      "wishes for some shapes; where several tables name a shape, the later one wins, key by key",
+      "wishes of some shapes; where several tables are about a shape, the later one wins, key by key",
       {required(column(t, "names", texts, "", 0, 0, "patterns of names, as in library.include")),
        column(t, "weight", number, "", 0, 100, "how much they are preferred; 1 = as others, 0 = never placed"),
        column(t, "uses", uses, "", 0, 1e6, "how often each may be placed, as in [pieces]")}};
@@ -82,7 +82,7 @@ JobTable keep_out_table() {
   using enum JobKind;
   const std::string t = "keep_out";
   return {t,
-          "rectangles that stay free of pieces",
+          "rectangles that pieces keep out of",
           {required(column(t, "at_px", point, "px", -20000, 40000, "its centre, from the canvas' upper left corner")),
            required(column(t, "size_px", point, "px", 1, 20000, "its width and height")),
            column(t, "rotation_deg", number, "degrees", -360, 360, "clockwise; default 0"),

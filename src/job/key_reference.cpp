@@ -85,7 +85,7 @@ std::vector<Fact> facts_of(const JobKey& key) {
     facts.emplace_back("in mm", key_in_mm(key, 1).full_name() + ", where canvas.size_mm says how large the canvas is");
   }
   facts.emplace_back("collage", key.decides
-                                    ? "the key decides about it: an interrupted run goes on with the same value alone"
+                                    ? "another value gives another collage; an interrupted run can only continue with the same value"
                                     : "the key may have another value when an interrupted run goes on");
   return facts;
 }

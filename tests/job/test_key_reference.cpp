@@ -78,7 +78,7 @@ TEST(KeyReference, of_a_key_has_all_about_it) {
             "[min, max], from 2 to 5000 px\n"
             "  default  [20, 160]\n"
             "  in mm    pieces.scale_mm, where canvas.size_mm says how large the canvas is\n"
-            "  collage  the key decides about it: an interrupted run goes on with the same value alone\n"
+            "  collage  another value gives another collage; an interrupted run can only continue with the same value\n"
             "  more     docs/job-format.md, [pieces]\n");
 }
 

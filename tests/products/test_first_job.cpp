@@ -38,6 +38,8 @@ TEST(FirstJob, AChangeOfAnyKindIsSeen) {
     EXPECT_FALSE(is_unedited_first_job(changed)) << at;
   }
   EXPECT_FALSE(is_unedited_first_job(text + "\n"));
+  EXPECT_TRUE(is_first_job(text + "\n")) << "also when it was changed";
+  EXPECT_FALSE(is_first_job("seed = 1\n"));
   EXPECT_FALSE(is_unedited_first_job(""));
   EXPECT_FALSE(is_unedited_first_job("seed = 1\n"));
 }

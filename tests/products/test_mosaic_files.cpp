@@ -164,7 +164,7 @@ TEST_F(MosaicFilesTest, ARetouchedPictureOfRegionsIsNotReplacedUnasked) {
   parted.regions = 2;
   write(parted);
   folder_.write("m_regions.png", "painted");
-  EXPECT_NE(refusal(parted).find("m_regions.png: is there already"), std::string::npos);
+  EXPECT_NE(refusal(parted).find("m_regions.png: exists"), std::string::npos);
 }
 
 /// Jobs are read in the same way: names are joined as text, and links are not resolved.
@@ -195,7 +195,7 @@ TEST_F(MosaicFilesTest, AreNotReplacedUnasked) {
   write(request());
   const std::string edited = bytes_of(folder_.path("m.toml")) + "# mine\n";
   folder_.write("m.toml", edited);
-  EXPECT_NE(refusal(request()).find("m.toml: is there already"), std::string::npos);
+  EXPECT_NE(refusal(request()).find("m.toml: exists"), std::string::npos);
   EXPECT_EQ(bytes_of(folder_.path("m.toml")), edited);
   MosaicRequest again = request();
   again.replace = true;
@@ -206,7 +206,7 @@ TEST_F(MosaicFilesTest, AreNotReplacedUnasked) {
 TEST_F(MosaicFilesTest, ARetouchedMapIsNotReplacedUnasked) {
   write(request());
   folder_.write("m_sizes.png", "painted");
-  EXPECT_NE(refusal(request()).find("m_sizes.png: is there already"), std::string::npos);
+  EXPECT_NE(refusal(request()).find("m_sizes.png: exists"), std::string::npos);
   MosaicRequest again = request();
   again.replace = true;
   EXPECT_EQ(refusal(again), "");
@@ -226,7 +226,7 @@ TEST_F(MosaicFilesTest, NeverReplaceAPictureThatNoJobIsBeside) {
   folder_.write("m_sizes.png", "somebody's");
   MosaicRequest again = request();
   again.replace = true;
-  EXPECT_NE(refusal(again).find("m_sizes.png: is there and"), std::string::npos);
+  EXPECT_NE(refusal(again).find("m_sizes.png: exists and"), std::string::npos);
   EXPECT_EQ(bytes_of(folder_.path("m_sizes.png")), "somebody's");
 }
 

@@ -39,7 +39,7 @@ cp bin/mpirun mpirun.before
 printf '#!/bin/sh\nexit 3\n' >bin/mpirun
 collage 1800 || fail "exit code 3 of tessera collage is not taken as done"
 grep -q '^out: done, but pieces are missing: .* (exit code 3)$' output || fail "does not say that pieces are missing"
-grep -q 'queued again' output && fail "queued again for exit code 3"
+grep -q 'queueing the job again' output && fail "queued again for exit code 3"
 cp mpirun.before bin/mpirun
 echo "ok incomplete collages"
 

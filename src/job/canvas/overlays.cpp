@@ -120,7 +120,7 @@ void add_colour_grids(const ShapeLibrary& library, const Job& job, Digest& diges
   for_each_shape(library, [&](const Shape& shape) {
     if (!shape.colour_grid.known()) {
       throw InputError(job.path + ": colour.image: " + library.path() + " does not know the colours of " + shape.name +
-                       "'s parts, as libraries of older versions; build it again");
+                       "'s parts, because an older version built it; build it again");
     }
     digest.add_all(std::span<const std::uint8_t>(shape.colour_grid.bytes));
   });

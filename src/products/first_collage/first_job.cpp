@@ -88,6 +88,8 @@ std::string first_job(const std::string& source, const std::string& library, std
   return text + digest_line(text);
 }
 
+bool is_first_job(const std::string& text) { return text.find(kMark) != std::string::npos; }
+
 bool is_unedited_first_job(const std::string& text) {
   const std::size_t last = text.rfind(kMark);
   return last != std::string::npos && digest_line(text.substr(0, last)) == text.substr(last);

@@ -27,6 +27,9 @@ FirstSizes first_sizes(double area_px2, std::size_t shapes);
 std::string first_job(const std::string& source, const std::string& library, std::size_t shapes,
                       const FirstCanvas& canvas);
 
+/// Whether the text comes from first_job(), as it was written or changed since.
+bool is_first_job(const std::string& text);
+
 /// Whether the text comes from first_job() and nobody has changed it.
 bool is_unedited_first_job(const std::string& text);
 

@@ -43,7 +43,7 @@ echo "ok again"
 cp drawings.toml six.toml
 draw_svg disc "M50 5 A45 45 0 1 1 49.9 5Z"
 run 0 collage drawings --canvas disc.svg --size 400,300 "${quick[@]}"
-grep -q '^drawings_disc.toml: 400 x 300 px round disc.svg, pieces of 8 to 40 px' output || fail "not the shape of the disc"
+grep -q '^drawings_disc.toml: 400 x 300 px inside disc.svg, pieces of 8 to 40 px' output || fail "not the shape of the disc"
 cmp drawings.toml six.toml && [[ -s out/drawings_disc/collage.png ]] || fail "the drawings in a disc replace those in a rectangle"
 grep -qx 'file = "disc.svg"' drawings_disc.toml && grep -q '^size_px = \[400, 300\]' drawings_disc.toml || fail "no canvas in the job"
 mkdir elsewhere
@@ -58,8 +58,16 @@ grep -qx "       1  the folder of a collage: drawings" drawings/output || grep -
 echo "ok in the folder"
 
 echo '# mine' >>drawings.toml
-run 2 collage drawings "${quick[@]}"
-expect_word 'drawings.toml: is there already, and was written or changed by somebody; tessera collage drawings.toml runs it as it is; --job FILE.toml writes another one'
+draw_svg drawings/roof "M10 60 L50 20 L90 60 V95 H10Z"
+run 0 collage drawings "${quick[@]}"
+grep -q '^out/drawings.h5, .* of 7 files: 7 shapes' output || fail "a changed job keeps new drawings out"
+grep -qx 'drawings.toml: you have changed it, so it is kept; --job FILE.toml writes another one' output || fail "does not say that the job is kept"
+run 2 collage drawings --size 400,300
+expect_word 'drawings.toml: you have changed it, so --size cannot; allowed: canvas.size_px in the job, or --job FILE.toml, which writes another one'
+echo 'seed = 1' >drawings_star.toml
+cp drawings/star.svg star.svg
+run 2 collage drawings --canvas star.svg
+expect_word 'drawings_star.toml: exists, and is not the job of a first collage; tessera collage drawings_star.toml runs it; --job FILE.toml writes another one'
 run 0 collage drawings --job more.toml "${quick[@]}" --quiet
 [[ -s more.toml && -s out/more/collage.png ]] || fail "--job does not give the job another name"
 [[ $(tail -n 1 drawings.toml) == '# mine' ]] || fail "an edited job was replaced"

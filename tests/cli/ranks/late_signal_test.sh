@@ -84,7 +84,7 @@ cp -r drawings fewer
 rm fewer/star.svg
 "$tessera" library build fewer -o own.h5 >output 2>errors || fail "the other library"
 expect_refused 'own.h5: not the library that the collage was made from' USR2
-grep -qE 'content is [0-9a-f]{16}, that was [0-9a-f]{16}, built or changed since; the collage was made by tessera [0-9.]+, commit [0-9a-z-]+; --library FILE says where' errors ||
+grep -qE 'content has the digest [0-9a-f]{16}, that of the collage.s library was [0-9a-f]{16}, built or changed since; the collage was made by tessera [0-9.]+, commit [0-9a-z-]+; --library FILE says where' errors ||
   fail "another message for a library that was built anew"
 then=$(grep -o '"library":{[^}]*}' USR2/manifest.json | grep -o '"digest":"[0-9a-f]*"' | cut -d'"' -f4)
 grep -qF "that was $then" errors || fail "another digest than in the manifest, $then"

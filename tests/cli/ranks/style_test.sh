@@ -80,7 +80,7 @@ cmp any/pieces.geojson unweighted/pieces.geojson || fail "a weight of nothing ha
 apart() { sed -n 's/.*"style_distance": \([0-9.]*\).*/\1/p' "$1/card.json"; }
 awk -v any="$(apart any)" -v wished="$(apart expected)" 'BEGIN { exit !(wished < 0.5 * any) }' ||
   fail "pieces are $(apart any) apart without a wish, $(apart expected) with it"
-grep -qE '^  styles +[0-9.]+ apart ' expected/card.txt || fail "the card does not say how far styles are apart"
+grep -qE '^  styles +[0-9.]+  \(of two pieces' expected/card.txt || fail "the card does not say how far styles are apart"
 echo "ok weight"
 
 interrupt USR2 1 parts --set checkpoint.every_s=0.01
