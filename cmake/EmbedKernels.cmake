@@ -1,6 +1,6 @@
-# embed_kernels(OUTPUT.cpp FILE...): the files, joined in this order, as one C++ string constant
-# tessera::worker::kernel_source. Each keeps its name and line numbers in the device compiler's messages.
-# The file is its own build-time script: a changed kernel is embedded again without configuring.
+# embed_kernels(OUTPUT.cpp FILE...): joins the files in this order into one C++ string constant, tessera::worker::kernel_source.
+# Each file keeps its name and line numbers in the device compiler's messages.
+# This file is also the script that the build runs: a changed kernel is embedded again without configuring.
 if(CMAKE_SCRIPT_MODE_FILE)
   set(source "")
   foreach(file IN LISTS FILES)

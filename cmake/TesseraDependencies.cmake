@@ -1,10 +1,10 @@
-# All from Debian 12's packages; scripts/packages.txt lists them.
+# All dependencies are packages of Debian 12; scripts/packages.txt lists them.
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 find_package(MPI REQUIRED COMPONENTS C)
 find_package(Boost 1.74 REQUIRED COMPONENTS mpi serialization)
 find_package(Eigen3 REQUIRED)
-find_package(HDF5 REQUIRED COMPONENTS C)  # with CXX it would mix the parallel with the serial library
+find_package(HDF5 REQUIRED COMPONENTS C)  # with CXX, CMake would mix the parallel and the serial library
 find_package(tomlplusplus REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
@@ -22,8 +22,8 @@ pkg_check_modules(POLYCLIPPING REQUIRED IMPORTED_TARGET polyclipping)
 pkg_check_modules(LCMS REQUIRED IMPORTED_TARGET lcms2)
 find_package(TIFF REQUIRED)
 
-# Debian keeps OpenCV's CMake files in libopencv-dev, which pulls in every module and half a desktop; the two modules
-# that are used come in packages of their own, without them.
+# Debian keeps OpenCV's CMake files in libopencv-dev, which depends on every module and many desktop packages. The two modules used here
+# have packages of their own, without these files.
 find_path(OPENCV_INCLUDE_DIR opencv2/imgproc.hpp PATH_SUFFIXES opencv4 REQUIRED)
 add_library(tessera_opencv INTERFACE)
 target_include_directories(tessera_opencv SYSTEM INTERFACE ${OPENCV_INCLUDE_DIR})

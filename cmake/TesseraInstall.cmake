@@ -1,11 +1,11 @@
-# cmake --install BUILD --prefix P: the programs in P/bin, and in P/share/tessera what goes with them, in the repository's
-# own layout, so that the links between the documents hold. Nothing in it knows where it was built or installed: it can be
-# moved as a whole. Another program of the build is one more target here.
+# cmake --install BUILD --prefix P: installs the programs into P/bin, and their data into P/share/tessera.
+# The data keep the repository's layout, so that the links between the documents work.
+# No installed file holds the path of the build or the installation, so the whole can be moved. A further program is one more target here.
 include(GNUInstallDirs)
 
 set(TESSERA_SHARE ${CMAKE_INSTALL_DATADIR}/tessera)
 install(TARGETS tessera RUNTIME)
-install(TARGETS tessera-bench RUNTIME OPTIONAL)  # where it was built
+install(TARGETS tessera-bench RUNTIME OPTIONAL)  # if it was built
 install(FILES README.md ARCHITECTURE.md LICENSE DESTINATION ${TESSERA_SHARE})
 install(DIRECTORY docs jobs examples DESTINATION ${TESSERA_SHARE})
 install(DIRECTORY slurm DESTINATION ${TESSERA_SHARE} USE_SOURCE_PERMISSIONS)

@@ -9,27 +9,27 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
 find_program(CCACHE ccache)
 if(CCACHE)
-  # What is cached is known by paths within the source: another clone on the same machine finds it.
+  # The cache uses paths relative to the source, so that other clones on the same machine share it.
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} ${CCACHE})
 endif()
 
 option(TESSERA_BATCHES "Compile files in batches: TesseraRooms.cmake" ON)
 
-# The rooms are linked into libtessera-matching.so, too. Functions may still be inlined: no other library replaces them.
+# The rooms are linked into libtessera-matching.so, too. Functions may still be inlined, as no other library replaces them.
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
 add_library(tessera_options INTERFACE)
 target_compile_options(tessera_options INTERFACE -fno-semantic-interposition)
 target_compile_options(tessera_options INTERFACE -pthread)
 target_include_directories(tessera_options INTERFACE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/kernels)
-# -ffp-contract=off: the same job gives the same bytes, on the host and on every device; a fused multiply-add rounds
-# once where the kernels round twice.
+# -ffp-contract=off: the same job must give the same bytes on the host and on every device. A fused multiply-add rounds once where the
+# kernels round twice.
 target_compile_options(tessera_options INTERFACE -Wall -Wextra -Wpedantic -Werror -ffp-contract=off
-  # g++ 12 warns falsely of std::string's operator+ (GCC bug 105651).
+  # g++ 12 gives false warnings about std::string's operator+ (GCC bug 105651).
   -Wno-restrict)
 if(TESSERA_SANITIZE)
   target_compile_options(tessera_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
-    # Instrumented code makes g++ 12 see overflows and uninitialised values that are none; the other builds stay strict.
+    # In instrumented code g++ 12 gives false warnings about overflows and uninitialised values; the other builds stay strict.
     -Wno-error -Wno-maybe-uninitialized -Wno-stringop-overflow)
   target_link_options(tessera_options INTERFACE -fsanitize=address,undefined)
 endif()

@@ -1,20 +1,20 @@
-# Tests: one program a room, one ctest entry a file. RapidCheck runs with a fixed seed, so that a red test is red again; a
-# failure prints it.
+# Tests: one program for each room, one ctest entry for each file. RapidCheck runs with a fixed seed, so that a failed test fails again; a
+# failure prints the seed.
 include_directories(${PROJECT_SOURCE_DIR}/tests)
 
-# Of a test without a longer one of its own. Instrumented programs take five times as long.
+# The time limit of a test without its own. Instrumented programs take five times as long.
 set(TESSERA_TEST_TIMEOUT_S 300)
 if(TESSERA_SANITIZE)
   set(TESSERA_TEST_TIMEOUT_S 1500)
 endif()
 
-# Half of a build is tests, each built once and run once: this takes a quarter less time than -O3.
+# Half of a build is tests, and each is built and run once. With -O1 this takes a quarter less time than with -O3.
 set(TESSERA_TEST_OPTIONS "")
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
   set(TESSERA_TEST_OPTIONS -O1)
 endif()
 
-# main() of all of them: --file=test_pad runs the tests of that file alone.
+# The main() of all test programs. --file=test_pad runs only the tests of that file.
 add_library(tessera_test_main STATIC ${PROJECT_SOURCE_DIR}/tests/support/test_main.cpp)
 target_link_libraries(tessera_test_main PUBLIC tessera_options GTest::gtest rapidcheck)
 
@@ -28,20 +28,20 @@ function(tessera_test_program name)
   tessera_batches(${name})
 endfunction()
 
-# tessera_test_entry(NAME [LABELS ...] COMMAND ...): a ctest entry with what every test needs.
+# tessera_test_entry(NAME [LABELS ...] COMMAND ...): a ctest entry with the properties that every test needs.
 function(tessera_test_entry name)
   cmake_parse_arguments(ARG "" "" "LABELS;COMMAND" ${ARGN})
   add_test(NAME ${name} COMMAND ${ARG_COMMAND})
-  # Tests do not lie beside the program that reads drawings.
+  # The program that reads drawings does not lie beside the tests.
   set_tests_properties(${name} PROPERTIES
     LABELS "${ARG_LABELS}" TIMEOUT ${TESSERA_TEST_TIMEOUT_S} ENVIRONMENT RC_PARAMS=seed=2016
     ENVIRONMENT_MODIFICATION "TESSERA_DRAWER=set:${PROJECT_BINARY_DIR}/src/cli/tessera-drawer")
 endfunction()
 
-# tessera_tests(NAME LINK <target>... [LABELS ...] [EXCEPT <file>...] [SUITES <header>...]): the program NAME of the
-# *.cpp of the calling folder and of the folders in it, and an entry for each test_*.cpp, named like it. A new file needs
-# no line here. SUITES: headers that hold tests, without ".h"; each is an entry, too. The program refuses to run where
-# another header holds tests.
+# tessera_tests(NAME LINK <target>... [LABELS ...] [EXCEPT <file>...] [SUITES <header>...]): builds the program NAME from the *.cpp of the
+# calling folder and its subfolders.
+# Each test_*.cpp gets a ctest entry of its name. A new file needs no line here.
+# SUITES: the headers that hold tests, without ".h"; each is an entry, too. The program refuses to run if another header holds tests.
 function(tessera_tests name)
   cmake_parse_arguments(ARG "" "" "LINK;LABELS;EXCEPT;SUITES" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *.cpp */*.cpp)

@@ -1,6 +1,6 @@
-// This kernel computes single operations, and gives the bits of their results, which the host compares with those that
-// IEEE 754 demands (src/worker/devices/arithmetic_probe.h).
-// It stands in the program of the other kernels: what the device's compiler does to them, it does to this one.
+// Computes single operations and returns the bits of their results; the host compares them with those that IEEE 754
+// demands (src/worker/devices/arithmetic_probe.h). It is part of the same program as the other kernels, so that the
+// device's compiler treats it like them.
 
 kernel void probe_arithmetic(uint count, global const ProbeRecord* probes, global uint* results) {
   const uint i = get_global_id(0);

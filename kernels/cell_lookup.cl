@@ -1,4 +1,4 @@
-// core/geometry/cell_lookup.h in OpenCL C: the four cells round a point and where it lies between their middles.
+// core/geometry/cell_lookup.h in OpenCL C: the four cells round a point, and the point's place between their centres.
 
 typedef struct CellLookup {
   uint left, right, upper, lower;

@@ -1,7 +1,7 @@
-// core/colour and core/matching/colour_fit.cpp in OpenCL C: CIEDE2000, look-ups in the picture that pieces are to show,
-// and how far a piece is from it.
+// core/colour and core/matching/colour_fit.cpp in OpenCL C: CIEDE2000, look-ups in the picture that the pieces shall
+// show, and the colour difference of a piece from it.
 
-// core/colour/ciede2000.cpp, for one pair of colours and for one of each lane: F is float or LaneFloat.
+// core/colour/ciede2000.cpp, for one pair of colours or for one pair in each lane: F is float or LaneFloat.
 #define DEFINE_CIEDE2000(NAME, F, EXP2)                                                                              \
   F NAME##_saturation(F chroma) {                                                                                    \
     const F c2 = chroma * chroma;                                                                                    \
@@ -66,7 +66,7 @@
 DEFINE_CIEDE2000(ciede2000, float, portable_exp2)
 DEFINE_CIEDE2000(ciede2000_lanes, LaneFloat, portable_exp2_lanes)
 
-// ColourTarget; without one no levels.
+// The ColourTarget; it has no levels where the job has no picture.
 typedef struct Picture {
   constant ColourRecord* record;
   global const float* texels;
@@ -81,7 +81,7 @@ uint colour_level_for(const Picture* picture, float length_px) {
 
 float4 mixed(float4 p, float4 q, float t) { return p * (1 - t) + q * t; }
 
-// Lightness, a and b times the weight, and that.
+// (lightness, a and b times the weight; the weight) of the picture at a point.
 float4 colour_at(const Picture* picture, uint level, float x, float y) {
   constant ColourLevelRecord* l = picture->record->level + level;
   const CellLookup c = cell_lookup(x, y, l->texels_per_px, l->width, l->height);
@@ -99,7 +99,7 @@ float mean_colour_difference(const Picture* picture, global const ShapeRecord* s
                    covered.z / covered.w);
 }
 
-// What lies beneath a point of each lane, times the weight, and that.
+// (Lightness, a and b times the weight; the weight) of the picture at a point of each lane.
 typedef struct LaneColours {
   LaneFloat lightness, a, b, weight;
 } LaneColours;
@@ -127,7 +127,7 @@ LaneColours colours_at(const Picture* picture, uint level, Points p) {
 }
 #endif
 
-// A lane has a cell of the piece.
+// colour_difference of colour_fit.cpp: each lane computes one cell of the piece.
 float colour_difference(Lanes lanes, const Picture* picture, global const float* contour,
                         global const ShapeRecord* shape, PoseRecord s) {
   const uint level = colour_level_for(picture, shape->colour_cell * scale_of(s));
@@ -151,7 +151,7 @@ float colour_worth(const Picture* picture, float difference) {
   return portable_exp2(halvings <= kEvenFading ? -halvings : kEvenFading * kEvenFading / halvings - 2 * kEvenFading);
 }
 
-// NearColours: the lists of shapes that samples go by.
+// Whether the sample's list of shapes of similar colour (NearColours) contains the shape.
 bool has_near_colour(global const SampleRecord* sample, global const uint* near_bits, uint words, uint library_shape) {
   if (sample->near_list == kAnyColour) return true;
   const uint word = near_bits[(size_t)sample->near_list * words + library_shape / 32];

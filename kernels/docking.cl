@@ -1,24 +1,24 @@
-// core/matching/docking.cpp in OpenCL C (paper section 3.3): from a pair, or from random bits, to a similarity, and how
-// well it looks on a few points of the free field.
+// core/matching/docking.cpp in OpenCL C (paper section 3.3): makes a similarity from a pair or from random bits, and
+// tests it at a few points of the free field.
 
 #define NO_DOCKING (-1.f)
 
 typedef struct Alignment {
   PoseRecord canvas_from_shape;
-  uint stance;  // place in the list
+  uint stance;  // index in the list
   bool valid;
 } Alignment;
 
-// x, y of the shape, x, y of the target.
+// (x, y) of the shape and (x, y) of the target, for key point `i`.
 float4 keypoint_pair(global const short* shape_x, global const short* shape_y, float step,
                      global const SampleRecord* target, int i) {
   return (float4)((float)shape_x[i] * step, (float)shape_y[i] * step, target->keypoint_x[i], target->keypoint_y[i]);
 }
 
-// Key points of both, less their means: what least squares needs of them.
+// Means and products of the key points of shape and target, for least squares.
 typedef struct Moments {
-  float4 mean;     // of the shape, of the target
-  float4 product;  // real and imaginary part of the product, spread of the shape, spread of the target
+  float4 mean;     // of the shape, then of the target
+  float4 product;  // real and imaginary part of the product, variance sum of the shape, then of the target
   float count;
 } Moments;
 
@@ -44,7 +44,7 @@ typedef struct Fit {
   float residual;  // mean square, px^2
 } Fit;
 
-// The best pose of the stance. False where it would have to be turned by more than a right angle.
+// The best pose within the stance. False where the rotation would have to change by more than a right angle.
 bool fit_within(const StanceRecord* stance, const Moments* m, Fit* fit) {
   float2 product = m->product.xy;
   const DirectionRange rotations = allowed_rotations(stance);
@@ -62,8 +62,8 @@ bool fit_within(const StanceRecord* stance, const Moments* m, Fit* fit) {
   return true;
 }
 
-// `shape_x`, `shape_y`: key points of the shape's sample, steps. Least squares at the longest level at which both
-// agree, by the stance that fits best.
+// Least squares at the longest level at which shape and target agree, with the stance that fits best. `shape_x`,
+// `shape_y`: key points of the shape's sample, in steps.
 Alignment align_pyramids(const Stances* stances, float sizes, global const short* shape_x, global const short* shape_y,
                          float step, global const SampleRecord* target, float scale_low_px, float scale_high_px) {
   Alignment result;
@@ -95,7 +95,7 @@ Alignment align_pyramids(const Stances* stances, float sizes, global const short
 
 float hopeless_depth_px(float scale) { return max(kHopelessDocking_px, kHopelessDocking * scale); }
 
-// One look-up settles most: where the disc does not fit, the piece does not.
+// A first test with one look-up: where the largest disc inside does not fit, the piece does not fit. It rejects most.
 bool disc_fits(global const ShapeRecord* shape, PoseRecord s, const Field* field) {
   const float scale = scale_of(s);
   const float disc_x = s.tx + (s.a * shape->disc_x - s.b * shape->disc_y);
@@ -103,11 +103,11 @@ bool disc_fits(global const ShapeRecord* shape, PoseRecord s, const Field* field
   return field_value(field, disc_x, disc_y) >= shape->disc_radius * scale - hopeless_depth_px(scale);
 }
 
-// What a boundary point counts: added up over a block, each kind has digits of its own.
+// Counters of boundary points in one int: sums over a block keep each kind in digits of its own.
 enum Tally { HIT = 1, BAD = 1 << 8, TOO_BAD = (kMostBadPoints + 1) * BAD, HOPELESS = 1 << 16 };
 
-// How a pose whose disc fits ranks by 32 boundary points and a third of the interior points; where that is below
-// kLeastDockingKey anything below it.
+// The rank of a pose whose disc fits, from 32 boundary points and a third of the interior points. Where the rank is
+// below kLeastDockingKey, the result may be any smaller number.
 float docking_key(Lanes lanes, global const float* sketch, global const ShapeRecord* shape, PoseRecord s,
                   const Field* field, float max_scale_px) {
   const float scale = scale_of(s);
@@ -124,9 +124,9 @@ float docking_key(Lanes lanes, global const float* sketch, global const ShapeRec
   const int hits = tally % BAD;
   const int bad = tally / BAD;
   const float contact = ((float)hits - kBadPointCost * (float)bad) / (float)kCoarsePoints;
-  // Large pieces first: they are harder to place later.
+  // Large pieces come first: they are harder to place later.
   const float size = sqrt(sqrt(scale / max_scale_px));
-  // Interior points can only make it less.
+  // Interior points can only lower the rank.
   const bool rejected = tally >= TOO_BAD || contact * size < kLeastDockingKey;
   int covered = 0;
   const int coarse_points = ((int)shape->interior_points + kInteriorStride - 1) / kInteriorStride;
@@ -141,7 +141,7 @@ float docking_key(Lanes lanes, global const float* sketch, global const ShapeRec
   return (contact - interior) * size;
 }
 
-// Of the piece's mean colour on that of the place.
+// The factor for the difference between the piece's mean colour and the picture's colour at its place.
 float docking_colour_worth(const Picture* picture, global const ShapeRecord* shape, PoseRecord s) {
   if (picture->record->levels == 0) return 1;
   return colour_worth(picture, mean_colour_difference(picture, shape, s));
@@ -153,14 +153,14 @@ int level_of_source(constant MatchRecord* match, uint source) {
   return k;
 }
 
-// The dockings that a question is answered with are gathered from these, on the host. Of more than `capacity` the rest
-// is lost, but counted.
+// Appends a docking; the host gathers the answer to a request from these. Those beyond `capacity` are lost, but
+// counted.
 void add_docking(DockingRecord docking, uint capacity, global uint* count, global DockingRecord* dockings) {
   const uint place = claim_places(count, 1);
   if (place < capacity) dockings[place] = docking;
 }
 
-// Adds the docking, which comes without its key, where the early reject leaves it.
+// Computes the key of the docking and appends it unless the early reject drops it.
 INLINE void dock(Lanes lanes, DockingRecord docking, constant MatchRecord* match, global const StanceRecord* stances,
                  global const float* sketches, global const ShapeRecord* shapes, const Field* field,
                  const Picture* picture, uint capacity, global uint* count, global DockingRecord* dockings) {
@@ -173,7 +173,7 @@ INLINE void dock(Lanes lanes, DockingRecord docking, constant MatchRecord* match
   if (lanes.item == 0) add_docking(docking, capacity, count, dockings);
 }
 
-// The docking that a pair implies; its key is NO_DOCKING where there is none, or its disc does not fit.
+// The docking of a pair. Its key is NO_DOCKING where there is none or its disc does not fit.
 DockingRecord aligned_pair(PairRecord pair, constant MatchRecord* match, const Stances* standing, float sizes,
                            global const short* keypoint, global const ShapeRecord* shape,
                            global const SampleRecord* target, const Field* field, global uint* evaluated) {
@@ -191,15 +191,15 @@ DockingRecord aligned_pair(PairRecord pair, constant MatchRecord* match, const S
   return docking;
 }
 
-// The first from `i` on that is one, or `count`.
+// Index of the next docking from `i` on, or `count`.
 int next_docking(SHARED const DockingRecord* dockings, int count, int i) {
   while (i < count && dockings[i].key == NO_DOCKING) ++i;
   return i;
 }
 
-// Work item: a pair, whose shape's key points are `pair_keypoints`: all x, then all y, steps. The items of a docking
-// align one each, then its lanes look at what is left, one docking after the other. They are added where the early
-// reject leaves them. `evaluated`: dockings that looked at the field, by target sample.
+// Work item: a pair. `pair_keypoints` holds the key points of its shape: all x, then all y, in steps. The items of a
+// group align one pair each; then all lanes test the remaining dockings one after the other and append those that the
+// early reject leaves. `evaluated`: number of dockings tested in the field, for each target sample.
 DOCKING_KERNEL void dock_pairs(constant MatchRecord* match, global const StanceRecord* stances,
                        global const StanceListRecord* stance_lists, global const uint* shape_class,
                        global const float* size_map, global const float* field_value,
@@ -231,7 +231,7 @@ DOCKING_KERNEL void dock_pairs(constant MatchRecord* match, global const StanceR
   }
 }
 
-// Which boundary points of a block have tangents that imply a rotation that docks.
+// The boundary points of a block whose tangents lead to an allowed rotation, as a mask.
 LaneInt docking_points(Lanes lanes, DirectionRange range, global const float* contour, int block,
                        global const SampleRecord* target) {
   const LaneFloat ux = load_lanes(lanes, block, contour + kTangentAt);
@@ -244,7 +244,7 @@ LaneInt docking_points(Lanes lanes, DirectionRange range, global const float* co
   return range.edge_x > 0 ? inside & (along > 0) : inside;
 }
 
-// The boundary point that a draw docks: NO_POINT where there is none, POINT_TO_FIND where all of them have to be asked.
+// Values of TangentDraw::point. NO_POINT: none. POINT_TO_FIND: all points have to be tested for allowed rotations.
 #define NO_POINT (-1)
 #define POINT_TO_FIND (-2)
 
@@ -271,7 +271,7 @@ INLINE int found_point(Lanes lanes, global const StanceRecord* allowed, global c
   return point;
 }
 
-// A boundary point and its tangent there. Shape units.
+// A boundary point and its tangent, in shape units.
 typedef struct PointFrame {
   float x, y, ux, uy;
 } PointFrame;
@@ -282,7 +282,7 @@ PointFrame point_frame(global const float* contour, uint point) {
   return frame;
 }
 
-// Frames aligned at a boundary point, at a given scale.
+// The pose that aligns the frame of a boundary point with the target's frame, at a given scale.
 INLINE PoseRecord tangent_docking(const StanceRecord* stance, PointFrame point, float scale_px,
                                   global const SampleRecord* target) {
   PoseRecord s;
@@ -290,25 +290,25 @@ INLINE PoseRecord tangent_docking(const StanceRecord* stance, PointFrame point, 
   s.b = (point.ux * target->tangent_y - point.uy * target->tangent_x) * scale_px;
   s.tx = 0;
   s.ty = 0;
-  if (stance->rotation_edge_x > -1) s = pulled_in(stance, s);  // the scale was drawn within its range
+  if (stance->rotation_edge_x > -1) s = pulled_in(stance, s);  // otherwise the scale was drawn within its range
   s.tx = target->position_x - (s.a * point.x - s.b * point.y);
   s.ty = target->position_y - (s.b * point.x + s.a * point.y);
   return s;
 }
 
-// What random bits say.
+// A random docking, as drawn from random bits.
 typedef struct TangentDraw {
   uint library_shape;
-  uint stance;  // of the table
+  uint stance;  // index in the table
   float scale_px;
   uint point_bits;
-  int point;  // NO_POINT: the shape is not of this shard, or no point docks
+  int point;  // NO_POINT: the shape is not in this shard, or no point docks
 } TangentDraw;
 
 #define NO_SHAPE 0xffffffffu
 
-// `open_shapes`: the shapes of the whole library that may be drawn, unless all may; `near_shapes`: `near_length` of
-// each list of shapes of about one colour.
+// The shape that is drawn. `open_shapes`: shapes of the whole library that may be drawn, unless `all_open`.
+// `near_shapes`: lists of shapes of similar colour, each `near_length` long.
 INLINE uint drawn_shape(ulong bits, uint draw, global const SampleRecord* target, uint open_count, uint all_open,
                         global const uint* open_shapes, uint near_length, global const uint* near_shapes) {
   if (open_count == 0) return NO_SHAPE;
@@ -320,7 +320,7 @@ INLINE uint drawn_shape(ulong bits, uint draw, global const SampleRecord* target
   return near_shapes[(size_t)target->near_list * near_length + ((squared * near_length) >> 32)];
 }
 
-// The docking that a draw implies; its key is NO_DOCKING where its disc does not fit.
+// The docking of a draw. Its key is NO_DOCKING where its disc does not fit.
 INLINE DockingRecord drawn_docking(TangentDraw drawn, uint draw, uint t, const StanceRecord* stance, PointFrame frame,
                                    global const ShapeRecord* shape, global const SampleRecord* target,
                                    const Field* field) {
@@ -330,18 +330,18 @@ INLINE DockingRecord drawn_docking(TangentDraw drawn, uint draw, uint t, const S
   return docking;
 }
 
-enum { kDraws = kItems * kDrawsPerItem };  // of a docking's items
+enum { kDraws = kItems * kDrawsPerItem };  // of all items of a group
 
-// The first from `i` on whose point is to be found, or kDraws.
+// Index of the next draw from `i` on whose point has to be found, or kDraws.
 int next_to_find(SHARED const TangentDraw* drawn, int i) {
   while (i < kDraws && drawn[i].point != POINT_TO_FIND) ++i;
   return i;
 }
 
-// Work item: (kDrawsPerItem draws, target sample). The items of a docking make their draws, then its lanes look at what
-// is left, one docking after the other. They are added where the shape is of this shard and the early reject leaves
-// them. A draw's shape lies anywhere in memory: what several draws need of it is asked for before any of it is used.
-// `contour_places`: by shape of the shard, for those that may be drawn.
+// Work item: (kDrawsPerItem draws, target sample). The items of a group make their draws; then all lanes test the
+// dockings one after the other and append those of this shard's shapes that the early reject leaves. The data of a
+// draw's shape may be anywhere in memory: each item loads them for all its draws before it uses any. `contour_places`:
+// index of the contour, for each shape of the shard that may be drawn.
 DOCKING_KERNEL void dock_tangents(constant MatchRecord* match, global const StanceRecord* stances,
                           global const StanceListRecord* stance_lists, global const uint* shape_class,
                           global const float* size_map, uint open_count, uint all_open, global const uint* open_shapes,
@@ -366,7 +366,7 @@ DOCKING_KERNEL void dock_tangents(constant MatchRecord* match, global const Stan
     drawn[i].library_shape =
         drawn_shape(bits, draw, target, open_count, all_open, open_shapes, near_length, near_shapes);
     drawn[i].point = NO_POINT;
-    const uint shape = drawn[i].library_shape - match->first_shape;  // wraps round below the shard
+    const uint shape = drawn[i].library_shape - match->first_shape;  // wraps round where the shape lies before the shard
     if (draw >= draws || open_count == 0 || shape >= match->shapes) continue;
     const Stances standing = stances_of(stances, stance_lists, shape_class, shape);
     const uint place = (uint)(((more & 0xffffffffu) * standing.list.count) >> 32);

@@ -12,7 +12,7 @@ void finish_run(TermsRecord* terms, int run, float area_px2) {
   }
 }
 
-// Distances of all boundary points; gives the first one in contact, or 0.
+// Computes the distances of all boundary points; returns the index of the first point in contact, or 0.
 int boundary_distances(Lanes lanes, global const float* contour, PoseRecord s, const Field* field,
                        SHARED float* distance) {
   LaneFloat first = kBoundaryPoints;
@@ -39,7 +39,7 @@ int covered_interior_points(Lanes lanes, global const float* contour, int interi
   return int_sum_of_lanes(lanes, covered);
 }
 
-// One run after the other: all lanes do the same.
+// Adds up the runs of overlap and gap along the contour. All lanes compute the same.
 void add_runs(TermsRecord* terms, SHARED const float* distance, int first, float step_px, constant MatchRecord* match) {
   int run = NO_RUN;
   float area_px2 = 0;
@@ -57,7 +57,7 @@ void add_runs(TermsRecord* terms, SHARED const float* distance, int first, float
   finish_run(terms, run, area_px2);
 }
 
-// `distance`: room for kBoundaryPoints of them.
+// `distance`: memory for kBoundaryPoints distances.
 TermsRecord docking_terms(Lanes lanes, SHARED float* distance, constant MatchRecord* match,
                           global const float* contour, global const ShapeRecord* shape, PoseRecord s,
                           const Field* field, const Picture* picture) {

@@ -1,4 +1,4 @@
-// core/field/field_lookup.h in OpenCL C, for the points of all lanes at once: bilinear look-up in the free field.
+// core/field/field_lookup.h in OpenCL C, for the points of all lanes at once: bilinear look-ups in the free field.
 
 typedef struct Field {
   global const float* value;
@@ -13,14 +13,14 @@ Field free_field(constant MatchRecord* match, global const float* value) {
   return f;
 }
 
-// The cell of each point: its nodes q (above) and r (below), and where in it the point lies.
+// The cell of each point: its nodes q (upper row) and r (lower row), and the point's place within the cell.
 typedef struct Cells {
   LaneFloat q0, q1, r0, r1;
   LaneFloat s, t;
   LaneInt on_grid;
 } Cells;
 
-// `node`: of each lane the place of q0.
+// Loads the nodes of the cells. `node`: index of q0, for each lane.
 #if kLanesAreItems
 INLINE void load_nodes(const Field* f, LaneInt node, Cells* c) {
   global const float* q = f->value + node;
@@ -30,7 +30,7 @@ INLINE void load_nodes(const Field* f, LaneInt node, Cells* c) {
   c->r1 = q[f->width + 1];
 }
 #else
-// Two nodes of a row lie side by side: one 8-byte load for both.
+// Two neighbouring nodes of a row need one 8-byte load.
 #define LOAD_ROWS(k)                                                       \
   vstore2(vload2(0, f->value + node.s##k), 0x##k, upper);                  \
   vstore2(vload2(0, f->value + f->width + node.s##k), 0x##k, lower)
@@ -74,7 +74,7 @@ LaneFloat value_in(const Cells* c) {
   return c->on_grid ? value : (LaneFloat)kOffGridDistance;
 }
 
-// One point.
+// The field at one point.
 float field_value(const Field* f, float x, float y) {
   const float u = x - f->origin_x;
   const float v = y - f->origin_y;
@@ -87,7 +87,7 @@ float field_value(const Field* f, float x, float y) {
   return (q[0] * (1 - s) + q[1] * s) * (1 - t) + (q[f->width] * (1 - s) + q[f->width + 1] * s) * t;
 }
 
-// `x`, `y` in canvas px.
+// The field at a point of each lane; `x`, `y` in canvas px.
 LaneFloat field_values(const Field* f, LaneFloat x, LaneFloat y) {
   const Cells c = cells_at(f, x, y);
   return value_in(&c);
@@ -99,7 +99,7 @@ typedef struct FieldSamples {
   LaneFloat gradient_y;
 } FieldSamples;
 
-// With the gradient; off the grid it points back to the middle, for a pose that strayed to be pulled in.
+// The field with its gradient. Outside the grid the gradient leads back to the middle, so that a stray pose returns.
 FieldSamples field_samples(const Field* f, LaneFloat x, LaneFloat y) {
   const Cells c = cells_at(f, x, y);
   const LaneFloat inward_x = x - f->origin_x < (float)f->width * 0.5f ? (LaneFloat)1.f : (LaneFloat)-1.f;

@@ -1,11 +1,11 @@
-// The 16 lanes of a docking. Its points are looked up 16 at a time, by one source for two kinds of devices:
+// The 16 lanes of a docking: its points are looked up 16 at a time. The same source serves two kinds of devices:
 // - kLanesAreItems == 0, for CPUs: a work item has all lanes of a docking, in vectors of 16.
-// - kLanesAreItems == 1, for GPUs: the 16 work items of a group have a lane each.
-// A LaneFloat or LaneInt is a number of each lane: a vector, or the number of the one lane that the work item has.
-// Comparisons of them give masks, which &, ~ and ? : understand in both ways; a set lane is -1 in a vector and 1 alone.
+// - kLanesAreItems == 1, for GPUs: the 16 work items of a group have one lane each.
+// A LaneFloat or LaneInt holds one number for each lane: a vector, or the number of the work item's own lane.
+// Comparisons give masks, which work with &, ~ and ? : in both cases; a set lane is -1 in a vector and 1 alone.
 //
-// A docking decides by what its lanes say together, which each of its work items learns from the functions below. So
-// all of them take the same way through a kernel, and may meet at barriers wherever it leads.
+// Decisions about a docking depend on all its lanes. The functions below give each work item the same result, so that
+// all items take the same branches and may meet at barriers in any of them.
 
 #if kLanesAreItems
 typedef float LaneFloat;
@@ -13,7 +13,7 @@ typedef int LaneInt;
 #define as_lane_float as_float
 #define convert_lane_float convert_float
 #define convert_lane_int convert_int
-// Memory that the work items of a docking have in common. What one of them writes the others may read after sync_lanes.
+// Memory that the work items of a docking share. What one item writes the others may read after sync_lanes.
 #define SHARED local
 #define DOCKING_KERNEL kernel __attribute__((reqd_work_group_size(kLanes, 1, 1)))
 #else
@@ -28,16 +28,16 @@ typedef int16 LaneInt;
 
 enum LaneSizes {
   kItems = kLanesAreItems ? kLanes : 1,  // work items of a docking
-  kRow = kLanes + 1,  // of scratch: with rows of 16 all items would wait for the same few banks of local memory
+  kRow = kLanes + 1,  // of scratch: with rows of 16 all items would use the same few banks of local memory
   kScratch = kLanesAreItems ? kLanes * kRow : 1
 };
 
 typedef struct Lanes {
-  int item;             // this work item among those of its docking
-  SHARED int* scratch;  // by which they tell each other what they know
+  int item;             // index of this work item within its docking
+  SHARED int* scratch;  // memory for exchange between the items
 } Lanes;
 
-// To be declared by each DOCKING_KERNEL: SHARED int scratch[kScratch];
+// Each DOCKING_KERNEL must declare: SHARED int scratch[kScratch];
 Lanes lanes_of_docking(SHARED int* scratch) {
   const Lanes lanes = {(int)get_local_id(0) % kItems, scratch};
   return lanes;
@@ -49,10 +49,10 @@ void sync_lanes(void) {
 #endif
 }
 
-// The numbers of all lanes.
+// The numbers of all lanes, in every item.
 int16 ints_of_lanes(Lanes lanes, LaneInt v) {
 #if kLanesAreItems
-  sync_lanes();  // nobody reads any more what was there before
+  sync_lanes();  // until every item has read the old content
   lanes.scratch[lanes.item] = v;
   sync_lanes();
   return vload16(0, lanes.scratch);
@@ -69,7 +69,7 @@ float16 floats_of_lanes(Lanes lanes, LaneFloat v) {
 #endif
 }
 
-// Sums: the upper half is added to the lower one, again and again (core/base/lanes.h).
+// The sum of the lanes: the upper half is added to the lower half, repeatedly (core/base/lanes.h).
 float sum_of_16(float16 v) {
   const float8 a = v.lo + v.hi;
   const float4 b = a.lo + a.hi;
@@ -79,13 +79,13 @@ float sum_of_16(float16 v) {
 
 float sum_of_lanes(Lanes lanes, LaneFloat v) { return sum_of_16(floats_of_lanes(lanes, v)); }
 
-// The sums over the lanes of each of `count` numbers, at most 16.
+// The sum over the lanes of each of `count` (at most 16) numbers.
 void sums_of_lanes(Lanes lanes, int count, const LaneFloat* v, float* sums) {
 #if kLanesAreItems
   sync_lanes();
   for (int k = 0; k < count; ++k) lanes.scratch[k * kRow + lanes.item] = as_int(v[k]);
   sync_lanes();
-  SHARED int* row = lanes.scratch + lanes.item * kRow;  // each work item adds one row up and puts the sum at its end
+  SHARED int* row = lanes.scratch + lanes.item * kRow;  // each work item sums one row and stores the sum at its end
   if (lanes.item < count) row[kLanes] = as_int(sum_of_16(as_float16(vload16(0, row))));
   sync_lanes();
   for (int k = 0; k < count; ++k) sums[k] = as_float(lanes.scratch[k * kRow + kLanes]);
@@ -105,7 +105,7 @@ int int_sum_of_lanes(Lanes lanes, LaneInt v) { return int_sum_of_16(ints_of_lane
 
 int count_lanes(Lanes lanes, LaneInt mask) { return int_sum_of_lanes(lanes, mask ? (LaneInt)1 : (LaneInt)0); }
 
-// Whether one of the lanes that this work item has is set: the others are not asked.
+// Whether a lane of this work item is set; lanes of other items are not tested.
 int any_own_lane(LaneInt mask) {
 #if kLanesAreItems
   return mask;
@@ -125,7 +125,8 @@ int any_lane(Lanes lanes, LaneInt mask) {
 #endif
 }
 
-// The lane before which `*before` others are set. Where there are no more than these, NO_LANE, and they are taken off.
+// The set lane that has `*before` set lanes before it. Where there is none: NO_LANE, and `*before` is reduced by the
+// number of set lanes.
 #define NO_LANE (-1)
 int set_lane(Lanes lanes, LaneInt mask, int* before) {
   const int16 set = ints_of_lanes(lanes, mask ? (LaneInt)1 : (LaneInt)0);
@@ -150,7 +151,7 @@ float largest_lane(Lanes lanes, LaneFloat v) {
 
 float smallest_lane(Lanes lanes, LaneFloat v) { return -largest_lane(lanes, -v); }
 
-// The lanes' numbers: of block `block` of things that go to lane 0 to 15, again and again.
+// The index of each lane's element in block `block`, where elements are dealt to lanes 0 to 15 in turn.
 LaneInt numbers_of_block(Lanes lanes, int block) {
 #if kLanesAreItems
   return block * kLanes + lanes.item;
@@ -178,5 +179,5 @@ void store_lanes(Lanes lanes, LaneFloat v, int block, SHARED float* to) {
 LaneFloat portable_exp2_lanes(LaneFloat x) {
   const LaneFloat whole = floor(x);
   EXP2_OF_FRACTION(LaneFloat, p, (x - whole));
-  return p * as_lane_float((convert_lane_int(whole) + 127) << 23);  // by a power of two: exact, however it is done
+  return p * as_lane_float((convert_lane_int(whole) + 127) << 23);  // times a power of two: always exact
 }

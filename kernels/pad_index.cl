@@ -1,19 +1,18 @@
-// core/pad/pad_index.h in OpenCL C: which blocks of the index may hold pairs of a target sample.
+// core/pad/pad_index.h in OpenCL C: finds the blocks of the index that may hold pairs of a target sample.
 //
-// 64 boxes, or PADs, are tested at once; the loop over them is left to the compiler: it knows how many bytes the device
-// handles at once.
+// 64 boxes, or PADs, are tested at once. The compiler vectorises the loop over them, as it knows the device's width.
 
 enum IndexSizes {
   kPadElements = 2 * (kPadLevels - 1),
   kFilterRows = kPadElements + 2,
-  kBoxRows = 2 * kPadElements + 3,  // the elements' least bytes, their largest, the scales', the signs
-  // Numbers of 16 bits: the elements' low bits, four of each; the upper half of the length that estimates the scale; the
-  // source, lower half first.
+  kBoxRows = 2 * kPadElements + 3,  // the elements' smallest bytes, their largest bytes, two rows of scales, the signs
+  // Numbers of 16 bits: the low bits of the elements, four elements in each number; the upper half of the length that
+  // estimates the scale; the source, lower half first.
   kLowNumbers = (kPadElements + 3) / 4,
   kPlaceNumbers = kLowNumbers + 3
 };
 
-// Bytes that a pair of a target sample has, inclusive (core/pad/pad_filter.h).
+// The range of bytes, inclusive, that a pair of a target sample can have (core/pad/pad_filter.h).
 typedef struct Bounds {
   uchar low[kPadElements];
   uchar high[kPadElements];
@@ -48,17 +47,17 @@ Bounds all_bytes() {
 
 #if kLanesAreItems
 
-// For GPUs: 16 work items have four of the 64 boxes or PADs each, as the bytes of one number. So neighbours read
-// neighbouring numbers, and each goes on by itself with what its four leave. A group is a warp of NVIDIA's: larger ones
-// are refused by some devices (Mesa's rusticl allows 32).
+// For GPUs: 16 work items share the 64 boxes or PADs; each has four of them, as the bytes of one number. Neighbouring
+// items read neighbouring numbers, and each goes on with what its four leave. A group is one warp of NVIDIA: some
+// devices refuse larger ones (Mesa's rusticl allows 32).
 enum { kSearchItems = 32, kItemsOfBlock = kFilterLanes / 4, kBlocksAtOnce = kSearchItems / kItemsOfBlock };
 #define SEARCH_KERNEL kernel __attribute__((reqd_work_group_size(kSearchItems, 1, 1)))
 
-typedef uint Met;  // the highest bit of each byte
+typedef uint Met;  // a set bit is the highest bit of a byte
 
 INLINE uint in_all_bytes(uint byte) { return byte * 0x01010101u; }
 
-// The highest bit of each byte is set where the byte of `a` is that of `b` or more.
+// Sets the highest bit of each byte where the byte of `a` is at least that of `b`.
 INLINE Met at_least(uint a, uint b) {
   const uint low_bits = (a | 0x80808080u) - (b & 0x7f7f7f7fu);
   return ((a & ~b) | (~(a ^ b) & low_bits)) & 0x80808080u;
@@ -66,7 +65,7 @@ INLINE Met at_least(uint a, uint b) {
 
 INLINE Met any_bit(uint bytes, uint bits) { return ((bytes & in_all_bytes(bits)) + 0x7f7f7f7fu) & 0x80808080u; }
 
-// This item's four of a row's bytes.
+// This item's four bytes of a row.
 INLINE uint row_part(global const uchar* rows, int row) {
   return ((global const uint*)rows)[row * kItemsOfBlock + (int)get_local_id(0) % kItemsOfBlock];
 }
@@ -92,9 +91,9 @@ INLINE uint next_lane(Met met) {
 #define SEARCH_KERNEL kernel
 enum { kItemsOfBlock = 1, kBlocksAtOnce = 1 };
 
-typedef ulong Met;  // a bit for each of the 64
+typedef ulong Met;  // one bit for each of the 64
 
-// One byte for each lane, 0 or 1.
+// One byte for each lane: 0 or 1.
 typedef union LaneBytes {
   uchar byte[kFilterLanes];
   ulong word[kFilterLanes / 8];
@@ -131,7 +130,7 @@ INLINE uint next_lane(Met met) { return 63 - (uint)clz(met & -met); }
 
 #endif
 
-// The boxes of a root that are met: those of all items of the sample together.
+// The boxes of a root that the bounds meet, from all items of the sample.
 INLINE ulong nodes_met(global const uchar* rows, const Bounds* bounds, local uint* shared) {
 #if kLanesAreItems
   local uint* halves = shared + 2 * (get_local_id(0) / kItemsOfBlock);
@@ -148,16 +147,16 @@ INLINE ulong nodes_met(global const uchar* rows, const Bounds* bounds, local uin
 #endif
 }
 
-// Work item: (target sample, root), or the 16 of a sample together. The blocks that may hold pairs within the sample's
-// reach, in no particular order; of more than `capacity` the rest is lost, but counted. Where `look_at_boxes` is 0, all
-// blocks. Segments whose number is no multiple of `segment_stride` are left out.
+// Work item: (target sample, root); on GPUs 16 items together. Finds the blocks that may hold pairs within the sample's
+// reach, in no particular order; blocks beyond `capacity` are lost, but counted. Where `look_at_boxes` is 0 it finds
+// all blocks. Segments whose number is no multiple of `segment_stride` are skipped.
 SEARCH_KERNEL void find_blocks(global const RootRecord* roots, global const uchar* node_boxes,
                                global const uchar* block_boxes, uint look_at_boxes, uint segment_stride,
                                global const SampleRecord* samples, uint sample_count, uint capacity,
                                global uint* block_count, global BlockRecord* blocks) {
   local uint shared[2 * kBlocksAtOnce];
   const RootRecord root = roots[get_global_id(1)];
-  if (root.segment % segment_stride != 0) return;  // for all items of a group
+  if (root.segment % segment_stride != 0) return;  // the same for all items of a group
   const uint t = (uint)get_global_id(0) / kItemsOfBlock;
   const bool is_asked = t < sample_count && samples[min(t, sample_count - 1)].reach != 0;
   Bounds bounds = bounds_of(samples + min(t, sample_count - 1), root.level);

@@ -1,25 +1,24 @@
 // core/matching/pair_selection.cpp in OpenCL C (paper section 3.3), up to the PAD distance: scale window, sign,
-// rotation, distance within reach. Which of the pairs of a shape are local minima along its curve is decided where all
-// of them are together (src/worker/pair_choice.cpp).
+// rotation, distance within reach. src/worker/pair_choice.cpp decides which pairs of a shape are local minima along its
+// curve, as it has all of them.
 //
-// Of the blocks that the index leaves (pad_index.cl) an exact filter of bytes first (core/pad/pad_filter.h), then the
-// distance itself where a pair may be near.
+// For the blocks that the index has found (pad_index.cl), an exact filter tests bytes (core/pad/pad_filter.h). Then the
+// distance itself is computed for the PADs that may be near.
 
-enum { kMostBlocksAtATime = 256 };  // of a work group
+enum { kMostBlocksAtATime = 256 };  // for one work group
 
-// How many blocks a work group looks at side by side: one for each work item, or for each 16 that look together. Whoever
-// looks at a block is called a searcher.
+// The number of searchers of a work group. A searcher tests one block at a time: one work item on CPUs, 16 on GPUs.
 uint searchers(void) { return (uint)get_local_size(0) / kItemsOfBlock; }
 
-// How many of `count` blocks make a portion: each work group gets four portions, so that all are at work, of one block
-// for each of its searchers at least.
+// Blocks in a portion, out of `count`. Each work group gets four portions, so that all groups have work, but a portion
+// has at least one block for each searcher.
 uint blocks_at_a_time(uint count) {
   const uint items = searchers();
   const uint of_an_item = count / (4 * (uint)get_num_groups(0) * items);
   return items * clamp(of_an_item, 1u, max(1u, kMostBlocksAtATime / items));
 }
 
-// A target sample as its pairs need it.
+// The part of a target sample that tests of pairs need.
 typedef struct Target {
   ushort element[kPadElements];
   float scale_length;
@@ -36,7 +35,7 @@ Target load_target(global const SampleRecord* sample) {
   return target;
 }
 
-// Finds which of the PADs of a block may be near to the sample, by their bytes alone.
+// The PADs of a block that may be near to the sample, judged by their bytes.
 INLINE Met filter_block(global const uchar* rows, const Bounds* bounds) {
 #if kLanesAreItems
   const uint scales = row_part(rows, kPadElements);
@@ -66,7 +65,7 @@ INLINE Met filter_block(global const uchar* rows, const Bounds* bounds) {
 #endif
 }
 
-// `chord`: of the PAD; it is not looked at where every rotation is allowed.
+// Whether the pair implies an allowed rotation. `chord`: of the PAD; not read where every rotation is allowed.
 bool may_turn(const Stances* stances, global const ChordRecord* chord, const Target* target) {
   if (stances->stance->docked_edge_x <= -1) return true;
   const float turn_x = chord->x * target->chord_x + chord->y * target->chord_y;
@@ -85,8 +84,8 @@ bool may_scale(const Stances* stances, constant LevelRecord* level, float scale_
          !(target->scale_length > scale_length * (high_px * kScaleWindowHigh));
 }
 
-// Equation 1, steps, of PAD `lane` of a block. `rows`: the elements' high bytes; `place`: its own numbers. The lowest
-// four bits of a library's elements are 0 (core/pad/quantised_pad.h).
+// Equation 1 in steps for PAD `lane` of a block. `rows`: high bytes of the elements; `place`: the PAD's own numbers.
+// The lowest four bits of a library's elements are 0 (core/pad/quantised_pad.h).
 INLINE uint pad_distance(global const uchar* rows, uint lane, global const ushort* place, const Target* target) {
   ushort farthest = 0;
 #pragma unroll
@@ -97,21 +96,21 @@ INLINE uint pad_distance(global const uchar* rows, uint lane, global const ushor
   return farthest;
 }
 
-// Asks for a block's rows before they are needed: blocks lie all over the memory, and on a CPU half of a search waited
-// for them. OpenCL's own prefetch() does nothing in PoCL; a GPU has other work to do meanwhile.
+// Prefetches the rows of a block: blocks lie anywhere in memory, and on a CPU half of a search was waiting for them.
+// OpenCL's own prefetch() does nothing in PoCL; a GPU has other work to do meanwhile.
 INLINE void ask_for_rows(global const uchar* rows) {
 #if defined(__x86_64__) || defined(__aarch64__)
   for (int row = 0; row < kFilterRows; ++row) __builtin_prefetch((const void*)(size_t)(rows + row * kFilterLanes));
 #endif
 }
 
-// Work group: portions of the blocks that were found, its searchers in turns. All work groups are of one launch. A portion's
-// blocks are neighbours in the list, and so most of them in the index: what one sample looks at, the next ones find in a
-// CPU's cache.
-// `index_rows`: of each block a row for each element, then one for the scales and one for the signs; `index_places`:
-// what a PAD's exact test needs; `index_chords`: what a test of its rotation needs.
-// `pairs`, in no particular order: those nearer than their sample's reach; of more than `capacity` the rest is lost,
-// but counted.
+// Work group: some portions of the blocks that were found; its searchers take blocks in turn. There is only one launch.
+// Blocks of a portion are neighbours in the list and mostly in the index: a CPU's cache keeps the rows for the next
+// samples.
+// `index_rows`: for each block one row for each element, one for the scales and one for the signs. `index_places`: data
+// for a PAD's exact test; `index_chords`: data for the test of its rotation.
+// `pairs`: the pairs nearer than their sample's reach, in no particular order; those beyond `capacity` are lost, but
+// counted.
 SEARCH_KERNEL void find_pairs(constant MatchRecord* match, global const StanceRecord* stances,
                               global const StanceListRecord* stance_lists, global const uint* shape_class,
                               global const uchar* index_rows, global const ushort* index_places,

@@ -1,15 +1,14 @@
 // core/base/portable_math.h in OpenCL C, bit for bit.
 //
-// All kernels together: only + - * / sqrt floor fabs min max and comparisons, in the order in which the reference does
-// them; no built-in whose rounding may differ (mad, fma, native_*, dot, length). Tunables come from the host under
-// their names; numbers that stand in the midst of a reference's function stand in its kernel too, and tests/worker
-// compares the bits of both.
+// Rule for all kernels: only + - * / sqrt floor fabs min max and comparisons, in the same order as the reference, and
+// no built-in whose rounding may differ (mad, fma, native_*, dot, length). Tunables come from the host under their
+// names. Other constants of a reference's function are repeated in its kernel; tests/worker compares the bits of both.
 #pragma OPENCL FP_CONTRACT OFF
 
-// Where values must stay in registers over the calls.
+// Marks functions whose values must stay in registers across calls.
 #define INLINE __attribute__((always_inline)) inline
 
-// `n` places of a list that many work items fill, from the result on. Counters stop at 2^31 or little more and never
+// Claims `n` places, from the result on, in a list that many work items fill. Counters stop at about 2^31 and never
 // wrap round.
 uint claim_places(global uint* count, uint n) {
   const uint place = atomic_add(count, n);
@@ -17,7 +16,7 @@ uint claim_places(global uint* count, uint n) {
   return place;
 }
 
-// e^(f ln 2) for 0 <= f < 1: for a float and for lanes of them.
+// e^(f ln 2) for 0 <= f < 1, for a float or for lanes of floats.
 #define EXP2_OF_FRACTION(F, p, f)  \
   const F y = f * 0.69314718f;     \
   F p = 1.98412698e-4f;            \

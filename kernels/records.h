@@ -1,6 +1,6 @@
-// What host and kernels exchange, included by both, so that they cannot drift: plain structs of 4-byte members (8-byte
-// ones first), without padding. The host takes the constants from the headers of core; the kernels get the same names
-// as build options (src/worker/devices/kernel_options.cpp).
+// The data that host and kernels exchange; both include this file, so that they cannot differ. Plain structs of 4-byte
+// members (8-byte members first) without padding. The host takes the constants from core's headers; the kernels get
+// them under the same names as build options (src/worker/devices/kernel_options.cpp).
 #ifndef TESSERA_KERNELS_RECORDS_H
 #define TESSERA_KERNELS_RECORDS_H
 
@@ -24,23 +24,23 @@ using u64 = std::uint64_t;
 // The kernels handle boundary points and interior points in 16 lanes (lanes.cl).
 enum RecordSizes {
   kSmoothingLevelCount = 5,
-  kFilterLanes = 64,  // PADs of a block of the index, boxes of a row
+  kFilterLanes = 64,  // PADs in a block of the index, boxes in a row
   kMaxKeypoints = 2 * kMaxPadLevels + 1,
   kMediumPoints = kBoundaryPoints / kMediumStride,
   kCoarsePoints = kBoundaryPoints / kCoarseStride,
   kCoarseInteriorPoints = (kMaxInteriorPoints / kInteriorStride + kLanes) / kLanes * kLanes,
 
-  // A shape's points, structure of arrays, in shape units: all x, then all y of each set. Its sketch, by which dockings
-  // are judged at first:
+  // The points of a shape as a structure of arrays, in shape units: all x, then all y of each set. The sketch is used
+  // for the first, cheap test of a docking:
   kCoarseAt = 0,
   kCoarseInteriorAt = kCoarseAt + 2 * kCoarsePoints,
   kSketchFloats = kCoarseInteriorAt + 2 * kCoarseInteriorPoints,
-  // Its contour, at which they begin and by which they are refined:
+  // The contour is used to make dockings and to refine them:
   kFineAt = 0,
   kTangentAt = kFineAt + 2 * kBoundaryPoints,  // of the fine points
   kMediumAt = kTangentAt + 2 * kBoundaryPoints,
   kInteriorAt = kMediumAt + 2 * kMediumPoints,
-  kColourCellsAt = kInteriorAt + 2 * kMaxInteriorPoints,  // x, y, lightness, a, b, part of 16 cells
+  kColourCellsAt = kInteriorAt + 2 * kMaxInteriorPoints,  // x, y, lightness, a, b and share of 16 cells
   kContourFloats = kColourCellsAt + 6 * kLanes
 };
 
@@ -52,7 +52,7 @@ typedef struct LevelRecord {
   float scale_high_px;
 } LevelRecord;
 
-// The numbers that all kernels share: MatchingContext, the shard and the field's place.
+// The numbers that all kernels share, from MatchingContext, the shard and the field.
 typedef struct MatchRecord {
   u64 seed;
   u32 beta_steps;
@@ -82,9 +82,9 @@ typedef struct ColourLevelRecord {
   float texels_per_px;
 } ColourLevelRecord;
 
-// ColourWish, and what is on the device of it.
+// ColourWish, and its data on the device.
 typedef struct ColourRecord {
-  u32 levels;  // 0: no colours are wished for
+  u32 levels;  // 0: the job wishes for no colours
   float weight;
   u32 near_words;  // NearColours
   ColourLevelRecord level[kMaxColourLevels];
@@ -126,7 +126,7 @@ typedef struct ShapeRecord {
   float colour_cell;
 } ShapeRecord;
 
-// A target sample. Canvas px.
+// A target sample, in canvas px.
 typedef struct SampleRecord {
   float position_x;
   float position_y;
@@ -134,24 +134,24 @@ typedef struct SampleRecord {
   float tangent_y;
   u32 edge;
   u32 pass;
-  u32 reach;           // steps: pairs nearer than this
-  float scale_length;  // of the interval that estimates the scale before any alignment
+  u32 reach;           // in steps; only nearer pairs are found
+  float scale_length;  // of the interval that estimates the scale before the alignment
   float convexity;
   u32 element[kMaxPadElements];  // steps
-  // core/pad/pad_filter.h: the signs that fit, PadWindow for the reach, ScaleWindow of each level in use.
+  // From core/pad/pad_filter.h: allowed signs, PadWindow for the reach, ScaleWindow for each level in use.
   u32 signs;
   u32 pad_low[kMaxPadElements];
   u32 pad_high[kMaxPadElements];
   u32 scale_low[kSmoothingLevelCount];
   u32 scale_high[kSmoothingLevelCount];
-  float chord_x;  // between the ends of level kChordLevel: it tells the rotation before any alignment
+  float chord_x;  // between the ends of level kChordLevel; it estimates the rotation before the alignment
   float chord_y;
   float keypoint_x[kMaxKeypoints];
   float keypoint_y[kMaxKeypoints];
   u32 near_list;  // NearColours
 } SampleRecord;
 
-// The same of a PAD of the index, in steps of its shape's key points. With all of them in the index where rotations are
+// The chord of a PAD in the index, in steps of its shape's key points. The index has chords only where rotations are
 // limited.
 typedef struct ChordRecord {
   float x;
@@ -165,7 +165,7 @@ typedef struct RootRecord {
   u32 segment;  // of the library
 } RootRecord;
 
-// A block of the index, and a target sample that may have pairs in it.
+// A block of the index and a target sample that may have pairs in it.
 typedef struct BlockRecord {
   u32 sample;
   u32 block;
@@ -175,7 +175,7 @@ typedef struct BlockRecord {
 // PadPair of a target sample.
 typedef struct PairRecord {
   u32 sample;
-  u32 source;    // of the shard: shape in it * MatchRecord::sources + source of the shape
+  u32 source;    // within the shard: shape in it * MatchRecord::sources + source of the shape
   u32 distance;  // steps
 } PairRecord;
 
@@ -215,7 +215,7 @@ typedef struct ExtentRecord {
   float high_y;
 } ExtentRecord;
 
-// What refinement makes of a docking; all but the pose of feasible ones alone.
+// The result of refinement. Everything except the pose and `feasible` is set only for feasible dockings.
 typedef struct RefinedRecord {
   PoseRecord canvas_from_shape;
   TermsRecord terms;
@@ -225,7 +225,7 @@ typedef struct RefinedRecord {
   u32 feasible;
 } RefinedRecord;
 
-// The operations whose results are compared with IEEE 754's.
+// The operations whose results are compared with IEEE 754.
 enum ProbeOperation {
   kProbeProductAndSum,
   kProbeProductAndDifference,

@@ -1,11 +1,10 @@
-// core/matching/refinement.cpp in OpenCL C: Gauss-Newton on the free field, then push until no point is too
-// deep.
+// core/matching/refinement.cpp in OpenCL C: Gauss-Newton on the free field, then pushing until no point is too deep.
 
-// A symmetric 4 x 4 system; unknowns: shift x, shift y, growth, rotation, the last two as movements at `arm_px`.
-// m00, m10 m11, m20 m21 m22, m30 m31 m32 m33, g0 g1 g2 g3, how many points were added.
+// A symmetric 4 x 4 system. Unknowns: shift x, shift y, growth, rotation; the last two are movements at a distance of
+// `arm_px`. Order: m00, m10 m11, m20 m21 m22, m30 m31 m32 m33, g0 g1 g2 g3, number of points.
 enum EquationSums { FIRST_OF_M = 0, FIRST_OF_G = 10, POINTS = 14, SUMS = 15 };
 
-// On the way: point i of the set that is walked is added to lane i % 16.
+// The sums while points are added: point i of the set belongs to lane i % 16.
 typedef struct NormalEquations {
   LaneFloat sum[SUMS];
 } NormalEquations;
@@ -17,7 +16,7 @@ typedef struct Limits {
 
 float limited(Limits limits, float x) { return x < limits.low ? limits.low : x > limits.high ? limits.high : x; }
 
-// Solves (M + damping) x = -g by L D L^T, growth and turn within their limits.
+// Solves (M + damping) x = -g by L D L^T, with growth and turn within their limits.
 float4 solve(const float* sum, Limits growth, Limits turn) {
   float m[4][4] = {{sum[0], 0, 0, 0}, {sum[1], sum[2], 0, 0}, {sum[3], sum[4], sum[5], 0},
                    {sum[6], sum[7], sum[8], sum[9]}};
@@ -51,7 +50,7 @@ float4 solve(const float* sum, Limits growth, Limits turn) {
   return (float4)(x[0], x[1], x[2], x[3]);
 }
 
-// Turns and scales about the piece's own centre, then shifts.
+// The pose turned and scaled about the piece's centre, then shifted.
 PoseRecord moved(PoseRecord s, float dx, float dy, float growth, float angle) {
   const float t = 0.5f * angle;
   const float k = (1 + growth) / (1 + t * t);
@@ -61,7 +60,7 @@ PoseRecord moved(PoseRecord s, float dx, float dy, float growth, float angle) {
   return result;
 }
 
-// Points [16 block, 16 block + 16) of a set that are nearer than `radius`, or outside; the others weigh nothing.
+// Adds points [16 block, 16 block + 16) of a set that are nearer than `radius` or outside; others have no weight.
 INLINE void add_points(Lanes lanes, NormalEquations* equations, PoseRecord s, global const float* set, int count,
                        int block, const Field* field, float arm, float radius, float overlap_weight) {
   const Points p = placed_points(lanes, s, set, count, block);
@@ -85,7 +84,7 @@ INLINE void add_points(Lanes lanes, NormalEquations* equations, PoseRecord s, gl
   sum[POINTS] += near ? (LaneFloat)1 : (LaneFloat)0;
 }
 
-// One piece on one field.
+// A piece and the field that it lies in.
 typedef struct Piece {
   global const float* contour;
   global const ShapeRecord* shape;
@@ -98,14 +97,14 @@ typedef struct Descent {
   float first_radius_px;
   float last_radius_px;
   float overlap_weight;
-  bool all_points;  // else the medium set
+  bool all_points;  // false: only the medium set
 } Descent;
 
-// One of core/settings/tuning.h.
+// The constants of one descent in core/settings/tuning.h.
 #define DESCENT(name) \
   {name##_steps, name##_first_radius_px, name##_last_radius_px, name##_overlap_weight, name##_all_points}
 
-// One step of a descent, of what was added up.
+// One step of a descent from the sums.
 PoseRecord stepped(PoseRecord s, const Piece* piece, const float* sums, float arm, float radius) {
   const float scale = scale_of(s);
   const float2 turns = turn_limits(&piece->stance, s);
@@ -141,14 +140,14 @@ PoseRecord descended(Lanes lanes, PoseRecord s, const Piece* piece, Descent desc
   return s;
 }
 
-// How deep the piece reaches into what is covered, or as soon as that is known anything above kHopelessDepth_px.
+// The depth of the piece in the covered area, px; any value above kMaxPushDepth_px once that depth is exceeded.
 float depth_px(Lanes lanes, PoseRecord s, const Piece* piece) {
   LaneFloat deepest = 0;
   bool hopeless = false;
   for (int block = 0; block < kBoundaryPoints / kLanes && !hopeless; ++block) {
     const Points p = placed_points(lanes, s, piece->contour + kFineAt, kBoundaryPoints, block);
     deepest = max(deepest, -field_values(piece->field, p.x, p.y));
-    hopeless = any_lane(lanes, deepest > kHopelessDepth_px);
+    hopeless = any_lane(lanes, deepest > kMaxPushDepth_px);
   }
   const int interior_points = piece->shape->interior_points;
   for (int block = 0; block * kLanes < interior_points && !hopeless; ++block) {
@@ -156,16 +155,16 @@ float depth_px(Lanes lanes, PoseRecord s, const Piece* piece) {
     const LaneFloat d = -field_values(piece->field, p.x, p.y);
     const LaneInt covered = (numbers_of_block(lanes, block) < interior_points) & (d > 0);
     deepest = max(deepest, covered ? d + kInteriorDepth_px : (LaneFloat)0);
-    hopeless = any_lane(lanes, deepest > kHopelessDepth_px);
+    hopeless = any_lane(lanes, deepest > kMaxPushDepth_px);
   }
   return largest_lane(lanes, deepest);
 }
 
-// Gives whether the refined pose is feasible. A descent and a depth stand here once, as devices inline them: first
-// the pose is brought near in two descents, then it is pushed while it is too deep.
+// Refines the pose; returns whether it is feasible. Two descents bring the pose near, then pushes repeat while it is
+// too deep. Descent and depth occur only once in the code, as devices inline them.
 bool refine(Lanes lanes, PoseRecord* pose, const Piece* piece, float hard_depth_px) {
   PoseRecord s = *pose;
-  const Descent nestle = DESCENT(kNestle);
+  const Descent nestle = DESCENT(kCloseFit);
   const Descent push = DESCENT(kPush);
   Descent approach = DESCENT(kApproach);
   approach.first_radius_px = max(approach.first_radius_px, kApproachRadius * scale_of(s));
@@ -181,13 +180,13 @@ bool refine(Lanes lanes, PoseRecord* pose, const Piece* piece, float hard_depth_
       s = descended(lanes, s, piece, k == 0 ? approach : k == 1 ? nestle : push);
     }
     depth = depth_px(lanes, s, piece);
-    too_deep = depth > hard_depth_px && depth <= kHopelessDepth_px;
+    too_deep = depth > hard_depth_px && depth <= kMaxPushDepth_px;
   }
   *pose = s;
   return depth <= hard_depth_px && pose_allowed(&piece->stance, s);
 }
 
-// core/geometry/extent.h, of the boundary points.
+// core/geometry/extent.h, for the boundary points.
 ExtentRecord extent_of(Lanes lanes, PoseRecord s, global const float* contour) {
   Points low = placed_points(lanes, s, contour + kFineAt, kBoundaryPoints, 0);
   Points high = low;
@@ -203,7 +202,7 @@ ExtentRecord extent_of(Lanes lanes, PoseRecord s, global const float* contour) {
   return extent;
 }
 
-// kItems work items: a docking, whose shape is of this shard and has a contour on the device.
+// kItems work items: one docking. Its shape is in this shard and has a contour on the device.
 DOCKING_KERNEL void refine_dockings(constant MatchRecord* match, global const StanceRecord* stances,
                             global const float* size_map, global const float* field_value,
                             constant ColourRecord* colour, global const float* texels, global const float* contours,
@@ -233,7 +232,7 @@ DOCKING_KERNEL void refine_dockings(constant MatchRecord* match, global const St
   if (lanes.item == 0) refined[i] = result;
 }
 
-// kItems work items: a docking, whose shape is of this shard and has a contour on the device.
+// kItems work items: one docking. Its shape is in this shard and has a contour on the device.
 DOCKING_KERNEL void measure_dockings(constant MatchRecord* match, global const float* field_value,
                              constant ColourRecord* colour, global const float* texels,
                              global const float* contours, global const uint* contour_places,

@@ -1,8 +1,8 @@
-// core/geometry/similarity.h in OpenCL C, and the points of a shape under it.
+// core/geometry/similarity.h in OpenCL C, and the points of a shape mapped by it.
 
 float scale_of(PoseRecord s) { return sqrt(s.a * s.a + s.b * s.b); }
 
-// core/matching/pose_range.h: what a pose may be.
+// core/matching/pose_range.h: the allowed rotations of a pose.
 typedef struct DirectionRange {
   float middle_x;
   float middle_y;
@@ -59,7 +59,7 @@ PoseRecord pulled_in(const StanceRecord* stance, PoseRecord s) {
   return s;
 }
 
-// Low and high Cayley angle.
+// The lowest and highest allowed turn, as Cayley angles.
 float2 turn_limits(const StanceRecord* stance, PoseRecord s) {
   float2 limits = (float2)(-kNoTurnLimit, kNoTurnLimit);
   const DirectionRange range = allowed_rotations(stance);
@@ -76,13 +76,13 @@ float2 turn_limits(const StanceRecord* stance, PoseRecord s) {
   return limits;
 }
 
-// Canvas px of a point of each lane.
+// A point for each lane, in canvas px.
 typedef struct Points {
   LaneFloat x;
   LaneFloat y;
 } Points;
 
-// Points [16 block, 16 block + 16) of a set of `count` points (all x, then all y).
+// Points [16 block, 16 block + 16) of a set of `count` points (all x, then all y), mapped to the canvas.
 Points placed_points(Lanes lanes, PoseRecord s, global const float* set, int count, int block) {
   const LaneFloat x = load_lanes(lanes, block, set);
   const LaneFloat y = load_lanes(lanes, block, set + count);

@@ -1,4 +1,4 @@
-// core/matching/stances.h in OpenCL C: the ways in which the shapes of this shard may stand.
+// core/matching/stances.h in OpenCL C: the stances of the shapes of this shard.
 
 typedef struct Stances {
   global const StanceRecord* stance;
@@ -12,7 +12,7 @@ Stances stances_of(global const StanceRecord* stances, global const StanceListRe
   return result;
 }
 
-// core/geometry/size_map.h: the part of its sizes that a shape may have at a place.
+// core/geometry/size_map.h: the part of its range of sizes that a shape may use at a place.
 float size_part(constant MatchRecord* match, global const float* size_map, float x, float y) {
   if (match->size_width == 0) return 1;
   const CellLookup c = cell_lookup(x, y, match->size_cells_per_px, match->size_width, match->size_height);

@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
-# scripts/build.sh [--preset NAME] [--without-tests] [TARGET...]: configures and builds a CMake preset (default:
-# release, all targets).
-#   --without-tests  Tests are not configured, and their packages need not be there. A build folder that has tests keeps
-#                    them: without them in its rules CMake removes what was built of them.
+# scripts/build.sh [--preset NAME] [--without-tests] [TARGET...]: configures and builds a CMake preset (default: release, all targets).
+#   --without-tests  does not configure tests, so their packages may be missing. A build folder that already has tests keeps them.
+# Without the tests in its rules, CMake would remove their built files.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -15,7 +14,7 @@ fi
 tests=ON
 if [[ ${1-} == --without-tests ]]; then
   shift
-  # A configuration that failed leaves a cache, but no rules.
+  # A failed configuration leaves a cache, but no rules.
   folder=build/$preset
   [[ -e $folder/build.ninja ]] && grep -qx TESSERA_BUILD_TESTS:BOOL=ON "$folder/CMakeCache.txt" || tests=OFF
 fi

@@ -1,8 +1,8 @@
 # shellcheck shell=bash
-# For the scripts that make collages, which source it.
+# Scripts that make collages source this file.
 
-# make_collage COMMAND...: runs a command that ends as `tessera collage` does. Its exit code 3 (done, but pieces are
-# missing that the job counts) is said and taken as done.
+# make_collage COMMAND...: runs a command that ends as `tessera collage` does. Exit code 3 means done, but required pieces are missing; it
+# is reported and counts as success.
 make_collage() {
   local status=0
   "$@" || status=$?

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# scripts/concept-figures.sh [FOLDER]: draws the figures of the pipeline in FOLDER (docs/concepts), from Debian's drawings of animals.
-# The program must have been built (scripts/build.sh).
+# scripts/concept-figures.sh [FOLDER]: draws the figures of the pipeline into FOLDER (docs/concepts), from Debian's drawings of animals.
+# Build the program first (scripts/build.sh).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

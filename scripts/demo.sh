@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# From a bare Debian 12 machine to a collage: packages, build, a library of clip art, one master and two workers.
+# From a fresh Debian 12 machine to a collage: packages, build, a library of clip art, one master and two workers.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # shellcheck source=scripts/collage.sh
@@ -13,7 +13,7 @@ if [[ $# -gt 0 ]]; then
   echo "usage: scripts/demo.sh" >&2
   exit 2
 fi
-if [[ $EUID -eq 0 ]]; then  # Open MPI refuses root unless told twice; in a container there is often nobody else
+if [[ $EUID -eq 0 ]]; then  # Open MPI refuses root unless told twice; in a container there is often no other user
   export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 fi
 
@@ -28,7 +28,7 @@ if [[ ! $library -nt $tessera ]]; then
 fi
 
 echo "Computing the collage: one master and two workers"
-# --oversubscribe: three ranks on two cores; --bind-to none: a rank's OpenCL device uses all of them.
+# --oversubscribe: there are three ranks on two cores. --bind-to none: a rank's OpenCL device uses all cores.
 make_collage mpirun --oversubscribe --bind-to none -n 3 "$tessera" collage jobs/animals.toml --out "$result" --restart
 
 echo

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# scripts/docs.sh [FOLDER]: the documents as a site for a browser, in FOLDER (build/site): open its README.html. A link that leads
-# nowhere is an error.
+# scripts/docs.sh [FOLDER]: makes a site of the documents for a browser in FOLDER (build/site); open its README.html. A link without a
+# target is an error.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -13,7 +13,7 @@ if [[ $# -gt 1 || ${1-} == -* ]]; then
 fi
 scripts/install-packages.sh docs
 
-# The pages lie in the folders of the repository, so that their links hold there, on a forge and in the site alike.
+# The pages keep the repository's folders, so that their links work in the repository, on a forge and in the site.
 rm -rf "$source"
 mkdir -p "$source/pages/slurm" "$source/pages/src"
 cp -r README.md ARCHITECTURE.md LICENSE docs jobs examples "$source/pages"

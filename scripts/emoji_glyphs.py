@@ -11,7 +11,7 @@ import unicodedata
 
 from fontTools.ttLib import TTFont
 
-JOINERS = {0x200D, 0xFE0F}  # between the characters of one emoji; they are nothing by themselves
+JOINERS = {0x200D, 0xFE0F}  # these stand between the characters of one emoji and mean nothing alone
 
 
 def word(code_point):
@@ -20,7 +20,7 @@ def word(code_point):
 
 
 def ligatures(font):
-    """(glyphs, the glyph that stands for them) for each ligature."""
+    """The pair (glyphs, their common glyph) for each ligature."""
     for lookup in font["GSUB"].table.LookupList.Lookup:
         for table in lookup.SubTable:
             table = getattr(table, "ExtSubTable", table)

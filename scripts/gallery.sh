@@ -1,8 +1,12 @@
 #!/usr/bin/env bash
-# Runs every job of jobs/ and makes docs/gallery anew: a picture of each, and README.md with what its card says;
-# of a seamless one four copies side by side, of one with pieces of an earlier collage these alone beside it, of a puzzle
-# its pieces, of one in one style the same in all styles, of a deformed one what was laid.
-#   scripts/gallery.sh [JOB...]    only these, by name: scripts/gallery.sh hero once
+# Runs every job of jobs/ and makes docs/gallery again: a picture of each, and README.md with figures from its card.
+# Some pictures have two or four parts:
+# - a seamless collage: four copies side by side
+# - a collage with an earlier one's pieces: these pieces
+# - a puzzle: its pieces
+# - a collage in one style: the same in all styles
+# - a deformed collage: the collage before deformation
+# scripts/gallery.sh [JOB...]    runs only these jobs, by name: scripts/gallery.sh hero once
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # shellcheck source=scripts/collage.sh
@@ -11,9 +15,9 @@ source scripts/collage.sh
 readonly tessera=build/release/src/cli/tessera
 readonly library=out/animals.h5
 readonly gallery=docs/gallery
-readonly side_px=960  # pictures of usual aspects, two side by side, meet between two px
+readonly side_px=960  # two pictures of usual aspects side by side then meet between two px
 
-scripts/install-packages.sh program tests  # rsvg-convert, pdftocairo and Python are the tests', too
+scripts/install-packages.sh program tests  # the tests need rsvg-convert, pdftocairo and Python, too
 scripts/build.sh --without-tests tessera
 mkdir -p out/gallery
 if [[ ! $library -nt $tessera ]]; then
@@ -23,7 +27,7 @@ fi
 # viewbox_size SVG: prints width and height.
 viewbox_size() { sed -n 's/.*<svg [^>]*viewBox="0 0 \([0-9]*\) \([0-9]*\)".*/\1 \2/p' "$1" | head -1; }
 
-# page FOLDER COLUMNS ROWS PNG...: pictures of that result's size side by side, row by row; prints the name of a PDF.
+# page FOLDER COLUMNS ROWS PNG...: lays pictures of that result's size side by side, row by row, and prints the name of a PDF.
 page() {
   local folder=$1 columns=$2 rows=$3 width height column=0 row=0
   shift 3
@@ -42,44 +46,44 @@ page() {
   echo "$folder/page.pdf"
 }
 
-# What is seamless is seen where copies meet.
+# Shows a seamless collage where its copies meet.
 four_copies() { page "$1" 2 2 collage.png collage.png collage.png collage.png; }
 
-# two_pictures FOLDER PNG PNG: wide ones one above the other.
+# two_pictures FOLDER PNG PNG: lays two pictures side by side, or wide ones one above the other.
 two_pictures() {
   local width height
   read -r width height < <(viewbox_size "$1/collage.svg")
   if ((width > height)); then page "$1" 1 2 "$2" "$3"; else page "$1" 2 1 "$2" "$3"; fi
 }
 
-# What is deformed is seen beside what was laid.
+# Shows a deformed collage beside the collage before deformation.
 undeformed_and_deformed() {
   make_collage "$tessera" collage "$2" --set deform.kind=none --out "$1.before" --quiet
   cp "$1.before/collage.png" "$1/before.png"
   two_pictures "$1" before.png collage.png
 }
 
-# What was filled is seen beside what stood first.
+# Shows a filled canvas beside its first pieces.
 before_and_after() {
   make_collage "$tessera" collage "$2" --set stop.pieces=1 --out "$1.before" --quiet
   cp "$1.before/collage.png" "$1/before.png"
   two_pictures "$1" before.png collage.png
 }
 
-# A puzzle is seen beside its pieces as they were mixed.
+# Shows a solved puzzle beside its mixed pieces.
 pieces_and_puzzle() { # FOLDER LIBRARY
   "$tessera" library info "$2" --sheet "$1/sheet.png" >/dev/null
   two_pictures "$1" sheet.png collage.png
 }
 
-# One style is seen beside all of them.
+# Shows a collage in one style beside one in all styles.
 all_styles_and_one() {
   make_collage "$tessera" collage "$2" --set style.weight=0 --out "$1.all" --quiet
   cp "$1.all/collage.png" "$1/all.png"
   page "$1" 2 1 all.png collage.png
 }
 
-# style_sheet LIBRARY: its drawings, sorted by style, as styles.jpg.
+# style_sheet LIBRARY: draws the library's drawings, sorted by style, as styles.jpg.
 style_sheet() {
   local sheet=out/gallery/styles.png width height
   "$tessera" library styles "$1" --sheet "$sheet"
@@ -94,17 +98,17 @@ mapfile -t names < <(basename -s .toml jobs/*.toml)
 [[ $# -eq 0 ]] || names=("$@")
 for name in "${names[@]}"; do
   echo "== $name"
-  # Where it has a library of its own, the job says with which command, whose last word is the file.
+  # If a job has its own library, its file names the command that makes the library; the last word is the library's file.
   read -ra make < <(sed -n "s,^#  *tessera \(library .*\),$tessera \1,p; s,^#  *\(scripts/.*\),\1,p" \
     "jobs/$name.toml") || true
   if [[ ${#make[@]} -gt 0 && ! ${make[-1]} -nt $tessera ]]; then "${make[@]}"; fi
   make_collage "$tessera" collage "jobs/$name.toml" --out "out/gallery/$name" --quiet
-  # A PDF shows no turned hues, and poppler draws the thin lines of a mosaic's small pieces a pixel wide.
+  # A PDF does not show turned hues, and poppler draws the thin lines of a mosaic's small pieces one pixel wide.
   by_pixels=false
   if grep -qE '^(shift = [1-9]|harmony = )' "jobs/$name.toml"; then by_pixels=true; fi
   $by_pixels || "$tessera" draw "out/gallery/$name" --pdf --quiet
   if grep -q '^#  *tessera library styles' "jobs/$name.toml"; then style_sheet "${make[-1]}"; fi
-  # By way of the PDF: poppler is here for the tests anyway.
+  # The picture is made from the PDF, as the tests need poppler anyway.
   shown=out/gallery/$name/collage.pdf
   if $by_pixels; then shown=$(page "out/gallery/$name" 1 1 collage.png); fi
   if grep -q '^seamless' "jobs/$name.toml"; then shown=$(four_copies "out/gallery/$name"); fi
@@ -122,28 +126,28 @@ for name in "${names[@]}"; do
   pdftocairo -jpeg -jpegopt quality=88 -singlefile -scale-to "$side_px" "$shown" "$gallery/$name"
 done
 
-# value CARD LABEL: what stands behind the label on a line of card.txt
+# value CARD LABEL: prints the value after the label on a line of card.txt
 value() { sed -n "s/^  $2  *//p" "$1" | head -1; }
 
-# old_section JOB: what the README says of a job that did not run here.
+# old_section JOB: prints the README's section about a job that did not run here.
 old_section() {
   echo
   awk -v title="## [$1](" 'index($0, "## [") == 1 { on = index($0, title) == 1 } on { lines = lines $0 "\n" }
     END { sub(/\n+$/, "", lines); print lines }' "$gallery/README.md"
 }
 
-# The paper's figures, and the jobs that are after them.
+# The paper's figures, and the jobs modelled on them.
 readonly figures=(
   "13|Australian animals in three sizes|australia"
   "15|growing outward|outward"
   "16|a collage without seams|seamless"
-  "17|pieces keep out of what is drawn|letters"
+  "17|pieces keep out of letters|letters"
   "18|a puzzle of 18 pieces with straight sides|shards"
   "18|pieces that are alike: any exact cover|tangram"
   "19|a puzzle of closely packed pieces|puzzle"
   "21, 23|gaps closed by deforming|deformed"
   "22|a mosaic of stones by their greys|stones"
-  "24|a place is erased and filled anew|changed"
+  "24|a place is erased and filled again|changed"
 )
 
 sections() {
@@ -163,7 +167,7 @@ sections() {
   done
 }
 
-# numbers NAME: the last line of that section of the standard input.
+# numbers NAME: prints the last line of that section of the standard input.
 numbers() {
   awk -v title="## [$1](" 'index($0, "## [") == 1 { on = index($0, title) == 1 } on && /./ { last = $0 } END { print last }'
 }
@@ -171,8 +175,8 @@ numbers() {
 {
   body=$(sections)
   echo "# Gallery"
-  echo "Every job of [jobs](../../jobs), made by \`scripts/gallery.sh\` with Debian's openclipart (public domain) and photos."
-  echo "The numbers are those of each card; the times are of one run without MPI on the machine that made the gallery."
+  echo "\`scripts/gallery.sh\` runs every job of [jobs](../../jobs), with Debian's openclipart (public domain) and photos."
+  echo "The numbers are those of each card. The times are of one run without MPI on the machine that made the gallery."
   echo
   echo "| the paper's figure | what it shows | here | numbers |"
   echo "|---|---|---|---|"

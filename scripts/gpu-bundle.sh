@@ -45,19 +45,19 @@ readonly folder
 work=$(mktemp -d "$folder/gpu-bundle.XXXXXX")
 trap 'rm -rf "$work"' EXIT
 
-# libraries_of FILE...: what they load, one path a line, without the parts of glibc.
+# libraries_of FILE...: prints the libraries that the files load, one path a line, without the parts of glibc.
 libraries_of() {
   ldd "$@" | awk '$2 == "=>" && $3 ~ /^\// { print $3 }' | sort -u |
-    grep -vE '/(ld-linux[^/]*|lib(c|m|dl|rt|pthread|resolv|util|nsl|mvec|anl)\.so[^/]*)$' || true  # nothing
+    grep -vE '/(ld-linux[^/]*|lib(c|m|dl|rt|pthread|resolv|util|nsl|mvec|anl)\.so[^/]*)$' || true  # there may be none
 }
 
-# copy_libraries INTO [UNLESS_IN] -- FILE...: the libraries of each file, but for those that lie in one of the folders.
+# copy_libraries INTO [UNLESS_IN] -- FILE...: copies the libraries of each file, except those in one of the folders.
 copy_libraries() {
   local into=$1 also=$1 file library
   shift
   [[ $1 == -- ]] || { also=$1; shift; }
   shift
-  # One file at a time: with a stand-in in a library's place the loader does not meet what the library needs.
+  # The files are handled one by one. If a library is replaced, the loader does not see what the original one needs.
   for file; do
     while read -r library; do
       [[ -e $into/${library##*/} || -e $also/${library##*/} ]] || cp -L "$library" "$into/"
@@ -65,7 +65,7 @@ copy_libraries() {
   done
 }
 
-# xz_archive ARCHIVE FOLDER: the folder "bundle" in it.
+# xz_archive ARCHIVE FOLDER: packs the folder "bundle" in FOLDER.
 xz_archive() {
   tar -C "$2" --sort=name --owner=0 --group=0 --numeric-owner -c bundle | xz -T0 -6 >"$1.new"
   mv "$1.new" "$1"
@@ -77,8 +77,8 @@ strip_all() {
   find "$@" -type f \( -perm -100 -o -name '*.so*' \) -exec sh -c 'strip --strip-unneeded "$1" 2>/dev/null' _ {} \;
 }
 
-# stand_in_for_icu_data INTO: libxml2 asks ICU for encodings that glibc's iconv does not know, and ICU's tables of them
-# take 31 MB. Without tables, in the form that ICU itself has for it ("stubdata"), it says that it knows none.
+# stand_in_for_icu_data INTO: replaces ICU's tables, which take 31 MB. libxml2 asks ICU for encodings that glibc's iconv does not know.
+# The replacement is an empty table in ICU's own form ("stubdata"), with which ICU says that it knows no encoding.
 stand_in_for_icu_data() {
   cat >"$work/icu_data.c" <<'END'
 #include <unicode/udata.h>
@@ -95,8 +95,8 @@ END
   gcc -shared -fPIC -Wl,-soname,libicudata.so.72 -o "$1/libicudata.so.72" "$work/icu_data.c"
 }
 
-# copy_open_mpi TO: it finds its plug-ins under OPAL_PREFIX, in the folders of Debian's packages. Left out are those of
-# networks other than TCP, whose drivers a bundle cannot bring, and those of OpenSHMEM.
+# copy_open_mpi TO: copies Open MPI, which finds its plug-ins under OPAL_PREFIX in the folders of Debian's packages.
+# It leaves out those of networks other than TCP, whose drivers a bundle cannot bring, and those of OpenSHMEM.
 copy_open_mpi() {
   local to=$1 plug_ins=lib/x86_64-linux-gnu/openmpi/lib/openmpi3 pmix=lib/x86_64-linux-gnu/pmix2/lib/pmix
   mkdir -p "$to/$plug_ins" "$to/$pmix" "$to/share"
@@ -109,8 +109,8 @@ copy_open_mpi() {
   cp -rL $system/pmix2/share/pmix "$to/share/"
 }
 
-# copy_fonts TO: one font, for machines that have none: there the silhouettes of drawings with text differed from one
-# run to the next.
+# copy_fonts TO: copies one font, for machines without fonts. Without any font, the silhouettes of drawings with text would differ from run
+# to run.
 copy_fonts() {
   mkdir -p "$1/share/fonts"
   cp /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf "$1/share/fonts/"
@@ -149,8 +149,9 @@ make_main() {
   xz_archive "$folder/bundle.tar.xz" "$work/main"
 }
 
-# PoCL looks for ../../share/pocl from its own folder, and calls `ld` by PATH with the usual folders. On a machine
-# without a compiler the wrapper gives ld the files to link against, the C library's shared parts being the machine's.
+# PoCL looks for ../../share/pocl from its own folder, and calls `ld` from PATH with the usual folders.
+# On a machine without a compiler, a wrapper gives ld the files to link against. It takes the shared parts of the C library from the
+# machine.
 make_pocl() {
   local to=$work/pocl/bundle/pocl lib
   lib=$to/lib/x86_64-linux-gnu
@@ -160,7 +161,7 @@ make_pocl() {
   cp -L /usr/bin/x86_64-linux-gnu-ld.bfd "$to/bin/ld.bfd"
   copy_libraries "$lib" "$work/main/bundle/lib" -- $system/libpocl.so.2 $system/pocl/*.so "$to/bin/ld.bfd"
   cp -r /usr/share/pocl/include "$to/share/pocl/"
-  cp /usr/share/pocl/kernel-x86_64-pc-linux-gnu-avx{2,512}.bc "$to/share/pocl/"  # of any server's CPU since 2013
+  cp /usr/share/pocl/kernel-x86_64-pc-linux-gnu-avx{2,512}.bc "$to/share/pocl/"  # these fit the CPU of any server since 2013
   cp "$(gcc -print-libgcc-file-name)" $system/libc_nonshared.a "$to/link/"
   strip --strip-debug "$to/link/libgcc.a"
   echo 'GROUP ( libgcc_s.so.1 -lgcc )' >"$to/link/libgcc_s.so"

@@ -6,8 +6,8 @@
 # Exit code: 0 all passed, 1 no OpenCL device, 2 wrong arguments, 3 some failed or were not begun in time.
 set -uo pipefail
 
-# NAME and seconds, of a run of five minutes or less; in a longer one each check may take longer, too. The order is that
-# of what a first run should tell.
+# Each check's name and seconds, for a run of at most five minutes; in a longer run each check may take longer, too. The checks that tell
+# most about a new machine come first.
 readonly plan=(
   "facts 30" "devices 120" "test_arithmetic_probe 120" "test_kernels 180" "test_pair_search 90"
   "test_opencl_runtime 60" "test_device_memory 60" "library 60" "golden 150" "pairs 60" "headline 60" "demo 120"
@@ -15,7 +15,7 @@ readonly plan=(
   "profile 60" "library_100000 150" "test_stored_matching 90" "test_device_room 60" "test_device_speed 60"
   "test_opencl_devices 60" "test_opencl_matcher 300" "table2 180")
 
-# Lines of a check's log that the table shows: how many at most, and a pattern.
+# The lines of a check's log that the table shows: their largest number, and a pattern.
 declare -rA shown=(
   [devices]='6 ^platform|: (gpu|cpu|accelerator) "'
   [pairs]='2 ^device,'
@@ -33,7 +33,7 @@ usage() {
   echo "Checks: ${plan[*]% *} (facts, devices: always)"
 }
 
-# wrong WORDS: the arguments are.
+# wrong WORDS: reports wrong arguments and exits.
 wrong() {
   echo "gpu-check.sh: $1" >&2
   usage >&2
@@ -62,7 +62,7 @@ read_arguments() {
   bundle=${places[0]} out=${places[1]}
 }
 
-# open_bundle: unpacks it where it is an archive, and enters its surroundings.
+# open_bundle: unpacks the bundle if it is an archive, and loads its environment.
 open_bundle() {
   if [[ -f $bundle ]]; then
     tar -C "$work" -xf "$bundle" || { echo "gpu-check.sh: cannot unpack $bundle" >&2; exit 2; }
@@ -73,7 +73,7 @@ open_bundle() {
   source "$bundle/env.sh"
 }
 
-# check NAME LIMIT_S: runs run_NAME, its output to a log of its own; a line of the table, and what of the log is shown.
+# check NAME LIMIT_S: runs run_NAME with its own log. It prints a line of the table and the chosen lines of the log.
 check() {
   local name=$1 limit=$2 left=$((ends - SECONDS)) started=$EPOCHREALTIME result took said
   if ((left < 3)); then
@@ -106,33 +106,33 @@ check() {
   tail -n 2 "$results/logs/$name.log"
 }
 
-# processes_of GROUP: the processes of a check, one id a line: timeout makes a group of them.
+# processes_of GROUP: prints the ids of a check's processes, one a line. timeout makes a process group of them.
 processes_of() {
   awk -v group="$1" '{ sub(/^.*\) /, ""); if ($3 == group) print FILENAME }' /proc/[0-9]*/stat 2>/dev/null |
     cut -d / -f 3
 }
 
-# tell_processes GROUP: what each thread of a check is at, which is about to be stopped.
+# tell_processes GROUP: prints the state of each thread of a check that is about to be stopped.
 tell_processes() {
   local process thread
   echo "stopped at:"
   for process in $(processes_of "$1"); do
     echo "$process: $(tr '\0' ' ' <"/proc/$process/cmdline")"
     for thread in "/proc/$process/task"/*; do
-      # State, kernel function and system call with its arguments.
+      # The state, the kernel function, and the system call with its arguments.
       echo "  $(cat "$thread/comm") $(cut -d ')' -f 2 "$thread/stat" | cut -c 2) $(cat "$thread/wchan" "$thread/syscall" | tr '\n' ' ')"
     done
   done 2>/dev/null
 }
 
-# tell_processes_after SECONDS GROUP: without a sleep, which would outlive this script.
+# tell_processes_after SECONDS GROUP: waits without `sleep`, which would outlive this script.
 tell_processes_after() {
   local never
   exec {never}<> <(:)
   read -rt "$1" -u "$never" || tell_processes "$2"
 }
 
-# end_processes GROUP: what a check left must not slow down the next one.
+# end_processes GROUP: ends what a check left behind, so that it does not slow down the next one.
 end_processes() {
   local process
   for process in $(processes_of "$1"); do kill -KILL "$process" 2>/dev/null; done
@@ -149,7 +149,7 @@ add_shown() {
   done < <(grep -E "$pattern" "$results/logs/$1.log" | head -n "$most")
 }
 
-# finish: the table, and the files in OUT.
+# finish: prints the table and writes the files in OUT.
 finish() {
   [[ -z $running ]] || kill "$running" 2>/dev/null
   {
@@ -197,7 +197,7 @@ need_library() { [[ -e animals.h5 ]] || run_library; }
 run_pairs() { tessera bench pairs --out "$results/pairs.json"; }
 run_headline() { tessera bench headline --out "$results/headline.json"; }
 
-# main_job NAME COMMAND...: the job of the demo, its card and its picture.
+# main_job NAME COMMAND...: runs the demo's job, and shows its card and its picture.
 main_job() {
   local name=$1
   shift
@@ -209,13 +209,13 @@ main_job() {
 }
 run_demo() { main_job demo; }
 
-# Two workers on one card.
+# Two workers share one GPU.
 run_two_ranks() {
   main_job two_ranks mpirun -n 3 --oversubscribe --bind-to none
   [[ ! -e demo/pieces.geojson ]] || cmp demo/pieces.geojson two_ranks/pieces.geojson
 }
 
-# Rounds alone: kernels, copies, waits.
+# Only the rounds: kernels, copies, waits.
 run_profile() {
   need_library
   LD_PRELOAD=$bundle/lib/libopencl_profile.so tessera collage "$bundle/jobs/animals.toml" \

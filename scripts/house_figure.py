@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""scripts/house_figure.py [FILE.svg]: draws the rooms of src/, and which of them include headers of which, in docs/house.svg. A room
-stands above all rooms that it knows; an arrow that follows from others is left out."""
+"""scripts/house_figure.py [FILE.svg]: draws docs/house.svg, the rooms of src/ with an arrow to each room whose headers a room includes.
+A room stands above all rooms that it knows. An arrow that follows from others is left out."""
 
 import os
 import re
 import sys
 
 WIDTH, ROW, BOX, HALF_HEIGHT = 940, 92, 132, 19
-WORDS = {  # below the name
+WORDS = {  # the text below the name
     "core": "the algorithm", "files": "whole or not at all", "text": "numbers, JSON, XML", "artwork": "foreign drawings",
     "library": "shapes in HDF5", "job": "the job and its keys", "layers": "beside the pieces", "recognition": "matches as files",
     "package": "library for programs", "checkpoint": "state in a file", "result": "the result's files", "render": "pictures",
@@ -18,7 +18,7 @@ KINDS = {"core": "#cfe3f2", "comm": "#f8d9c4", "worker": "#f8d9c4", "master": "#
 
 
 def rooms_and_includes():
-    """The rooms at the top level, the lowest first, and for each the others that its files include."""
+    """The top-level rooms, the lowest first, and for each room the other rooms that its files include."""
     with open("src/rooms.txt", encoding="utf-8") as file:
         listed = [line.split()[0].split("/")[0] for line in file if line.strip() and not line.startswith("#")]
     rooms = list(dict.fromkeys(listed))
@@ -35,7 +35,7 @@ def rooms_and_includes():
 
 
 def without_what_follows(known):
-    """An arrow is left out where another room in between leads to the same one."""
+    """The includes without those that another room in between implies."""
     def reached(room):
         found = set()
         for other in known[room]:
@@ -45,7 +45,7 @@ def without_what_follows(known):
 
 
 def rows_of(rooms, known):
-    """Rooms row by row, the lowest row first; within a row near the rooms that they know."""
+    """The rooms row by row, the lowest row first. Within a row each room is near the rooms that it knows."""
     level = {}
     for room in rooms:
         level[room] = 1 + max((level[other] for other in known[room]), default=-1)

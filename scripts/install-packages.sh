@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# scripts/install-packages.sh [SECTION...]: installs what these sections of scripts/packages.txt name and this machine
-# lacks: program (the default), tests, long-tests, docs. Does nothing, in no time, where all is there.
+# scripts/install-packages.sh [SECTION...]: installs the missing packages of these sections of scripts/packages.txt: program (the default),
+# tests, long-tests, docs. If none is missing, it does nothing.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -12,23 +12,23 @@ fail() {
   exit 1
 }
 
-# section_lines SECTION: prints the lines of its packages.
+# section_lines SECTION: prints the lines of the section's packages.
 section_lines() {
   awk -v heading="[$1]" '/^\[/ { inside = $0 == heading; next } inside && NF && $1 !~ /^#/' "$list"
 }
 
-# missing_packages SECTION...: prints those of their packages that are not installed, one a line.
+# missing_packages SECTION...: prints the packages of the sections that are not installed, one a line.
 missing_packages() {
   local wanted installed
   wanted=$(for section; do section_lines "$section"; done | awk '{ print $1 }')
-  # dpkg-query fails where it does not know one of them; it still answers for the others.
+  # dpkg-query fails if it does not know one of them, but still answers for the others.
   # shellcheck disable=SC2086  # one argument a package
   installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' $wanted 2>/dev/null) || true
   installed=$(sed -n 's/^installed //p' <<<"$installed")
   grep -vxF -f <(echo "$installed") <<<"$wanted" || true
 }
 
-# Runs apt-get as root; its pages of output go to the log. On a fresh machine automatic upgrades may hold dpkg's lock.
+# Runs apt-get as root, with its long output in the log. On a fresh machine automatic upgrades may hold dpkg's lock.
 apt_as_root() {
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -yq -o DPkg::Lock::Timeout=120 "$@" >>"$log" 2>&1
 }
@@ -65,7 +65,7 @@ mkdir -p "$(dirname "$log")"
 echo "On a bare machine these are 340 MB (program) to 660 MB (all), and take minutes. The details go to $log."
 : >"$log"
 started=$SECONDS
-# A foreign source that cannot be reached must not stop us: whether Debian's lists suffice, the next line finds out.
+# An additional source that cannot be reached must not stop the installation. The next line shows whether Debian's lists suffice.
 apt_as_root update || echo "Warning: apt-get update failed, see $log; going on with the lists that are there." >&2
 if ! apt_as_root install --no-install-recommends "${missing[@]}"; then
   tail -n 15 "$log" >&2

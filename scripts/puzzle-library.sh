@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# scripts/puzzle-library.sh tabs|polygons|tangram LIB.h5: the pieces of the gallery's puzzles (jobs/puzzle.toml and
-# others), cut out of a photo of jobs/photos, or drawn; mixed and turned.
+# scripts/puzzle-library.sh tabs|polygons|tangram LIB.h5: makes the pieces of the gallery's puzzles (jobs/puzzle.toml and others). They are
+# cut from a photo of jobs/photos or drawn, then mixed and turned.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -10,7 +10,7 @@ library=${2:?the library to write}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-# drawing FILE COLOUR TURN_DEG X,Y...: a polygon with a rim, turned; 100 px are one unit.
+# drawing FILE COLOUR TURN_DEG X,Y...: draws a turned polygon with a rim; one unit is 100 px.
 drawing() {
   local file=$1 colour=$2 turn=$3
   shift 3

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# scripts/renew-golden.sh "WHY": after a change that is meant to change the result: builds, fixes the new digests of the
-# small jobs in tests/golden, and adds the date and WHY, one line, to tests/golden/renewals.md.
+# scripts/renew-golden.sh "WHY": run it after a change that is meant to change results.
+# It builds, stores the new digests of the small jobs in tests/golden, and adds the date and WHY, one line, to tests/golden/renewals.md.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""silhouette_twins.py FOLDER OUT.txt: lists pairs of silhouettes that nobody can tell apart.
+"""silhouette_twins.py FOLDER OUT.txt: lists pairs of silhouettes that look the same.
 
 Two silhouettes are twins when both are of one class (the name before the last hyphen) and one, turned, moved and scaled,
 overlaps the other with an intersection over union of 0.97 or more. "~B" is the mirror image of B, which a library may
@@ -14,8 +14,8 @@ import numpy as np
 from PIL import Image
 
 LEAST_IOU = 0.97
-COARSE_IOU = 0.88  # pairs below it by centroids, areas and the best of 360 angles are not looked at again
-GRID = 192         # pixels of the square on which pairs are compared
+COARSE_IOU = 0.88  # pairs are not refined if centroids, areas and the best of 360 angles give less
+GRID = 192         # pixels along each side of the square in which pairs are compared
 RADIUS = 2.6       # half the square's side, in square roots of the silhouette's area
 
 
@@ -26,7 +26,7 @@ class Silhouette:
             pixels = pixels[:, ::-1]
         self.name = "~" * mirrored + path.stem
         self.group = path.stem.rsplit("-", 1)[0]
-        # A margin, so that points outside the picture are outside the silhouette.
+        # The margin puts points outside the picture outside the silhouette.
         self.pixels = np.pad(pixels, 2).astype(np.float32)
         y, x = np.nonzero(self.pixels)
         self.centre = np.array([x.mean(), y.mean()])
@@ -73,8 +73,8 @@ def iou(a, b):
 
 
 def best_iou(a, b, angle, points):
-    """The best is looked for by coverages, which change smoothly with the pose, as counts of pixels do not: a pattern
-    search over angle, scale and position (Hooke and Jeeves 1961)."""
+    """The best overlap, by a pattern search over angle, scale and position (Hooke and Jeeves 1961). It compares coverages, because
+    they change smoothly with the pose, unlike counts of pixels."""
     fixed = a.at(points)
     pose = np.array([angle, 0.0, 0.0, 0.0])
     best = iou(fixed, moved(b, points, pose))
@@ -92,7 +92,7 @@ def best_iou(a, b, angle, points):
         if pose is start:
             step /= 2
             continue
-        trial = 2 * pose - start  # once more the way of all four together
+        trial = 2 * pose - start  # repeats the whole last move
         overlap = iou(fixed, moved(b, points, trial))
         if overlap > best:
             best, pose = overlap, trial
@@ -100,7 +100,7 @@ def best_iou(a, b, angle, points):
 
 
 def twin_line(a, b, points):
-    """A line of the list, or None where the two are no twins."""
+    """A line of the list, or None if the two are no twins."""
     both = np.fft.irfft((np.conj(a.spectrum) * b.spectrum).sum(axis=0), n=360)
     shift = int(both.argmax())
     coarse = both[shift] / (a.ring_area + b.ring_area - both[shift])

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A library of 732 tiles of stone in greys, for mosaics (two more are too small):
-#   scripts/stone-library.sh [LIB.h5]    default: out/stones.h5
+# scripts/stone-library.sh [LIB.h5]: makes a library of 732 grey tiles of stone for mosaics (two more are too small). The default is
+# out/stones.h5.
 # The stone is that of jobs/photos/flagstones.jpg; the tiles' sheet stays in the folder LIB.parts.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

@@ -13,18 +13,18 @@ import struct
 import sys
 import zlib
 
-PHOTO_PX = (1600, 800)  # what PHOTO.jpg is taken for
-PHOTO_MEAN = 0.57  # of its lightness, sRGB
-SLAB_PX = (1600, 200)  # eight of them on the sheet
-TILES = [92, 92, 92, 92, 92, 92, 91, 91]  # of each slab: 734
-MEANS = [0.09, 0.2, 0.31, 0.43, 0.55, 0.67, 0.8, 0.92]  # of each slab, sRGB
-CONTRASTS = [0.5, 0.9, 1.2, 1.3, 1.3, 1.2, 0.9, 0.5]  # the photo's is 1
-STEP_PX = 2  # of the map's pixels
+PHOTO_PX = (1600, 800)  # PHOTO.jpg is scaled to this size
+PHOTO_MEAN = 0.57  # mean lightness, sRGB
+SLAB_PX = (1600, 200)  # the sheet has eight of them
+TILES = [92, 92, 92, 92, 92, 92, 91, 91]  # for each slab; 734 in all
+MEANS = [0.09, 0.2, 0.31, 0.43, 0.55, 0.67, 0.8, 0.92]  # for each slab, sRGB
+CONTRASTS = [0.5, 0.9, 1.2, 1.3, 1.3, 1.2, 0.9, 0.5]  # for each slab; the photo has 1
+STEP_PX = 2  # the size of a pixel of the map
 GAP_PX = 4  # between two tiles
 
 
 def slab(number):
-    """The photo's stone in one grey: a strip of the photo, of the lower slabs mirrored, so that none comes twice."""
+    """A strip of the photo's stone in one grey. The lower slabs are mirrored, so that no strip appears twice."""
     width, height = SLAB_PX
     contrast = CONTRASTS[number]
     tone = f"type='linear' slope='{contrast}' intercept='{MEANS[number] - contrast * PHOTO_MEAN:.3f}'"
@@ -51,7 +51,7 @@ def sheet(photo):
 
 
 class Site:
-    """The middle of a tile, and how far it reaches in which direction: tiles are neither squares nor all alike."""
+    """The middle of a tile and its extent by direction, so that tiles are neither squares nor all alike."""
 
     def __init__(self, chance):
         self.x, self.y = (chance.uniform(0, side) for side in SLAB_PX)
@@ -65,7 +65,7 @@ class Site:
 
 
 def sites(count, chance):
-    """Each the farthest of some from those there are, so that no tile is a splinter."""
+    """Chooses each site as the one of six that is farthest from the earlier sites, so that no tile is a splinter."""
     chosen = []
     while len(chosen) < count:
         offers = [Site(chance) for _ in range(6)]
@@ -74,7 +74,7 @@ def sites(count, chance):
 
 
 def label_rows(count, chance):
-    """Rows of labels of one slab, 1..count; 0 between tiles and along the slab's edge."""
+    """The rows of labels of one slab: 1..count, and 0 between tiles and along the slab's edge."""
     width, height = SLAB_PX
     near_px = 3 * math.sqrt(width * height / count)
     all_sites = sites(count, chance)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# scripts/test.sh [--long] [--asan] [CTEST ARGUMENT...]: packages, build, all tests.
-#   --long  the tests with the label "long" too
-#   --asan  with the address and undefined-behaviour sanitizers, and without mpirun (Open MPI itself leaks)
+# scripts/test.sh [--long] [--asan] [CTEST ARGUMENT...]: installs packages, builds, and runs all tests.
+#   --long  also runs the tests with the label "long"
+#   --asan  uses the address and undefined-behaviour sanitizers, without mpirun (Open MPI itself leaks)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -17,12 +17,12 @@ left_out=none  # a regular expression of labels
 [[ $long == yes ]] || left_out+='|long'
 [[ $preset == release ]] || left_out+='|mpi'
 
-if [[ $EUID -eq 0 ]]; then  # Open MPI refuses root unless told twice; in a container there is often nobody else
+if [[ $EUID -eq 0 ]]; then  # Open MPI refuses root unless told twice; in a container there is often no other user
   export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 fi
 
 scripts/install-packages.sh "${sections[@]}"
 scripts/build.sh --preset "$preset"
-# Three at a time, of which a test with ranks counts as two: such a test has all cores busy or waits, for signals, time limits and
-# Slurm, half of its time.
+# Three tests run at a time; a test with ranks counts as two. Such a test uses all cores half of its time, and otherwise waits for signals,
+# time limits or Slurm.
 ctest --preset "$preset" -j 3 --no-tests=error --no-label-summary -LE "^($left_out)\$" "$@"

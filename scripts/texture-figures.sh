@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# How like its source a texture is: compares the pieces of a result with the elements of the library it was made from.
-#   scripts/texture-figures.sh RESULT LIB.h5
-# Prints the Kolmogorov-Smirnov distances of sizes (square root of the area) and of elongations (ratio of the axes of
-# the area's second moments), each element of the library counted once, and the part of the canvas that is covered.
+# scripts/texture-figures.sh RESULT LIB.h5: compares the pieces of a result with the elements of the library it was made from.
+# It prints the Kolmogorov-Smirnov distances of sizes (square root of the area) and of elongations (ratio of the axes of the area's second
+# moments).
+# Each element of the library counts once. It also prints the covered share of the canvas.
 set -euo pipefail
 readonly result=$1 library=$2
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# data DATA_SET, numbers DATA_SET: of the library, numbers one a line.
+# data DATA_SET prints a data set of the library, numbers DATA_SET its numbers, one a line.
 data() { h5dump -w 0 -y -d "$1" "$library" | sed '0,/DATA {/d; /^ *}/,$d'; }
 numbers() { data "$1" | tr ',' '\n' | tr -d ' ' | grep .; }
 
@@ -18,7 +18,7 @@ numbers /outline/first_curve >"$work/curves"
 numbers /outline/first_point >"$work/points_of_curves"
 numbers /outline/points | paste -d ' ' - - >"$work/points"
 
-# Of each shape's outer curve: minor by major axis.
+# For the outer curve of each shape: the minor axis divided by the major one.
 awk -v work="$work" '
   BEGIN {
     while ((getline line < (work "/points_of_curves")) > 0) first_point[points_of_curves++] = line
@@ -44,7 +44,7 @@ cut -f 2 "$work/pieces" >"$work/placed_sizes"
 awk -F '\t' 'FNR == NR { elongation[$1] = $2; next } { print elongation[$1] }' \
   <(paste "$work/names" "$work/elongations") "$work/pieces" >"$work/placed_elongations"
 
-# ks A B: the largest difference of the shares of numbers up to any one. Sizes of pieces are rounded to 0.001 px.
+# ks A B: prints the largest difference of the two cumulative distributions. Sizes of pieces are rounded to 0.001 px.
 ks() {
   awk '
     FNR == NR { a[n++] = $1; next }

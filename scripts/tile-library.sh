@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# A library of some thousand tiles for mosaics, out of Debian's packages and the photos of jobs/ alone:
-#   scripts/tile-library.sh [LIB.h5]    default: out/mosaic_tiles.h5; what it is made of stays in the folder LIB.parts
-# All of openclipart (public domain), the emoji of Google's Noto (SIL Open Font License), and stones and coins from photos.
+# scripts/tile-library.sh [LIB.h5]: makes a library of some thousand tiles for mosaics from Debian's packages and the photos of jobs/. The
+# default is out/mosaic_tiles.h5; its sources stay in the folder LIB.parts.
+# It has all of openclipart (public domain), the emoji of Google's Noto (SIL Open Font License), and stones and coins from photos.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

@@ -27,7 +27,7 @@ list=$("$tessera" campaign "${arguments[0]}" --set "library.file=\"${arguments[1
 count=$(wc -l <<<"$list")
 template=$slurm_folder/campaign.sbatch
 array=$(sbatch --parsable --array="0-$((count - 1))" "$@" "$template" "${arguments[@]}" "${options[@]}")
-# afterany: one collage that failed must not take the ranking of the others with it.
+# afterany: one failed collage must not stop the ranking of the others.
 ranking=$(sbatch --parsable "$@" --dependency="afterany:${array%%;*}" --nodes=1 --ntasks=1 \
   --time=00:10:00 --output=tessera-campaign-%j-ranking.log "$template" "${arguments[@]}" "${options[@]}")
 echo "collages: array $array, $count tasks; ranking: job $ranking, into ${arguments[2]}"

@@ -1,8 +1,8 @@
 # shellcheck shell=bash
-# What the templates share; they source it. Nothing here is particular to a site.
+# Functions for all templates, which source this file. It has no settings of a site.
 #
-#   TESSERA, TESSERA_ROOT  where the program is (program.sh)
-#   TESSERA_MAX_RESTARTS   how often a job may come back, node failures included (20)
+#   TESSERA, TESSERA_ROOT  the place of the program (program.sh)
+#   TESSERA_MAX_RESTARTS   how often a job may be restarted, node failures included (20)
 
 : "${SLURM_JOB_ID:?is not set: sbatch starts these files, not the shell}"
 slurm_folder=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -12,19 +12,19 @@ find_tessera || exit 1
 restarts=${SLURM_RESTART_COUNT:-0}
 most_restarts=${TESSERA_MAX_RESTARTS:-20}
 
-# Node failures restart a job too, without asking this script.
+# Node failures restart a job, too, without running this script's checks.
 if ((restarts > most_restarts)); then
   echo "given up after $most_restarts restarts (TESSERA_MAX_RESTARTS)" >&2
   exit 1
 fi
 
-# When the time limit ends the job, for the program; not every Slurm sets it (22.05 does not).
+# The program needs the time at which the limit ends the job. Not every Slurm sets it (22.05 does not).
 if [[ -z ${SLURM_JOB_END_TIME-} ]] && end=$(date -d "$(squeue -h -j "$SLURM_JOB_ID" -o %e)" +%s 2>/dev/null); then
   export SLURM_JOB_END_TIME=$end
 fi
 
-# The templates' --signal, and the minute that Slurm may be early; what is left before it is all that is computed.
-# Slurm does not tell a job whether sbatch was given another one.
+# The templates' --signal, and the minute by which Slurm may be early. Only the time before that is used for computing.
+# Slurm does not tell a job whether sbatch was given another signal.
 readonly signal_lead_s=180
 
 warn_of_short_limit() {
@@ -35,7 +35,7 @@ warn_of_short_limit() {
     "as the template sets it: little or nothing will be computed each time it is queued; give it more time (sbatch --time=00:30:00)" >&2
 }
 
-# The program would refuse them beside --resume=auto, and does not know of the template.
+# The program would refuse these options beside --resume=auto, but cannot explain it, as it does not know the template.
 refuse_other_starts() {  # options of tessera collage...
   local option
   for option in "$@"; do
@@ -50,13 +50,12 @@ refuse_other_starts() {  # options of tessera collage...
 }
 
 # Exit codes of `tessera collage`:
-readonly incomplete=3     # done, but pieces are missing that the job counts
-readonly checkpointed=75  # it wrote a checkpoint and wants to go on
+readonly incomplete=3     # done, but required pieces are missing
+readonly checkpointed=75  # it wrote a checkpoint and can continue
 
-# Runs a command and hands it the signals that Slurm sends to the batch shell. Its exit code goes to `status`.
-# USR2 comes before the time limit (--signal), TERM when the job is cancelled, preempted or requeued. mpirun takes TERM
-# and USR1 for itself and passes USR2 on to the ranks, so both become USR2; the program does not mind that it comes
-# twice.
+# Runs a command and passes on the signals that Slurm sends to the batch shell. Its exit code goes to `status`.
+# USR2 comes before the time limit (--signal). TERM comes when the job is cancelled, preempted or requeued.
+# mpirun uses TERM and USR1 itself and passes USR2 on to the ranks, so both signals become USR2. The program accepts it twice.
 run_forwarding() {
   local again
   terminated=no
@@ -73,17 +72,17 @@ run_forwarding() {
   trap - USR2 TERM
 }
 
-# One collage over all ranks of the job, from its checkpoint where there is one; one that is finished is left as it is.
-# Returns only when it is done.
+# Makes one collage with all ranks of the job, from its checkpoint if there is one. A finished collage is left as it is.
+# The function returns only when the collage is done.
 run_collage() {  # RANKS JOB OUT_DIR [options of tessera collage...]
   local ranks=$1 job=$2 out=$3
   shift 3
   refuse_other_starts "$@"
   warn_of_short_limit
-  TESSERA_MASTER_NODE=$(hostname)  # rank 0 is beside this script
+  TESSERA_MASTER_NODE=$(hostname)  # rank 0 runs on the same node as this script
   export TESSERA_MASTER_NODE
-  # --map-by node: as many workers on every node, as far as its tasks allow. --bind-to none: a rank's OpenCL device uses
-  # all the cores that the job was given.
+  # --map-by node: every node gets the same number of workers, as far as its tasks allow. --bind-to none: a rank's OpenCL device uses all
+  # cores of the job.
   run_forwarding mpirun -n "$ranks" --map-by node --bind-to none -x TESSERA_MASTER_NODE \
     "$slurm_folder/gpu_share.sh" "$tessera" collage "$job" --out "$out" --resume=auto "$@"
   if [[ $status -eq $incomplete ]]; then
@@ -93,10 +92,10 @@ run_collage() {  # RANKS JOB OUT_DIR [options of tessera collage...]
   fi
 }
 
-# The same job is queued again, with a bound, after a checkpoint and where a node is gone. Whatever else ended the
-# program is not worth repeating.
+# Queues the same job again after a checkpoint or the loss of a node, up to the allowed number of restarts. Any other end of the program is
+# not worth repeating.
 come_back_or_fail() {
-  [[ $terminated == no ]] || exit "$status"  # cancelled, or Slurm queues it again by itself
+  [[ $terminated == no ]] || exit "$status"  # the job is cancelled, or Slurm queues it again by itself
   if [[ $status -ne $checkpointed ]]; then
     if every_node_answers; then exit "$status"; fi
     echo "a node of the job does not answer" >&2
@@ -110,7 +109,7 @@ come_back_or_fail() {
   exit 0
 }
 
-# mpirun ends the job as soon as a node is lost; Slurm notices minutes later, and would then call the job failed.
+# mpirun ends the job as soon as a node is lost. Slurm notices minutes later, and would then call the job failed.
 every_node_answers() {
   timeout 60 srun --overlap --quiet --ntasks="$SLURM_JOB_NUM_NODES" --ntasks-per-node=1 true 2>/dev/null
 }

@@ -1,10 +1,10 @@
 # shellcheck shell=bash
-# Where the program is, for campaign.sh and job.sh, which source it.
+# Finds the program. campaign.sh and job.sh source this file.
 #
-#   TESSERA       the program, where it is none of those below
+#   TESSERA       the program, if it is in none of the places below
 #   TESSERA_ROOT  the folder that holds slurm/: the repository, or share/tessera of an installation
 
-# Sets `tessera`: TESSERA, or the first that is there of: PATH, TESSERA_ROOT's, the one beside these files.
+# Sets `tessera` to $TESSERA, or to the first that exists: in PATH, in TESSERA_ROOT, beside these files.
 find_tessera() {
   local here candidate root candidates
   here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -16,7 +16,7 @@ find_tessera() {
   fi
   for candidate in "${candidates[@]}"; do
     tessera=$(command -v "$candidate") || continue
-    tessera=$(realpath "$tessera")  # the other nodes' working directory and PATH may be others
+    tessera=$(realpath "$tessera")  # other nodes may have another working directory and PATH
     return
   done
   {

@@ -27,14 +27,14 @@ cv::Mat range_within(const cv::Mat& alpha, int radius_px) {
   return most - least;
 }
 
-/// CV_8U, 255 where alpha jumps.
+/// CV_8U, 255 on edges, where alpha jumps.
 cv::Mat edges_of(const cv::Mat& alpha, int unit_px, double least_step) {
   const cv::Mat step = range_within(alpha, unit_px), way = range_within(alpha, kNearEdge_px * unit_px);
   return (step >= least_step) & (step >= way * kEdgePart);
 }
 
-/// Removes all areas that are no wider than a line. The veins of a wing and the line round it do not tell how opaque
-/// the wing is; gaps between lines do not, either.
+/// Removes all areas that are no wider than a line. Veins and outlines of a wing do not tell how opaque it is, nor do
+/// gaps between lines.
 cv::Mat without_lines(const cv::Mat& alpha, int unit_px) {
   cv::Mat wide;
   cv::morphologyEx(alpha, wide, cv::MORPH_OPEN, square(kLine_px / 2 * unit_px), {-1, -1}, 1, cv::BORDER_CONSTANT,
@@ -42,7 +42,7 @@ cv::Mat without_lines(const cv::Mat& alpha, int unit_px) {
   return wide;
 }
 
-/// CV_8U, 255 where clear pixels are connected to the page's edge. A hole in the drawing is not.
+/// CV_8U, 255 where clear pixels are connected to the page's edge: holes in the drawing are not.
 cv::Mat outside_of(const cv::Mat& alpha, int clear_alpha) { return connected_to_edge(alpha < clear_alpha); }
 
 class Measurement {
@@ -93,8 +93,8 @@ class Measurement {
     }
   }
 
-  /// Counts, for a pixel of the region, what lies beside it in one direction, behind an edge if there is one. The
-  /// page's end counts as nothing, and so do edges of holes.
+  /// Counts what lies next to a pixel of the region in one direction, behind an edge if there is one. The end of the
+  /// page and edges of holes do not count.
   void look_beyond(AlphaRegion& region, cv::Point from, cv::Point step) const {
     const cv::Rect page({0, 0}, alpha_.size());
     for (int i = 1; i <= reach_px_; ++i) {
@@ -112,7 +112,7 @@ class Measurement {
     }
   }
 
-  /// `at`: the first pixel behind an edge. Where it is clear it may be the edge's own last one.
+  /// The counter for a fall of alpha. `at`: the first pixel behind the edge; a clear one may still belong to the edge.
   int& falling_border(AlphaRegion& region, cv::Point from, cv::Point at, cv::Point step) const {
     const cv::Point next = cv::Rect({0, 0}, alpha_.size()).contains(at + step) ? at + step : at;
     const int behind = std::min(alpha_.at<std::uint8_t>(at), alpha_.at<std::uint8_t>(next));

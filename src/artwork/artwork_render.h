@@ -1,6 +1,6 @@
 // Draws an artwork file at any size, for the final picture. Artwork is untrusted: svg_page.h and raster_page.h say what
-// is refused, and that drawing a hostile SVG can take any time and memory: Drawers::render (drawers.h) does this in a
-// process with limits.
+// is refused. A hostile SVG can take any time and memory, so Drawers::render (drawers.h) calls this in a process with
+// limits.
 #pragma once
 
 #include <cstddef>
@@ -17,15 +17,15 @@ namespace tessera {
 inline constexpr std::size_t kMaxArtworkFileBytes = 20u << 20;
 inline constexpr int kMaxArtworkSide_px = 8192;
 
-/// The artwork's page (SVG) or picture, as straight (not premultiplied) BGRA, CV_8UC4, its longest side exactly
-/// longest_side_px (1..kMaxArtworkSide_px), the other one rounded up. The scale is the same both ways and the upper
-/// left corner stays: a point of Artwork's frame is multiplied by longest_side_px / max(Artwork::width_px,
-/// height_px). `path` stands in messages only; the content tells the format. Throws InputError where the bytes are no
-/// artwork or break a limit.
+/// The artwork's page (SVG) or picture as straight (not premultiplied) BGRA, CV_8UC4. Its longest side is exactly
+/// longest_side_px (1..kMaxArtworkSide_px), the other one is rounded up. Both axes have the same scale, and the upper
+/// left corner stays: a point in Artwork's frame is multiplied by longest_side_px / max(Artwork::width_px, height_px).
+/// `path` is used in messages only; the content decides the format. Throws InputError where the bytes are no artwork or
+/// exceed a limit.
 cv::Mat render_artwork(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px,
                        Background background = Background::cut_out);
 
-/// The whole file. Throws InputError where it cannot be read or is larger than kMaxArtworkFileBytes.
+/// Reads the whole file. Throws InputError where it cannot be read or is larger than kMaxArtworkFileBytes.
 std::vector<std::uint8_t> read_artwork_file(const std::string& path);
 
 }  // namespace tessera

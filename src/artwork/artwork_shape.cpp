@@ -11,10 +11,10 @@
 namespace tessera {
 namespace {
 
-/// Nobody draws beyond these: a page may say anything of its size.
+/// The drawn size, or 0 where it is beyond these limits: a page may state any size.
 float drawn_scale_px(float scale_px) { return scale_px >= 1e-3f && scale_px <= 1e6f ? scale_px : 0; }
 
-/// Over the outline's box.
+/// The colours in cells over the outline's box.
 ColourGrid colour_grid_of(const Silhouette& silhouette, const Shape& shape) {
   const Artwork& artwork = shape.artwork;
   const Extent box_px =
@@ -32,7 +32,7 @@ struct Traced {
   bool loses_parts = false;
 };
 
-/// Whether the body covers what alpha alone does not.
+/// Whether the body covers pixels that alpha alone does not.
 bool body_is_larger(const Silhouette& silhouette, const TracingRules& rules) {
   constexpr int kLeastPixels = 256;
   int more = 0;
@@ -44,7 +44,8 @@ bool body_is_larger(const Silhouette& silhouette, const TracingRules& rules) {
   return more >= kLeastPixels;
 }
 
-/// Of the drawing's body; where that is of no use, a translucent plate behind it for example, of what is opaque.
+/// The outline of the drawing's body. Where it gives no shape, e.g. for a translucent plate behind the drawing, that of
+/// the opaque part.
 Traced traced_outline(const Silhouette& silhouette, const TracingRules& rules) {
   const auto trace = [&](const Grid<float>& coverage) {
     return trace_outline(coverage, silhouette.origin_px, silhouette.source_px, rules);
@@ -56,14 +57,15 @@ Traced traced_outline(const Silhouette& silhouette, const TracingRules& rules) {
   return is_outline(by_alpha.outline) ? by_alpha : by_body;
 }
 
-/// Where parts are missing that are too faint, what is left does not tell why there is no shape.
+/// The reason to report. Where parts were lost because they are too faint, the rest does not explain why there is no
+/// shape.
 SkipReason true_reason(SkipReason reason, bool loses_parts) {
   const bool by_loss =
       reason == SkipReason::empty || reason == SkipReason::too_small || reason == SkipReason::several_large_components;
   return loses_parts && by_loss ? SkipReason::faint : reason;
 }
 
-/// Whether what the drawing encloses would make a shape where the drawing itself does not.
+/// Whether the drawing, which gives no shape, would give one with its holes filled.
 bool is_hollow(const Silhouette& silhouette, TracingRules rules) {
   if (rules.fill_holes) return false;
   rules.fill_holes = true;
@@ -79,7 +81,10 @@ std::variant<ArtworkShape, SkipReason> shape_from_artwork(std::span<const std::u
   Silhouette silhouette = make_silhouette(bytes, path, settings.rules.edge_opacity);
   const Traced traced = traced_outline(silhouette, settings.rules);
   if (const auto* reason = std::get_if<SkipReason>(&traced.outline)) {
-    if (silhouette.loses_text) throw InputError(path + ": its text cannot be drawn, as fontconfig finds no font here");
+    if (silhouette.loses_text)
+      throw InputError(path +
+                       ": its text cannot be drawn: fontconfig finds no font on this "
+                       "machine");
     return is_hollow(silhouette, settings.rules) ? SkipReason::hollow : true_reason(*reason, traced.loses_parts);
   }
 

@@ -12,16 +12,16 @@
 
 namespace tessera {
 
-/// A shape, and what of its artwork is not part of it.
+/// A shape, and the parts of its artwork that it leaves out.
 struct ArtworkShape {
   Shape shape;                    // name: the file name without extension; Artwork::original stays empty
-  int other_components = 0;       // parts that touch it nowhere, translucent ones too
+  int other_components = 0;       // parts that do not touch the shape, translucent ones included
   float other_area_fraction = 0;  // see TracedOutline
   bool loses_parts = false;       // see SolidCoverage
-  bool loses_text = false;        // not drawn, as this machine has no font
-  bool loses_pictures = false;    // the file has more of them than its first
+  bool loses_text = false;        // text was not drawn, as this machine has no font
+  bool loses_pictures = false;    // the file has more pictures than the first one
   float hollowness = 1;           // see TracedOutline
-  StyleFeatures style = {};       // what the drawing looks like
+  StyleFeatures style = {};       // of the whole drawing
 };
 
 struct TracingSettings {
@@ -29,9 +29,9 @@ struct TracingSettings {
   TracingRules rules = {};
 };
 
-/// `bytes` is the content of the file `path` (read_artwork_file). Two files with the same silhouette give equal
-/// Shape::outline. Throws InputError where it is no artwork, or nothing but
-/// text that this machine has no font for; a drawing that is of no use gives the reason.
+/// Traces the shape of an artwork file. `bytes` is the content of the file `path` (read_artwork_file). Two files with
+/// the same silhouette give equal Shape::outline. Returns the reason where the drawing cannot be a shape. Throws
+/// InputError where the bytes are no artwork, or only text for which this machine has no font.
 std::variant<ArtworkShape, SkipReason> shape_from_artwork(std::span<const std::uint8_t> bytes, const std::string& path,
                                                           const TracingSettings& settings);
 

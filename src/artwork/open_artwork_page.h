@@ -1,4 +1,4 @@
-// Any untrusted artwork, opened by what its bytes are.
+// Opens any untrusted artwork.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace tessera {
 
-/// Opens an SVG or an image, told apart by content, not by extension; `path` stands in messages. Throws InputError.
+/// Opens an SVG or an image; the content decides, not the extension. `path` is used in messages. Throws InputError.
 std::unique_ptr<ArtworkPage> open_artwork_page(std::span<const std::uint8_t> bytes, const std::string& path,
                                                Background background = Background::cut_out);
 

@@ -18,21 +18,21 @@
 namespace tessera {
 namespace {
 
-/// A drawing that would gain less resolution than this is not drawn again.
+/// A drawing is drawn again only where that gains at least this factor of resolution.
 constexpr double kLeastZoom = 1.15;
 constexpr int kColoursSide_px = 64;
 constexpr float kLeastSeen = 0.02f;
-/// Kept around the drawing: what was too faint to be seen at first.
+/// Margin round the drawing, for parts that were too faint at first.
 constexpr int kMargin_px = 4;
 
-/// Empty where `bgra` is.
+/// The alpha channel; empty where `bgra` is.
 cv::Mat alpha_of(const cv::Mat& bgra) {
   cv::Mat alpha;
   if (!bgra.empty()) cv::extractChannel(bgra, alpha, 3);
   return alpha;
 }
 
-/// Whether something translucent lies apart from opaque pixels, so that alpha alone may misjudge it.
+/// Whether translucent pixels lie apart from opaque ones, so that alpha alone may misjudge them.
 bool has_translucent_parts(const cv::Mat& bgra) {
   constexpr int kEdge_px = 2;
   constexpr int kLeastPixels = 8;
@@ -42,7 +42,7 @@ bool has_translucent_parts(const cv::Mat& bgra) {
   return cv::countNonZero((alpha >= kFaintRegions.clear_alpha) & ~beside_opaque) >= kLeastPixels;
 }
 
-/// What is drawn on, with a margin; empty where nothing is.
+/// The part with the drawing and a margin; empty where nothing is drawn.
 cv::Rect drawn_part(const cv::Mat& bgra, float edge_opacity) {
   const cv::Mat alpha = alpha_of(bgra);
   const cv::Rect part = cv::boundingRect(alpha >= int(std::ceil(255 * edge_opacity)));
@@ -54,10 +54,10 @@ cv::Rect drawn_part(const cv::Mat& bgra, float edge_opacity) {
 struct Drawing {
   int longest_side_px = 0;
   cv::Rect part;
-  cv::Mat bgra;  // of the part
+  cv::Mat bgra;  // only that part
 };
 
-/// The drawn part at the resolution wanted. A small drawing on a large page needs a second look.
+/// The drawing at the wanted resolution. A small drawing on a large page is drawn a second time.
 Drawing drawn_finely(const ArtworkPage& page, const cv::Mat& first, float edge_opacity) {
   const cv::Rect part = drawn_part(first, edge_opacity);
   if (part.empty()) return {kSilhouetteSide_px, {}, {}};
@@ -74,7 +74,7 @@ Drawing drawn_finely(const ArtworkPage& page, const cv::Mat& first, float edge_o
   return finer;
 }
 
-/// A drawing, and what of it counts where that is not its alpha.
+/// A drawing, and its body where that differs from alpha.
 struct Judged {
   Drawing drawing;
   cv::Mat body = {};  // CV_8U; empty: it is alpha
@@ -84,7 +84,7 @@ struct Judged {
 
 Judged judged(const ArtworkPage& page, const cv::Mat& first, float edge_opacity) {
   if (edge_opacity != kEdgeOpacity || !has_translucent_parts(first)) return {drawn_finely(page, first, edge_opacity)};
-  // A shadow is known by how it fades, so that all of it must be there.
+  // All of a shadow must be in the picture, as it is recognised by the way in which it fades.
   Drawing seen = drawn_finely(page, first, kLeastSeen);
   const cv::Mat alpha = alpha_of(seen.bgra);
   const SolidCoverage solid = solid_coverage(alpha, page.source_px(seen.longest_side_px));
@@ -92,7 +92,7 @@ Judged judged(const ArtworkPage& page, const cv::Mat& first, float edge_opacity)
   return {std::move(seen), solid.coverage, solid.loose_parts, solid.loses_parts};
 }
 
-/// 0..1, of CV_8U.
+/// The values of a CV_8U matrix as 0..1.
 Grid<float> grid_of(const cv::Mat& alpha) {
   Grid<float> grid(alpha.cols, alpha.rows);
   for (int y = 0; y < alpha.rows; ++y) {
@@ -129,7 +129,7 @@ ArtworkColour colour_of(const cv::Mat& straight_bgra) {
   return {{float(sum[0] / weight), float(sum[1] / weight), float(sum[2] / weight)}, float(std::sqrt(variance))};
 }
 
-/// `drawing` as it lies on the page, shrunk: a few pixels for each cell of a ColourGrid.
+/// The colours of `drawing` in the page's frame, reduced to a few pixels for each cell of a ColourGrid.
 ColourRaster colours_of(const Drawing& drawing) {
   if (drawing.bgra.empty()) return {};
   const double scale = std::min(1., double(kColoursSide_px) / std::max(drawing.bgra.cols, drawing.bgra.rows));

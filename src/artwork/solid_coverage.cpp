@@ -12,28 +12,28 @@
 namespace tessera {
 namespace {
 
-// Of 255.
+// Alpha values, of 255.
 constexpr int kHalf = 128;
-constexpr int kBarelyHalf = 153;      // an outline at one half lies inside of the edge
-constexpr double kLeastLevel = 19.5;  // of a part that counts, and of a pixel of a lost line: 0.08, rounded
-/// Of a region; where thin lines cross each other, alpha is smooth, too.
+constexpr int kBarelyHalf = 153;      // with less, the outline at one half lies inside the edge
+constexpr double kLeastLevel = 19.5;  // of a part that counts, and of a pixel in a lost line: opacity 0.08
+/// Smallest size of a region. Smaller ones may be crossings of thin lines, where alpha is smooth, too.
 constexpr int kLeastPixels = 256;
 constexpr double kFlatPart = 0.7;
-/// The same of a line or a spot.
+/// Smallest size of a line or a spot, and the share of flat pixels that it needs.
 constexpr int kLeastLinePixels = 48;
-/// Of the ways in which a region ends, one prevails that is so many times as long as the other.
+/// One kind of border prevails if it is at least this many times as long as the other.
 constexpr int kMostly = 2;
-/// A region that hardly fades anywhere: edges are so many times as long.
+/// A region hardly fades anywhere if its edges are this many times as long.
 constexpr int kAlmostWholly = 16;
 
-/// A region in which coverage is not alpha. A faint one would be solid, were it not below kLeastLevel.
+/// The kind of a region whose coverage is not its alpha. A faint region would be solid, but lies below kLeastLevel.
 enum class Kind : std::uint8_t { as_opaque, solid, shadow, faint };
 
 bool is_large(const AlphaRegion& region, int unit_px) { return region.core_pixels >= kLeastPixels * unit_px * unit_px; }
 
 int soft_border(const AlphaRegion& region) { return region.fading + region.slightly_falling; }
 
-/// Where a region fades, what is far less opaque than the rest of it is its end.
+/// Smallest alpha that counts. Where a region fades, pixels far less opaque than the rest are its fading end.
 int least_counted(const AlphaRegion& region) {
   const bool has_edges = region.falling >= kAlmostWholly * (soft_border(region) + region.fading_in_holes);
   return has_edges ? 0 : int(region.level / 2);
@@ -44,19 +44,20 @@ bool ends_at_edges(const AlphaRegion& region) {
          (region.flat_part >= kFlatPart || region.falling >= kMostly * (soft_border(region) + region.fading_in_holes));
 }
 
-/// Of a region that may be solid. All edges of a faint one are slight.
+/// The kind of a region that may be solid, by its border. All edges of a faint region are slight.
 Kind kind_by_border(const AlphaRegion& region) {
   if (region.level >= kLeastLevel) return ends_at_edges(region) ? Kind::solid : Kind::as_opaque;
   const int edges = region.falling + region.slightly_falling;
   return edges > 0 && edges >= kMostly * region.fading ? Kind::faint : Kind::as_opaque;
 }
 
-/// Fades out on one side, and ends at edges of what is more opaque on the other, or stands alone.
+/// Whether the region is a shadow: it fades on one side, and on the other ends at edges of something more opaque, or
+/// stands alone.
 bool is_shadow_of_body(const AlphaRegion& region) {
   return region.fading > kMostly * region.falling && region.rising >= region.merging;
 }
 
-/// Of the large regions, by label.
+/// The kinds of the large regions, by label.
 std::vector<Kind> kinds_of(const AlphaRegions& parts, const cv::Mat& alpha, int unit_px) {
   std::vector<Kind> kinds(parts.regions.size(), Kind::as_opaque);
   for (std::size_t i = 1; i < kinds.size(); ++i) {
@@ -72,7 +73,7 @@ std::vector<Kind> kinds_of(const AlphaRegions& parts, const cv::Mat& alpha, int 
   return kinds;
 }
 
-/// Of lines and spots, by label. Thin lines that cross each other are smooth, too, but not flat.
+/// The kinds of lines and spots, by label. Crossings of thin lines are smooth, too, but not flat.
 std::vector<Kind> line_kinds_of(const AlphaRegions& lines, int unit_px) {
   std::vector<Kind> kinds(lines.regions.size(), Kind::as_opaque);
   for (std::size_t i = 1; i < kinds.size(); ++i) {
@@ -84,16 +85,16 @@ std::vector<Kind> line_kinds_of(const AlphaRegions& lines, int unit_px) {
   return kinds;
 }
 
-/// Whether its outline is another one than that of alpha.
+/// Whether the region's outline differs from that of alpha.
 bool matters(const AlphaRegion& region, Kind kind) {
   if (kind == Kind::solid) return std::max(region.least, least_counted(region)) < kBarelyHalf;
   return kind == Kind::shadow && region.most >= kHalf;
 }
 
-/// Of each pixel the nearest one of some others.
+/// The nearest pixel of a mask to each pixel.
 class NearestPixels {
  public:
-  /// `mask`: CV_8U, 255 where they are.
+  /// `mask`: CV_8U, 255 at its pixels.
   NearestPixels(const cv::Mat& mask, const cv::Mat& alpha) : level_(std::size_t(cv::countNonZero(mask)) + 1, 0) {
     if (level_.size() == 1) {
       distance_px_ = cv::Mat(mask.size(), CV_32F, cv::Scalar(1e9));
@@ -109,7 +110,7 @@ class NearestPixels {
   }
 
   double distance_px(int y, int x) const { return double(distance_px_.at<float>(y, x)); }
-  /// Its alpha; 0 where there is none.
+  /// The alpha of the nearest pixel; 0 where the mask is empty.
   int level(int y, int x) const { return level_[std::size_t(label_.at<int>(y, x))]; }
 
  private:
@@ -118,10 +119,10 @@ class NearestPixels {
   std::vector<int> level_;  // by label
 };
 
-/// The regions of an alpha channel, and what each of them is.
-class JudgedRegions {
+/// The regions of an alpha channel with their kinds.
+class RegionKinds {
  public:
-  JudgedRegions(const cv::Mat& alpha, int unit_px)
+  RegionKinds(const cv::Mat& alpha, int unit_px)
       : unit_px_(unit_px),
         plain_(alpha_regions(alpha, unit_px, kPlainRegions)),
         plain_kinds_(kinds_of(plain_, alpha, unit_px)),
@@ -134,7 +135,8 @@ class JudgedRegions {
     const AlphaRegion& region;
     Kind kind;
   };
-  /// The faint regions add what ends at edges alone; where no large region is, there may be a line or a spot.
+  /// The judgement for a pixel. The faint regions add only those that end at edges; where there is no large region
+  /// there may be a line or a spot.
   Judged at(int y, int x) const {
     const Judged faint = judged(faint_, faint_kinds_, y, x), plain = judged(plain_, plain_kinds_, y, x);
     if (faint.kind == Kind::solid || (faint.kind == Kind::faint && plain.kind == Kind::as_opaque)) return faint;
@@ -157,20 +159,20 @@ class JudgedRegions {
   std::vector<Kind> line_kinds_;
 };
 
-/// CV_8U: what is opaque, what is translucent and counts, what is left out because it is clear or a shadow, and what is
-/// so though it ends at an edge.
-struct SurePixels {
+/// Masks, CV_8U: opaque pixels; translucent ones that count; those left out as clear or as a shadow; and those left out
+/// although they end at an edge.
+struct PixelMasks {
   cv::Mat opaque;
   cv::Mat translucent;
   cv::Mat left_out;
   cv::Mat faint;
-  cv::Mat fading;            // of regions that fade, and are no shadows
+  cv::Mat fading;            // in regions that fade and are no shadows
   bool any_matters = false;  // see matters()
 };
 
-SurePixels sure_pixels(const cv::Mat& alpha, const JudgedRegions& regions) {
+PixelMasks sure_pixels(const cv::Mat& alpha, const RegionKinds& regions) {
   const auto none = [&] { return cv::Mat(cv::Mat::zeros(alpha.size(), CV_8U)); };
-  SurePixels sure{alpha >= kOpaqueAlpha, none(), alpha < kPlainRegions.clear_alpha, none(), none()};
+  PixelMasks sure{alpha >= kOpaqueAlpha, none(), alpha < kPlainRegions.clear_alpha, none(), none()};
   for (int y = 0; y < alpha.rows; ++y) {
     for (int x = 0; x < alpha.cols; ++x) {
       const auto [region, kind] = regions.at(y, x);
@@ -186,15 +188,15 @@ SurePixels sure_pixels(const cv::Mat& alpha, const JudgedRegions& regions) {
   return sure;
 }
 
-/// On edges, alpha as it rises from what is left out on one side to what counts on the other.
-cv::Mat coverage_of(const cv::Mat& alpha, const JudgedRegions& regions, const SurePixels& sure, int unit_px) {
+/// The coverage. On edges it rises like alpha, from what is left out on one side to what counts on the other.
+cv::Mat coverage_of(const cv::Mat& alpha, const RegionKinds& regions, const PixelMasks& sure, int unit_px) {
   const NearestPixels opaque(sure.opaque, alpha), translucent(sure.translucent, alpha), left_out(sure.left_out, alpha);
   const double reach_px = kEdgeWidth_px * unit_px;
   cv::Mat coverage = alpha.clone();
   for (int y = 0; y < alpha.rows; ++y) {
     for (int x = 0; x < alpha.cols; ++x) {
       if (!regions.is_edge(y, x)) continue;
-      // Where both are near, the lower level: between a wing and its body nothing is left out.
+      // Where both are near the lower level is used: between a wing and its body nothing is left out.
       const double to_translucent_px = translucent.distance_px(y, x), to_opaque_px = opaque.distance_px(y, x);
       const bool by_wing = to_translucent_px <= std::min(reach_px, to_opaque_px + 2 * unit_px);
       const bool by_shadow =
@@ -211,8 +213,7 @@ cv::Mat coverage_of(const cv::Mat& alpha, const JudgedRegions& regions, const Su
   return coverage;
 }
 
-/// Translucent parts count with an opaque one that they touch; where there is none, all of them do. Returns how many
-/// parts it removed.
+/// Removes translucent parts that touch no opaque part, unless there is no opaque part. Returns their number.
 int remove_loose_parts(cv::Mat& coverage, const cv::Mat& alpha) {
   cv::Mat label;
   const int count = cv::connectedComponents(coverage >= kHalf, label, 8, CV_32S);
@@ -233,8 +234,8 @@ int remove_loose_parts(cv::Mat& coverage, const cv::Mat& alpha) {
   return loose;
 }
 
-/// Whether a part is seen that is neither covered nor soft.
-bool loses_parts(const cv::Mat& alpha, const cv::Mat& coverage, const SurePixels& sure, int unit_px) {
+/// Whether a visible part is neither covered nor soft.
+bool loses_parts(const cv::Mat& alpha, const cv::Mat& coverage, const PixelMasks& sure, int unit_px) {
   cv::Mat told;
   const cv::Mat shadow = sure.left_out & (alpha >= kPlainRegions.clear_alpha);
   cv::dilate((coverage >= kHalf) | sure.fading | shadow, told, square(kEdgeWidth_px * unit_px));
@@ -246,8 +247,8 @@ bool loses_parts(const cv::Mat& alpha, const cv::Mat& coverage, const SurePixels
 
 SolidCoverage solid_coverage(const cv::Mat& alpha, double source_px) {
   const int unit_px = std::max(1, int(std::lround(source_px)));
-  const JudgedRegions regions(alpha, unit_px);
-  const SurePixels sure = sure_pixels(alpha, regions);
+  const RegionKinds regions(alpha, unit_px);
+  const PixelMasks sure = sure_pixels(alpha, regions);
   SolidCoverage solid{sure.any_matters ? coverage_of(alpha, regions, sure, unit_px) : alpha};
   solid.loses_parts = loses_parts(alpha, solid.coverage, sure, unit_px);
   if (sure.any_matters) solid.loose_parts = remove_loose_parts(solid.coverage, alpha);

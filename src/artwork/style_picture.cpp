@@ -12,7 +12,7 @@ namespace {
 
 const cv::Scalar kTransparentWhite(255, 255, 255, 0);
 
-/// Over white, with its alpha, and white around it.
+/// The drawing over white, with its alpha and a white margin.
 cv::Mat on_white(const cv::Mat& premultiplied) {
   cv::Mat over(premultiplied.size(), CV_8UC4);
   for (int y = 0; y < over.rows; ++y) {

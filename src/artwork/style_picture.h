@@ -1,4 +1,4 @@
-// A drawing made ready for measuring its style (core/style/style_measure.h).
+// Prepares a drawing for the measurement of its style (core/style/style_measure.h).
 #pragma once
 
 #include <opencv2/core/mat.hpp>
@@ -7,8 +7,8 @@
 
 namespace tessera {
 
-/// `premultiplied`: BGRA of 8 bits, of what is drawn on. At one size, so that the style of a drawing does not depend on
-/// that of its picture. Empty where nothing is drawn.
+/// `premultiplied`: BGRA of 8 bits, of the part with the drawing. The result has a fixed size, so that the style does
+/// not depend on the picture's size. Empty where nothing is drawn.
 StyleRaster style_raster_of(const cv::Mat& premultiplied);
 
 }  // namespace tessera

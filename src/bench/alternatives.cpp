@@ -5,7 +5,7 @@
 #include "bench/baselines/random_filling.h"
 #include "bench/benchmarks.h"
 #include "bench/devices.h"
-#include "bench/library_matcher.h"
+#include "bench/inputs/library_matcher.h"
 #include "core/field/free_field.h"
 #include "core/quality/quality.h"
 #include "core/settings/tuning.h"
@@ -23,7 +23,7 @@ struct FilledJob {
   double total_s = 0;
 };
 
-/// One job and the engines that it is given to.
+/// One job and the engines that run it.
 class Comparison {
  public:
   Comparison(const LibraryFile& library, ShapeSource& shapes, const Canvas& canvas, const CollageSettings& settings,
@@ -89,13 +89,12 @@ class Comparison {
   std::string devices_use_;
 };
 
-/// A square with the first shape in its middle, taken out of the region: the seed. Straight sides have no PADs (the
-/// paper's first limitation), so that without it PAD alone would have nothing to begin with.
+/// A square whose region leaves out the first shape in its middle, the seed. Straight sides have no PADs (the paper's
+/// first limitation): without a seed PADs alone could not start.
 Canvas seeded_canvas(int size_px, const PieceSettings& pieces, ShapeSource& shapes) {
   Canvas canvas = make_rectangle_canvas(size_px, size_px);
   PieceSettings widest = pieces;
-  widest.max_scale_px =
-      8.f * float(size_px);  // a stamp reaches over the whole canvas: its distances are true everywhere
+  widest.max_scale_px = 8.f * float(size_px);  // stamps cover the whole canvas: their distances are right everywhere
   FreeField free(canvas, widest);
   const float scale_px = std::min(pieces.max_scale_px, 0.3f * float(size_px));
   free.stamp(shapes.shape(ShapeId{0}), {scale_px, 0, 0.5f * float(size_px), 0.5f * float(size_px)});

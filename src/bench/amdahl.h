@@ -1,4 +1,4 @@
-// Amdahl's law: what more workers cannot shorten.
+// Amdahl's law: the part of the time that more workers cannot shorten.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@ struct TimedRun {
   double loop_s = 0;
 };
 
-/// loop_s = serial_s + parallel_s / workers.
+/// The fit loop_s = serial_s + parallel_s / workers.
 struct AmdahlFit {
   double serial_s = 0;
   double parallel_s = 0;
@@ -19,8 +19,8 @@ struct AmdahlFit {
   double loop_s(int workers) const { return serial_s + parallel_s / workers; }
 };
 
-/// Fits by least squares; all of the time counts as parallel where there is only one number of workers. Times that
-/// scatter may give a negative serial part.
+/// Fits by least squares. With a single number of workers all of the time counts as parallel. Scattered times may give
+/// a negative serial part.
 AmdahlFit fit_amdahl(const std::vector<TimedRun>& runs);
 
 }  // namespace tessera::bench

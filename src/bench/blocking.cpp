@@ -32,7 +32,7 @@ void check_blocks(const std::vector<int>& blocks) {
 
 using RecogniserMaker = std::function<std::unique_ptr<Recogniser>(const SilhouetteLibrary&)>;
 
-/// Functions that make the recognisers of these names, in the same order. Throws InputError where a name is none that is allowed.
+/// Functions that make the named recognisers, in the same order. Throws InputError where a name is not allowed.
 std::vector<RecogniserMaker> chosen_recognisers(const std::vector<std::string>& names) {
   std::vector<RecogniserMaker> chosen;
   for (const std::string& name : names) {
@@ -55,7 +55,7 @@ std::vector<RecogniserMaker> chosen_recognisers(const std::vector<std::string>& 
   return chosen;
 }
 
-/// With all that is not asked for.
+/// The options with defaults for those that are not given.
 BlockingOptions whole_blocking(BlockingOptions options, bool quick) {
   if (options.blocks.empty()) {
     options.blocks = quick ? std::vector<int>{0, 50} : std::vector<int>{0, 10, 20, 30, 40, 50, 60, 70, 80, 90};
@@ -78,7 +78,7 @@ struct BlockingRow {
   std::string descriptor;
   int blocked_percent = 0;
   std::size_t queries = 0;
-  std::vector<Success> successes;  // one a query
+  std::vector<Success> successes;  // one for each query
   double query_s = 0;              // processor time, mean
 
   double percent(bool Success::*kind) const {

@@ -27,7 +27,7 @@ constexpr double kUsualMinutes = 1;
 constexpr double kQuickMinutes = 0.05;
 constexpr double kMostMinutes = 24 * 60;
 constexpr int kMostPieces = 1000;
-/// Of a segment. The paper of shape context has 100 on a whole boundary; a segment is about a fifth of one.
+/// Points of a segment. The paper of shape context uses 100 for a whole boundary; a segment is about a fifth of one.
 constexpr int kContextPointsOfSegment = 20;
 
 void check(const DescriptorsOptions& options) {
@@ -53,7 +53,7 @@ std::vector<Shape> shapes_of_folder(const std::string& folder, std::size_t most)
   return shapes;
 }
 
-/// One way to find dockings.
+/// One way of finding dockings.
 struct DescriptorMethod {
   std::string name;
   CollageSettings settings;
@@ -61,7 +61,7 @@ struct DescriptorMethod {
   std::function<std::uint64_t(const TimedCollage&)> comparisons;
 };
 
-/// The same shapes, square and limits for all methods.
+/// Runs all methods with the same shapes, square and limits.
 class DescriptorRace {
  public:
   DescriptorRace(GivenShapes& shapes, const CollageLimits& limits)
@@ -94,7 +94,7 @@ class DescriptorRace {
             [](const TimedCollage& made) { return made.statistics.docking_choices; }};
   }
 
-  /// As many pairs of a target sample are docked as of PADs.
+  /// The method with segments. It docks as many pairs for a target sample as the method with PADs.
   DescriptorMethod segments(const std::string& name,
                             const std::function<std::unique_ptr<ShapeDescriptor>()>& make_descriptor) const {
     const std::uint64_t pads = pads_per_shape(context_) * context_.library_shapes;
@@ -163,7 +163,7 @@ std::string picture_path(const std::string& stem, std::string name) {
   return stem + "_" + name + ".png";
 }
 
-/// Throws EnvironmentError, before the work whose pictures they are.
+/// Throws EnvironmentError where the pictures cannot be written; to be called before the work.
 void check_pictures_can_be_written(const std::string& stem, const std::vector<DescriptorMethod>& methods) {
   check_plot_can_be_written(stem);
   for (const DescriptorMethod& method : methods) check_can_be_written(picture_path(stem, method.name));

@@ -10,11 +10,11 @@
 namespace tessera::bench {
 namespace {
 
-constexpr int kChains = 8;  // independent, so that no step waits for the one before it
+constexpr int kChains = 8;  // independent, so that no step waits for the previous one
 constexpr std::size_t kItems = 1 << 14;
 constexpr std::size_t kGroup = 64;
 
-/// The results are written where they cannot be foreseen to be unused.
+/// The compiler cannot foresee that nobody uses the results, as they are written to memory.
 const char* const kSource = R"(
 typedef uchar uchar64 __attribute__((ext_vector_type(64)));
 
@@ -69,7 +69,7 @@ class Probe {
     out_.reserve(1);
   }
 
-  /// Rounds are doubled until a launch takes `least_s`, so that starting it does not count.
+  /// Steps each second. The rounds are doubled until a launch takes `least_s`, so that its start does not matter.
   double steps_per_s(const char* name, double lanes, double least_s) {
     worker::DeviceKernel kernel(session_, name);
     const auto seconds_for = [&](std::uint32_t rounds) {

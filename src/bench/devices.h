@@ -1,4 +1,4 @@
-// The devices that a benchmark ran on, as they stand in its report.
+// The devices of a benchmark, for its report.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace tessera::bench {
 
-/// What every report begins with: which benchmark, how, where.
+/// The first entries of every report: the benchmark, its setting, and the machine.
 Json report_head(const std::string& benchmark, const Setting& setting);
 
-/// Cores of a CPU, multiprocessors of a GPU, of all devices together.
+/// The number of CPU cores or GPU multiprocessors of all devices together.
 int compute_units(const std::string& devices_use);
 
 }  // namespace tessera::bench

@@ -23,16 +23,16 @@ namespace {
 
 constexpr double kPaper_s = 0.064;
 constexpr std::uint64_t kPaperPositions = 25'000'000;
-/// In the middle of the docked shape's scales, so that most pairs fit in scale: a larger one would have hardly any
-/// work.
-constexpr float kLyingScale_px = 80;
+/// Scale of the piece on the canvas, in the middle of the docked shape's scales, so that most pairs fit in scale. With
+/// a larger scale there would be little work.
+constexpr float kPlacedScale_px = 80;
 constexpr double kPaperTopPercent = 1;      // K of the paper
-constexpr std::uint64_t kNearestPairs = 4;  // of a sample
+constexpr std::uint64_t kNearestPairs = 4;  // for each sample
 constexpr std::size_t kRefinedOfAll = 32;
-constexpr int kFinestSamples = kSmoothingLevels[2].samples;  // a model has as many at every level finer than this one
+constexpr int kFinestSamples = kSmoothingLevels[2].samples;  // models have the same number at every finer level
 
-/// A shape sampled `slices` times as densely as a library's, laid out as that many models: slice i of n holds every
-/// n-th sample from the i-th on, so that each sample of the curve is there once.
+/// A shape sampled `slices` times as densely as in a library, as that many models: slice i of n holds every n-th sample
+/// from the i-th on, so that each sample of the curve occurs once.
 std::vector<ShapeModel> dense_models(const Shape& shape, const TracedOutline& outline, const MatchingContext& context,
                                      int slices) {
   std::vector<ShapeModel> models(std::size_t(slices), make_shape_model(shape, {}, context.pad, context.levels));
@@ -52,7 +52,7 @@ std::vector<ShapeModel> dense_models(const Shape& shape, const TracedOutline& ou
   return models;
 }
 
-/// Target samples all round a piece, the free region outside of it on their left.
+/// Target samples all round a piece, with the free region outside it on their left.
 std::vector<TargetSample> samples_around(const TracedOutline& outline, const Shape& shape,
                                          const Similarity& canvas_from_shape, const CollageSettings& settings,
                                          int count) {
@@ -72,14 +72,14 @@ std::vector<TargetSample> samples_around(const TracedOutline& outline, const Sha
   return samples;
 }
 
-/// Two blobs: one lies on the canvas, the other is docked to it.
+/// Two blobs: one lies on the canvas, the other docks to it.
 struct HeadlineScene {
   CollageSettings settings;
   MatchingContext context;
   std::vector<TargetSample> samples;
   std::vector<ShapeModel> models;
   CanvasField field;
-  std::uint64_t points = 0;  // of the docked shape's boundary, each sampled at the finest level
+  std::uint64_t points = 0;  // boundary points of the docked shape, each sampled at the finest level
   std::uint64_t pads = 0;    // over all levels
 
   std::uint64_t positions() const { return samples.size() * points; }
@@ -92,7 +92,7 @@ HeadlineScene make_scene(int slices, int sample_count) {
   const TracedOutline lying_outline = blob_outline(1);
   const TracedOutline docked_outline = blob_outline(2);
   const Shape lying = make_shape(lying_outline, {});
-  const Similarity pose{0, kLyingScale_px, 500, 500};
+  const Similarity pose{0, kPlacedScale_px, 500, 500};
   FreeField free(make_rectangle_canvas(1000, 1000), scene.settings.pieces);
   free.stamp(lying, pose);
   scene.field = free.field();
@@ -122,8 +122,7 @@ void keep_best(Docked& docked, const std::vector<RefinedDocking>& refined, const
   }
 }
 
-/// The best of all that do not look like a better one: points that lie close give the same docking. All entries are one
-/// shape.
+/// The best dockings that are distinct: points close together give the same docking. All entries are of one shape.
 std::vector<Docking> best_distinct(std::vector<Docking>& dockings) {
   std::vector<Docking> kept;
   std::make_heap(dockings.begin(), dockings.end(),
@@ -139,7 +138,7 @@ std::vector<Docking> best_distinct(std::vector<Docking>& dockings) {
   return kept;
 }
 
-/// From PADs to the best docking: the nearest pairs of each sample, of their dockings the best of all.
+/// Goes from PADs to the best docking: the nearest pairs of each sample, then the best of all their dockings.
 Docked dock_best(Matcher& matcher, const HeadlineScene& scene, const std::vector<TargetSample>& samples) {
   Docked docked;
   Stopwatch watch;
@@ -156,7 +155,7 @@ Docked dock_best(Matcher& matcher, const HeadlineScene& scene, const std::vector
   return docked;
 }
 
-/// For comparison, as the engine works: K percent of all pairs docked, the best of every sample refined.
+/// The engine's method, for comparison: docks K percent of all pairs, and refines the best of every sample.
 Docked dock_thoroughly(Matcher& matcher, const HeadlineScene& scene) {
   const MatchPlan plan{std::uint64_t(double(scene.points) * kPaperTopPercent / 100), 0};
   Docked docked;
@@ -180,7 +179,7 @@ Measured measure(const HeadlineScene& scene, const std::string& devices_use, int
   Measured measured{runs, 0, {}, dock_thoroughly(*matcher, scene)};
   std::vector<TargetSample> samples = scene.samples;
   measured.median_s = median_s(runs, [&] {
-    std::rotate(samples.begin(), samples.begin() + 1, samples.end());  // or the device would not count again
+    std::rotate(samples.begin(), samples.begin() + 1, samples.end());  // otherwise the device would not count again
     measured.last = dock_best(*matcher, scene, samples);
   });
   return measured;

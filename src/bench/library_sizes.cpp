@@ -4,9 +4,9 @@
 
 #include "bench/benchmarks.h"
 #include "bench/devices.h"
+#include "bench/inputs/library_matcher.h"
 #include "bench/inputs/model_file.h"
 #include "bench/inputs/varied_shapes.h"
-#include "bench/library_matcher.h"
 #include "bench/process_memory.h"
 #include "core/base/stop.h"
 #include "core/base/stopwatch.h"
@@ -22,12 +22,12 @@ namespace {
 struct Grown {
   RunStatistics statistics;
   double start_s = 0;        // until the matcher is ready
-  double first_piece_s = 0;  // from the start of all, making shapes left out
+  double first_piece_s = 0;  // from the start, without the making of shapes
   std::uint64_t peak_bytes = 0;
   std::uint64_t device_bytes = 0;
 };
 
-/// Keeps every shape that was asked for, so that who asks again waits for none.
+/// Keeps every shape, so that asking for it again takes no time.
 class KeptShapes : public ShapeSource {
  public:
   explicit KeptShapes(ShapeSource& shapes) : shapes_(shapes) {}
@@ -43,7 +43,7 @@ class KeptShapes : public ShapeSource {
   std::unordered_map<ShapeId, Shape> kept_;
 };
 
-/// Notes when the first piece was placed.
+/// Notes the time when the first piece is placed.
 class FirstPiece : public master::Observer {
  public:
   explicit FirstPiece(const VariedShapes& shapes) : shapes_(shapes) {}
@@ -74,11 +74,11 @@ Grown run_size(const LibraryFile& library, std::uint32_t count, const Canvas& ca
   FirstPiece first(shapes);
   master::make_collage(canvas, settings, *matcher, kept, first);
   grown.first_piece_s = grown.start_s + first.seconds();
-  // The same again: to make shapes takes as long as much of a round, while the device is at work.
+  // The same run again: making shapes takes as long as much of a round, while the device works.
   master::SilentObserver silent;
   grown.statistics = master::make_collage(canvas, settings, *matcher, kept, silent).statistics;
   grown.peak_bytes = peak_memory_bytes();
-  grown.device_bytes = worker::shard_bytes(context, count, models->reads_singly()).device;
+  grown.device_bytes = worker::shard_bytes(context, count, models->supports_random_access()).device;
   return grown;
 }
 

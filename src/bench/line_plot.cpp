@@ -20,7 +20,7 @@ constexpr double kLeft = 60, kRight = 170, kTop = 40, kBottom = 50;  // margins 
 constexpr int kPngWidth_px = 1840;
 constexpr double kLegendLine = 16;
 constexpr double kLinearStep = 10;     // of an x axis that is not logarithmic
-constexpr double kMostDoublings = 10;  // of one that is, before its steps become powers of four
+constexpr double kMostDoublings = 10;  // of a logarithmic axis, before its steps become powers of four
 constexpr const char* kGrey = "#999999";
 constexpr const char* kInk = "#222222";
 constexpr std::array<const char*, 6> kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"};

@@ -1,4 +1,4 @@
-// tessera-bench, which `tessera bench` becomes: parses the command line and runs the benchmark.
+// tessera-bench, started by `tessera bench`: parses the command line and runs the benchmark.
 #include <CLI/CLI.hpp>
 
 #include <array>
@@ -45,18 +45,18 @@ constexpr const char* kBenchExamples =
 
 using Benchmark = std::function<Report(const Setting&)>;
 
-/// A report replaces only another report: throws InputError where the file is there and is no JSON, as a library or a
-/// picture is.
+/// A report replaces only another report: throws InputError where the file exists and is no JSON, such as a library or
+/// a picture.
 void check_is_report(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return;
   std::array<std::uint8_t, 1> first{};
   if (read_at(path, open_regular_file(path), 0, first) == 1 && first[0] != '{')
-    throw InputError("--out: found " + path + ", which is there and is no JSON file; give another name");
+    throw InputError("--out: found " + path + ", which exists and is no JSON file; give another name");
 }
 
 int run(const Setting& setting, const Benchmark& benchmark) {
-  worker::chosen_devices(setting.devices, {}, "--devices");  // what is wrong with it shows at once, by this name
+  worker::chosen_devices(setting.devices, {}, "--devices");  // reports mistakes in --devices at once
   const std::filesystem::path folder = std::filesystem::path(setting.out).parent_path();
   prepare_output_directory(folder.empty() ? "." : folder.string());
   check_is_report(setting.out);
@@ -78,7 +78,7 @@ CLI::App* add_benchmark(CLI::App& bench, Command& selected, const std::string& n
   sub->add_option("--out", setting->out, "The JSON file")->type_name("FILE.json")->capture_default_str();
   sub->add_flag(
       "--quick", setting->quick,
-      "A small version, which only shows that it runs: on a small canvas, few cases where none are asked for");
+      "A small version, which only shows that it runs: a small canvas, and few cases unless they are given");
   sub->add_option("--devices", setting->devices, "OpenCL devices, as the job key devices.use")
       ->type_name("USE")
       ->capture_default_str();
@@ -96,12 +96,13 @@ void add_pairs(CLI::App& bench, Command& selected) {
   const auto options = std::make_shared<PairsOptions>();
   CLI::App* sub =
       add_benchmark(bench, selected, "pairs",
-                    "Pairs by the index and by a scan; pair tests a second, beside what the machine can do at most",
+                    "Find pairs by the index and by a scan; pair tests a second, and the most that the machine can do",
                     [options](const Setting& s) { return bench_pairs(s, *options); });
   sub->add_option("--library", options->library, "The library file; default: blobs made from formulas")
       ->type_name("LIB.h5");
   sub->add_option("--shapes", options->shapes,
-                  "How many; default: the library's, or 1,000 blobs. More than it has: mirrored and stretched ones")
+                  "Number of shapes; default: the library's, or 1,000 blobs. Shapes beyond the library's are "
+                  "mirrored and stretched ones")
       ->type_name("N");
 }
 
@@ -127,7 +128,7 @@ void add_square_job_options(CLI::App& sub, SquareJob& job) {
 void add_alternatives(CLI::App& bench, Command& selected) {
   const auto job = std::make_shared<SquareJob>();
   CLI::App* sub =
-      add_benchmark(bench, selected, "alternatives", "This engine beside what could be done instead, on one job",
+      add_benchmark(bench, selected, "alternatives", "Compare this engine with other methods on one job",
                     [job](const Setting& s) { return bench_alternatives(s, *job); });
   add_square_job_options(*sub, *job);
 }
@@ -135,10 +136,10 @@ void add_alternatives(CLI::App& bench, Command& selected) {
 void add_quality(CLI::App& bench, Command& selected) {
   const auto job = std::make_shared<SquareJob>();
   const auto seconds = std::make_shared<int>(32);
-  CLI::App* sub = add_benchmark(bench, selected, "quality", "What longer improving brings, on one job",
+  CLI::App* sub = add_benchmark(bench, selected, "quality", "Gain from longer improving on one job",
                                 [=](const Setting& s) { return bench_quality(s, *job, *seconds); });
   add_square_job_options(*sub, *job);
-  sub->add_option("--seconds", *seconds, "For each of two runs; seen after 1, 2, 4 s and so on")
+  sub->add_option("--seconds", *seconds, "Time for each of two runs; measured after 1, 2, 4 s and so on")
       ->type_name("S")
       ->capture_default_str();
 }
@@ -181,7 +182,7 @@ void add_variety(CLI::App& bench, Command& selected) {
   job->size_px = 600;
   const auto options = std::make_shared<VarietyOptions>();
   CLI::App* sub =
-      add_benchmark(bench, selected, "variety", "What more shapes, and more pairs docked, bring to a collage",
+      add_benchmark(bench, selected, "variety", "Gain of a collage from more shapes and from more docked pairs",
                     [=](const Setting& s) { return bench_variety(s, *job, *options); });
   add_square_job_options(*sub, *job);
   add_sizes_option(*sub, options->sizes, "100,1000,10000");
@@ -189,7 +190,7 @@ void add_variety(CLI::App& bench, Command& selected) {
                   "Pairs docked for a target sample; 0: none, as the job key match.top_percent = 0",
                   {.type_name = "N,.."})
       ->default_str("0,25,50,100,200,400");
-  sub->add_option("--seeds", options->seeds, "Collages of each kind, whose means are told")
+  sub->add_option("--seeds", options->seeds, "Number of collages of each kind; their means are reported")
       ->type_name("N")
       ->default_str("4");
   add_models_option(*sub, options->models);
@@ -198,24 +199,26 @@ void add_variety(CLI::App& bench, Command& selected) {
 void add_mosaic(CLI::App& bench, Command& selected) {
   const auto options = std::make_shared<MosaicOptions>();
   CLI::App* sub = add_benchmark(bench, selected, "mosaic",
-                                "tessera mosaic beside metapixel, on the same drawings: what is seen from afar",
+                                "Compare tessera mosaic with metapixel on the same drawings, as seen from afar",
                                 [options](const Setting& s) {
                                   options->program = program_beside_own("tessera");
                                   return bench_mosaic(s, *options);
                                 });
   add_library_option(*sub, options->library);
-  sub->add_option("--image", options->images, "What the mosaics show, JPEG, PNG, TIFF, WebP or BMP; may be repeated")
+  sub->add_option("--image", options->images, "Image that the mosaics show: JPEG, PNG, TIFF, WebP or BMP; may be "
+                                              "repeated")
       ->required()
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->take_all();
-  sub->add_option("--pieces", options->pieces, "About so many pieces; metapixel gets as many tiles as we lay")
+  sub->add_option("--pieces", options->pieces, "Approximate number of pieces; metapixel gets as many tiles as "
+                                               "tessera lays")
       ->type_name("N")
       ->capture_default_str();
-  add_list_option(*sub, "--grounds", options->grounds, "What metapixel's tiles are laid on, a mosaic for each",
+  add_list_option(*sub, "--grounds", options->grounds, "Background colours of metapixel's tiles; one mosaic for each",
                   {.type_name = "#RRGGBB,.."})
       ->default_str("#f3f0ec,#404040");
-  sub->add_option("--set", options->settings, "A key of our jobs, as of tessera mosaic; may be repeated")
+  sub->add_option("--set", options->settings, "A key of tessera's jobs, as for tessera mosaic; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false)
       ->take_all();
@@ -230,8 +233,8 @@ void add_scaling(CLI::App& bench, Command& selected) {
                                 });
   add_library_option(*sub, options->library);
   sub->add_option("--shapes", options->shapes,
-                  "Shapes for the most workers; default: the library's. More than it has: "
-                  "mirrored and stretched ones")
+                  "Shapes for the most workers; default: the library's. Shapes beyond these are mirrored and "
+                  "stretched ones")
       ->type_name("N");
   add_list_option(*sub, "--ranks", options->ranks, "Numbers of ranks, one of them the master", {.type_name = "N,.."})
       ->default_str("2,3");
@@ -240,7 +243,7 @@ void add_scaling(CLI::App& bench, Command& selected) {
   sub->add_option("--repeats", options->repeats, "Loops of each case; the median counts")
       ->type_name("N")
       ->capture_default_str();
-  sub->add_option("--launcher", options->launcher, "What starts ranks, given -n N PROGRAM")
+  sub->add_option("--launcher", options->launcher, "Command that starts ranks; -n N PROGRAM is appended")
       ->type_name("COMMAND")
       ->capture_default_str();
 }
@@ -254,7 +257,7 @@ void add_silhouette_options(CLI::App& sub, SilhouetteOptions& options) {
   sub.add_flag("--library-mirrors", options.mirrors, "Mirror images of all silhouettes are in the library, too");
   const std::map<std::string, bool> edges = {{"removed", true}, {"counted", false}};
   sub.add_option("--edge", options.edge_removed,
-                 "The edge of what hides a part is removed from the boundary, or counts as boundary")
+                 "Whether the edge of the hider is removed from the boundary, or counts as boundary")
       ->transform(CLI::CheckedTransformer(edges))
       ->type_name("removed|counted")
       ->default_str("removed");
@@ -270,22 +273,23 @@ void add_silhouette_options(CLI::App& sub, SilhouetteOptions& options) {
       ->type_name("QUALITY");
   sub.add_option("--size", options.size, "Size of queries; default: 1, or 0.7 to 1.4 where the scale is unknown")
       ->type_name("FACTOR");
-  sub.add_option("--queries", options.queries, "At each percentage; default: one of each silhouette")->type_name("N");
+  sub.add_option("--queries", options.queries, "Number of queries at each percentage; default: one of each silhouette")
+      ->type_name("N");
   sub.add_option("--seed", options.seed, "Start of the random numbers")->type_name("N")->capture_default_str();
 }
 
 void add_blocking(CLI::App& bench, Command& selected) {
   const auto options = std::make_shared<BlockingOptions>();
   CLI::App* sub = add_benchmark(bench, selected, "blocking",
-                                "Silhouettes recognised by a part of their boundary, while ever more is hidden",
+                                "Recognise silhouettes while more and more of their boundary is hidden",
                                 [options](const Setting& s) { return bench_blocking(s, *options); });
   add_silhouette_options(*sub, *options);
   add_list_option(*sub, "--blocks", options->blocks, "Percent of the width that is hidden, from the left",
                   {.type_name = "PERCENT,.."})
       ->default_str("0,10,20,30,40,50,60,70,80,90");
   add_list_option(*sub, "--descriptors", options->descriptors,
-                  "Compared on the same queries: pad, shape-context, triangle-areas, curvature-scale-space, "
-                  "integral-invariants, hu-moments",
+                  "Descriptors to compare on the same queries: pad, shape-context, triangle-areas, "
+                  "curvature-scale-space, integral-invariants, hu-moments",
                   {.type_name = "NAME,.."})
       ->default_str("pad");
 }
@@ -296,7 +300,7 @@ void add_scenes(CLI::App& bench, Command& selected) {
                                 "Silhouettes recognised below others and behind branches, or where a part was changed",
                                 [options](const Setting& s) { return bench_scenes(s, *options); });
   add_silhouette_options(*sub, *options);
-  add_list_option(*sub, "--kinds", options->kinds, "Of the scenes: clipped, covered, bars, branch, union, changed",
+  add_list_option(*sub, "--kinds", options->kinds, "Kinds of scenes: clipped, covered, bars, branch, union, changed",
                   {.type_name = "KIND,.."})
       ->default_str("all");
   add_list_option(*sub, "--hidden", options->hidden,
@@ -319,7 +323,7 @@ void add_descriptors(CLI::App& bench, Command& selected) {
          "made from formulas")
       ->type_name("FOLDER");
   sub->add_option("--minutes", options->minutes, "Processor time of each method")->type_name("M")->default_str("1");
-  sub->add_option("--pieces", options->pieces, "A method ends after so many pieces; default: when all are placed")
+  sub->add_option("--pieces", options->pieces, "A method ends after this many pieces; default: when all are placed")
       ->type_name("N");
 }
 

@@ -37,7 +37,7 @@ struct SeenMosaic {
   SeenFromAfar seen;
 };
 
-/// A folder for what is of no use afterwards.
+/// A temporary folder.
 class ScratchFolder {
  public:
   ScratchFolder() {
@@ -58,7 +58,7 @@ class ScratchFolder {
   std::string path_;
 };
 
-/// With what was not asked for.
+/// The options with defaults for those that are not given.
 MosaicOptions whole(MosaicOptions options, bool quick) {
   const MosaicOptions defaults;
   if (options.grounds.empty()) options.grounds = {"#f3f0ec", "#404040"};
@@ -81,7 +81,7 @@ void check(const MosaicOptions& options) {
   }
 }
 
-/// Opaque BGR, as tessera mosaic sees it.
+/// The image as opaque BGR, as tessera mosaic uses it.
 cv::Mat image_of(const std::string& path) {
   Drawers drawers(photo_drawer_settings(1));
   cv::Mat bgr;
@@ -89,7 +89,7 @@ cv::Mat image_of(const std::string& path) {
   return bgr;
 }
 
-/// Files in the folder begin with this: several images may have one name.
+/// The beginning of file names in the folder: several images may have the same name.
 std::string name_of(std::size_t number, const std::string& image) {
   return std::to_string(number + 1) + "_" + fs::path(image).stem().string();
 }
@@ -177,8 +177,8 @@ std::string csv_of(const std::vector<SeenMosaic>& outcomes) {
   return text;
 }
 
-/// Makes our mosaic of each image, and where metapixel is installed its mosaic with as many pieces. The pictures go into
-/// `folder`.
+/// Makes our mosaic of each image, and, where metapixel is installed, its mosaic with as many pieces. The pictures go
+/// into `folder`.
 std::vector<SeenMosaic> made_mosaics(const Setting& setting, const MosaicOptions& options, const LibraryFile& library,
                                      const std::string& folder, bool with_peer) {
   std::vector<SeenMosaic> outcomes;
@@ -203,7 +203,7 @@ Report bench_mosaic(const Setting& setting, const MosaicOptions& asked) {
   const MosaicOptions options = whole(asked, setting.quick);
   check(options);
   const LibraryFile library(options.library);
-  for (const std::string& image : options.images) image_of(image);  // a slip of the pen costs no mosaic
+  for (const std::string& image : options.images) image_of(image);  // before the work: a mistyped name costs no time
   const std::string folder = fs::path(setting.out).replace_extension().string();
   make_folder(folder);
   const std::string csv = folder + ".csv";

@@ -22,15 +22,15 @@ namespace {
 
 constexpr std::uint32_t kShapesOfPlainLoop = 1000;
 
-/// Shapes against the free region that is left when some of them lie in a grid on the canvas.
+/// Shapes, and the free region that is left when some of them lie in a grid on the canvas.
 struct PairScene {
   CollageSettings settings;
   std::vector<TargetSample> samples;
   MatchingContext context;
   std::uint32_t shapes = 0;
   std::shared_ptr<const ModelSource> models;
-  std::vector<ShapeModel> some_models;  // the first of them
-  double pads = 0;                      // of the library
+  std::vector<ShapeModel> some_models;  // the first models
+  double pads = 0;                      // in the library
   std::string kind;
 
   double pairs() const { return double(samples.size()) * pads; }
@@ -47,7 +47,7 @@ void lay_grid(FreeField& free, const std::vector<Shape>& shapes, int size_px) {
   }
 }
 
-/// Models and samples; `laid`: some of the shapes.
+/// Sets models and samples; `laid`: the shapes on the canvas.
 void set_scene(PairScene& scene, const std::vector<Shape>& laid, std::size_t samples, int size_px) {
   scene.pads = double(pads_per_shape(scene.context)) * double(scene.shapes);
   scene.some_models = scene.models->models({0, std::min(scene.shapes, kShapesOfPlainLoop)}, {});
@@ -88,15 +88,15 @@ PairScene make_scene(const PairsOptions& options, bool quick) {
   return scene;
 }
 
-/// Both ways on the first device, with all shapes on it.
+/// Times of both methods on the first device, with all shapes on it.
 struct DeviceTimes {
   double index_s = 0;
   double scan_s = 0;
-  std::uint64_t index_blocks = 0;  // looked at
+  std::uint64_t index_blocks = 0;  // blocks that were visited
   std::uint64_t scan_blocks = 0;
 };
 
-/// Looked at to find all pairs within the limits, at one go.
+/// The number of blocks visited to find all pairs within the limits in one search.
 std::uint64_t blocks_for(worker::PairStage& stage, const std::vector<worker::SampleRecord>& samples,
                          const std::vector<std::uint32_t>& limits) {
   const std::uint64_t before = stage.search().blocks_visited();
@@ -124,7 +124,7 @@ DeviceTimes device_times(const PairScene& scene, const std::string& devices_use,
                            return by_index.take_count();
                          });
   });
-  // Once, as far as it must be looked: the scan need not find that out.
+  // One search as far as needed: the scan does not have to find the limits.
   times.scan_s = median_s(runs, [&] {
     by_scan.forget();
     by_scan.pairs_of(samples, limits);
@@ -134,7 +134,7 @@ DeviceTimes device_times(const PairScene& scene, const std::string& devices_use,
   return times;
 }
 
-/// Equation 1 for every pair, nothing else.
+/// The time for Equation 1 on every pair, and nothing else.
 double plain_s(const PairScene& scene, std::uint64_t& below_beta) {
   const int levels = scene.context.pad.levels;
   return median_s(1, [&] {
@@ -152,10 +152,10 @@ double plain_s(const PairScene& scene, std::uint64_t& below_beta) {
   });
 }
 
-/// Pairs a second.
+/// Rates in pairs a second.
 struct PairRates {
   int cores = 0;
-  int elements = 0;  // of a PAD
+  int elements = 0;  // in a PAD
   DeviceTimes times;
   double index = 0;
   double device = 0;
@@ -168,7 +168,7 @@ struct PairRates {
 
 PairRates measure(const PairScene& scene, const Setting& setting) {
   PairRates rates;
-  rates.cores = compute_units(setting.devices);  // the first device alone is measured
+  rates.cores = compute_units(setting.devices);  // only the first device is measured
   rates.elements = 2 * (scene.context.pad.levels - 1);
   rates.times = device_times(scene, setting.devices, setting.quick ? 2 : 5);
   rates.index = scene.pairs() / rates.times.index_s;

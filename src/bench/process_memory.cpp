@@ -8,7 +8,7 @@
 namespace tessera::bench {
 
 void reset_peak_memory() {
-  malloc_trim(0);  // what is free already is not the next one's
+  malloc_trim(0);  // memory that is already free must not count
   std::ofstream("/proc/self/clear_refs") << "5";
 }
 

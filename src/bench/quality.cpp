@@ -5,7 +5,7 @@
 
 #include "bench/benchmarks.h"
 #include "bench/devices.h"
-#include "bench/library_matcher.h"
+#include "bench/inputs/library_matcher.h"
 #include "bench/line_plot.h"
 #include "core/base/error.h"
 #include "core/base/rank_pool.h"
@@ -19,7 +19,7 @@
 namespace tessera::bench {
 namespace {
 
-/// 1, 2, 4 and so on below `last`, and that.
+/// 1, 2, 4 and so on below `last`, then `last`.
 std::vector<double> marks_up_to(int last) {
   std::vector<double> marks;
   for (int mark = 1; mark < last; mark *= 2) marks.push_back(mark);
@@ -27,7 +27,7 @@ std::vector<double> marks_up_to(int last) {
   return marks;
 }
 
-/// In so much time, from the start: a run of its own, as improving plans with the time that it has.
+/// A run of its own with this much time, as improving plans with the time that it has.
 master::CollageResult improved(const Canvas& canvas, CollageSettings settings, Matcher& matcher, ShapeSource& shapes,
                                double seconds) {
   settings.improve.seconds = seconds;

@@ -5,7 +5,7 @@
 
 #include "bench/benchmarks.h"
 #include "bench/devices.h"
-#include "bench/library_matcher.h"
+#include "bench/inputs/library_matcher.h"
 #include "bench/replacing_case.h"
 #include "comm/encode.h"
 #include "comm/messages.h"
@@ -22,10 +22,10 @@ namespace tessera::bench {
 namespace {
 
 constexpr int kLargestTile_px = 1000;
-constexpr int kBreadth = 1 << 20;  // more than there are windows: a batch is one question
+constexpr int kBreadth = 1 << 20;  // more than there are windows: a batch is one request
 constexpr std::size_t kTriedWindows = 40;
 
-/// Measures each window, and tries some of them.
+/// Measures each window, and runs the trials of some.
 class MeasuringReplacer : public Replacer {
  public:
   explicit MeasuringReplacer(ShapeSource& shapes) : own_(shapes, 1, [] {}) {}
@@ -49,7 +49,7 @@ class MeasuringReplacer : public Replacer {
     return outcomes;
   }
 
-  /// Since the replacer was made, or since it answered.
+  /// Seconds since the replacer was made, or since its last answer.
   double since_s() const { return watch_.seconds(); }
 
   ReplacingCase found;
@@ -87,14 +87,14 @@ class MeasuringReplacer : public Replacer {
     return outcome;
   }
 
-  /// A worker reads its shapes once.
+  /// Reads the shapes, which a worker does only once.
   void read_shapes() {
     ReplacementWindow window = posted_.front();
     window.trials = 0;
     tried_on_this_core({window});
   }
 
-  /// Windows that were not tried take as long, for each of their trials, as the others.
+  /// Estimates the work of the other windows: each of their trials takes the mean time of those that were run.
   void estimate_others() {
     double tried = 0;
     for (const MeasuredWindow& w : found.windows) tried += w.work_s > 0 ? w.trials : 0;
@@ -109,8 +109,8 @@ class MeasuringReplacer : public Replacer {
   std::vector<ReplacementWindow> posted_;
 };
 
-/// A collage that repeats itself, so often that it fills the canvas: what a batch of a large one looks like, without
-/// the hour that it takes to fill.
+/// A seamless collage, repeated until it fills the canvas. A batch on it is like one on a large collage, which would
+/// take an hour to fill.
 std::vector<Placement> tiled_collage(const LibraryFile& library, ShapeSource& shapes, CollageSettings settings,
                                      int size_px, const std::string& devices) {
   const int tiles = (size_px + kLargestTile_px - 1) / kLargestTile_px;

@@ -1,4 +1,4 @@
-// One measured batch of replacement trials: what the master does for it, what its questions weigh, and what they take.
+// One measured batch of replacement trials: the master's time, the sizes of requests, and the times of the trials.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace tessera::bench {
 
 struct MeasuredWindow {
   std::uint32_t trials = 0;
-  double work_s = 0;  // of one core
+  double work_s = 0;  // processor time
   double request_bytes = 0;
   double reply_bytes = 0;
 };
@@ -19,9 +19,9 @@ struct MeasuredWindow {
 struct ReplacingCase {
   int canvas_px = 0;
   std::size_t pieces = 0;
-  double master_s = 0;   // cutting the batch into windows and joining their outcomes; while nobody else works
-  double request_s = 0;  // packing a window, of whoever asks
-  double unpack_s = 0;   // a window, of whoever is asked
+  double master_s = 0;   // cutting the batch into windows and joining outcomes, while the workers wait
+  double request_s = 0;  // packing a window, by the sender
+  double unpack_s = 0;   // unpacking a window, by the receiver
   double reply_s = 0;    // packing an outcome, or unpacking it
   std::vector<MeasuredWindow> windows;
 
@@ -31,7 +31,7 @@ struct ReplacingCase {
 
 Json to_json(const ReplacingCase& c);
 
-/// Of a report of `tessera bench replacing`. Throws InputError.
+/// Reads a report of `tessera bench replacing`. Throws InputError.
 ReplacingCase read_replacing_case(const std::string& path);
 
 }  // namespace tessera::bench

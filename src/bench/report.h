@@ -1,4 +1,4 @@
-// What a benchmark hands back: a text for people, and the same figures as JSON.
+// The result of a benchmark: a text for people, and the same figures as JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -14,13 +14,13 @@ struct Report {
   Json json;
 };
 
-/// Three significant digits: "2.16e+09", "0.0642".
+/// The value with three significant digits: "2.16e+09", "0.0642".
 std::string short_number(double value);
 
-/// The value with three decimals, as the files of a collage have them.
+/// The value with three decimals, as in the files of a collage.
 double rounded(double value);
 
-/// The folder of `path` must be there. Throws EnvironmentError.
+/// Writes the JSON. The folder of `path` must exist. Throws EnvironmentError.
 void write_report(const Report& report, const std::string& path);
 
 }  // namespace tessera::bench

@@ -17,10 +17,10 @@ double share(const Load& job) { return 1. / job.workers; }
 double own_shapes(const Load& job) { return double(job.shapes) / job.workers; }
 
 Values constant(const Load&) { return {1}; }
-/// The denser the library, the nearer the best pairs, and the shorter the reach within which they are looked for.
+/// In a denser library the best pairs are nearer, and the search within their reach is shorter.
 Values by_own_shapes(const Load& job) { return {1, own_shapes(job), own_shapes(job) / std::sqrt(double(job.shapes))}; }
 Values by_share(const Load& job) { return {1, share(job)}; }
-/// What the master does itself is the same for any library; and it asks some workers.
+/// The master's own work is the same for any library, plus a part for each worker that it asks.
 Values by_asked(const Load& job) { return {1, double(place_in_tree(0, job.workers + 1).children.size())}; }
 Values by_share_and_own_shapes(const Load& job) { return {1, share(job), own_shapes(job)}; }
 
@@ -30,7 +30,7 @@ double worker_stages_s(const ScalingCase& c) {
   return c.count_s + c.dock_s + c.refine_s + c.measure_s + c.field_s + c.messages_s;
 }
 
-/// All times of the run shortened to what its ranks had of their processors.
+/// Scales all times of the run to the processor time of its ranks.
 ScalingCase on_processor_time(ScalingCase c) {
   const double worker = c.processor_s / std::max(1e-9, worker_stages_s(c));
   for (double* stage : {&c.count_s, &c.dock_s, &c.refine_s, &c.measure_s, &c.field_s, &c.messages_s}) *stage *= worker;
@@ -62,7 +62,7 @@ std::vector<double> fit_non_negative(const std::vector<std::vector<double>>& fea
   const Eigen::VectorXd b = Eigen::Map<const Eigen::VectorXd>(values.data(), Eigen::Index(values.size()));
   std::vector<double> best(std::size_t(n), 0);
   double best_error = b.squaredNorm();
-  for (int chosen = 1; chosen < 1 << n; ++chosen) {  // the few features that are above zero: all ways
+  for (int chosen = 1; chosen < 1 << n; ++chosen) {  // tries all subsets of features above zero
     std::vector<int> columns;
     for (int k = 0; k < n; ++k) {
       if (chosen >> k & 1) columns.push_back(k);
@@ -106,7 +106,7 @@ RoundModel::RoundModel(std::vector<ScalingCase> cases, Clock clock) : cases_(std
   rounds_ = median_over(cases_, [](C c) { return c.rounds; });
   counts_ = std::max(1., std::round(median_over(cases_, [](C c) { return c.counts / c.rounds; })));
   notice_s_ =
-      clock == Clock::processor  // which does not tell how long a rank slept
+      clock == Clock::processor  // the processor clock does not tell how long a rank slept
           ? kRoundTrip_s
           : std::max(0.,
                      median_over(cases_, [](C c) { return (c.waiting_s + c.ahead_s - c.busiest_s) / questions(c); }));
@@ -140,7 +140,7 @@ RoundCosts RoundModel::costs(int workers, std::uint64_t shapes) const {
   costs.refine_s = refine_.at(job);
   costs.measure_s = measure_.at(job);
   costs.messages_s = messages_.at(job) / asked;
-  costs.notice_s = notice_s_ / 2;  // once on the worker, once on the master
+  costs.notice_s = notice_s_ / 2;  // half on the worker, half on the master
   costs.imbalance = imbalance_;
   costs.field_bytes = field_bytes_.at(job);
   costs.request_bytes = to_worker_.coefficients[0] / (counts_ + 1);

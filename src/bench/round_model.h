@@ -1,8 +1,8 @@
-// What a round costs each rank and each message, for any number of workers and shapes, from measured runs.
+// A model of the costs of a round, for any number of workers and shapes, from measured runs.
 //
-// A stage's time is a sum of parts that are known to grow with something: the shapes of a worker (every pair is
-// tested), its share of the dockings (a fixed number over the whole library), the workers that are asked by the
-// master itself, or nothing. The measured runs say how much of each there is: by least squares with no part below zero.
+// A stage's time is a sum of parts. Each part grows with something known: the shapes of a worker (every pair is
+// tested), its share of the dockings (a fixed number over the whole library), the workers that the master asks itself,
+// or nothing. The measured runs give the size of each part: by least squares with no part below zero.
 #pragma once
 
 #include <cstdint>
@@ -12,35 +12,36 @@
 
 namespace tessera::bench {
 
-/// Coefficients >= 0 that bring features * coefficients nearest to `values`; rows of `features` are observations.
+/// Coefficients >= 0 with which features * coefficients comes nearest to `values`; rows of `features` are observations.
 std::vector<double> fit_non_negative(const std::vector<std::vector<double>>& features,
                                      const std::vector<double>& values);
 
 struct Load {
   int workers = 1;
   std::uint64_t shapes = 0;
-  double samples = 0;  // that are matched
+  double samples = 0;  // number of matched samples
 };
 
-/// Which time of a measured run counts: as it passed, or without what other programs took (ScalingCase::undisturbed_s).
+/// The clock for times of measured runs: wall-clock time, or time without the time that other programs took
+/// (ScalingCase::undisturbed_s).
 enum class Clock { wall, processor };
 
-/// A mean round. Seconds and bytes are for each question and worker where nothing else is said.
+/// A mean round. Seconds and bytes are for each request and worker, unless noted otherwise.
 struct RoundCosts {
   int workers = 1;
-  int counts = 1;       // questions of that kind; dock, refine and measure are asked once
+  int counts = 1;       // requests of that kind; dock, refine and measure are requested once
   double master_s = 0;  // a round: merge, objective, other
-  double ahead_s = 0;   // a round: while the workers dock
-  double ask_s = 0;     // the master, for each worker it sends a question to; the field's patch counts with them
-  double join_s = 0;    // the master, for each answer it joins
+  double ahead_s = 0;   // a round: work while the workers dock
+  double ask_s = 0;     // the master, for each worker that it sends a request to; the field's patch counts, too
+  double join_s = 0;    // the master, for each answer
   double field_s = 0;
   double count_s = 0;
   double dock_s = 0;
   double refine_s = 0;
   double measure_s = 0;
-  double messages_s = 0;  // a worker, for each question
-  double notice_s = 0;    // from the arrival of a message until the sleeping rank sees it
-  double imbalance = 0;   // a worker's times are up to this fraction longer or shorter
+  double messages_s = 0;  // a worker, for each request
+  double notice_s = 0;    // from the arrival of a message until the sleeping rank notices it
+  double imbalance = 0;   // fraction by which a worker's times differ
   double field_bytes = 0;
   double request_bytes = 0;  // count and dock
   double reply_bytes = 0;
@@ -52,12 +53,12 @@ struct RoundCosts {
 
 class RoundModel {
  public:
-  /// There is at least one case.
+  /// `cases` must not be empty.
   RoundModel(std::vector<ScalingCase> cases, Clock clock);
 
-  /// The costs with as many samples as the measured loops matched.
+  /// The costs with as many samples as in the measured loops.
   RoundCosts costs(int workers, std::uint64_t shapes) const;
-  /// The cases with times on the model's clock.
+  /// The cases, with the times of the model's clock.
   const std::vector<ScalingCase>& cases() const { return cases_; }
 
  private:
@@ -70,7 +71,7 @@ class RoundModel {
   };
   Part fit(Figure figure, Features features) const;
 
-  std::vector<ScalingCase> cases_;  // on the clock
+  std::vector<ScalingCase> cases_;  // with the times of the clock
   double rounds_ = 0;
   double samples_ = 0;
   double notice_s_ = 0;

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 constexpr int kMostRanks = 10'000;
 
-/// Runs of the same job: one number of workers, one library.
+/// Runs of one case: the same number of workers, the same library.
 struct Repeated {
   int workers = 1;
   std::uint32_t shapes = 0;
@@ -41,7 +41,7 @@ struct Plan {
   std::string devices;
   std::vector<int> workers;           // ascending
   std::vector<std::uint32_t> shapes;  // ascending
-  std::string folder;                 // of the runs
+  std::string folder;                 // for the runs
 };
 
 void check(const ScalingOptions& options) {
@@ -58,7 +58,7 @@ void check(const ScalingOptions& options) {
     throw InputError("--repeats: found " + std::to_string(options.repeats) + "; allowed: from 1");
 }
 
-/// As many shapes for the most workers as asked for, and their share for fewer: the first numbers of both scalings.
+/// The sizes of the weak scaling: the given number for the most workers, and a proportional share for fewer workers.
 std::vector<std::uint32_t> weak_sizes(std::uint32_t shapes, const std::vector<int>& workers) {
   std::set<std::uint32_t> sizes;
   for (const int w : workers) {
@@ -68,7 +68,7 @@ std::vector<std::uint32_t> weak_sizes(std::uint32_t shapes, const std::vector<in
   return {sizes.begin(), sizes.end()};
 }
 
-/// What was asked for stays.
+/// Reduces the options for a quick run; those that were given stay.
 void make_small(ScalingOptions& options) {
   const ScalingOptions defaults;
   if (options.shapes == defaults.shapes) options.shapes = 12;
@@ -88,7 +88,7 @@ Plan make_plan(const Setting& setting, const ScalingOptions& options, std::size_
   return plan;
 }
 
-/// Beside the runs, where the library itself has another size.
+/// Paths of the libraries by size; a library of another size is written beside the runs.
 std::map<std::uint32_t, std::string> libraries_of_sizes(const Plan& plan, const LibraryFile& library) {
   std::map<std::uint32_t, std::string> paths;
   for (const std::uint32_t shapes : plan.shapes) {
@@ -138,7 +138,7 @@ void check_same_pieces(const Plan& plan) {
   }
 }
 
-/// Every case in turn, again and again, so that what else the machine does falls on all alike.
+/// Runs all cases in turn, repeatedly, so that other work on the machine affects all of them equally.
 std::vector<Repeated> run_all(const Plan& plan, const LibraryFile& library) {
   const std::map<std::uint32_t, std::string> libraries = libraries_of_sizes(plan, library);
   std::vector<Repeated> cases;
@@ -189,7 +189,7 @@ double undisturbed_master_percent(const Repeated& c) {
   return median_of(c, [](const ScalingCase& run) { return 100 * run.master_processor_s / run.undisturbed_s(); });
 }
 
-/// A case beside the one with the fewest workers that it is compared with.
+/// A case and the case with the fewest workers, with which it is compared.
 struct Compared {
   const Repeated* base;
   const Repeated* run;
@@ -224,7 +224,7 @@ std::string case_rows(const std::vector<Compared>& series, bool weak) {
   TextTable table({weak ? "weak" : "strong", "shapes", "loop s", "speed-up", "efficiency", "undisturbed s", "speed-up",
                    "master %", "undisturbed"});
   for (const Compared& c : series) {
-    const double growth = weak ? c.more_workers() : 1;  // of the work
+    const double growth = weak ? c.more_workers() : 1;  // growth of the work
     const double speed_up = growth * loop_s(*c.base) / loop_s(*c.run);
     const double quiet_speed_up = growth * undisturbed_s(*c.base) / undisturbed_s(*c.run);
     table.add({count_text(std::size_t(c.run->workers), "worker"), std::to_string(c.run->shapes),
@@ -309,7 +309,7 @@ void plot(const std::vector<Compared>& strong, const std::vector<Compared>& weak
   write_plot({speed, efficiency}, path);
 }
 
-/// Where loops are long enough, on two numbers of workers at least: of others a line fits anything.
+/// The text about Amdahl's law. Needs long loops and at least two numbers of workers: otherwise a line fits anything.
 std::string amdahl_text(const Plan& plan, bool quick, const AmdahlFit& wall, const AmdahlFit& quiet) {
   if (quick || plan.workers.size() < 2) return "";
   return " Amdahl, strong: serial " + fixed(100 * wall.serial_share(), 1) + " % of one worker's loop, undisturbed " +
@@ -333,7 +333,7 @@ Report bench_scaling(const Setting& setting, const ScalingOptions& options) {
   prepare_output_directory(plan.folder);
   check_can_be_written(plan.folder + ".csv");
   check_plot_can_be_written(plan.folder);
-  setenv("POCL_MAX_PTHREAD_COUNT", "1", 0);  // a worker has a core, however many there are
+  setenv("POCL_MAX_PTHREAD_COUNT", "1", 0);  // one core for each worker
   const std::vector<Repeated> cases = run_all(plan, library);
 
   const std::vector<Compared> strong = strong_series(cases, plan, plan.shapes.back());

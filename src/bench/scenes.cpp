@@ -51,7 +51,7 @@ void check_scenes(const ScenesOptions& options) {
   }
 }
 
-/// With all that is not asked for.
+/// The options with defaults for those that are not given.
 ScenesOptions whole_scenes(ScenesOptions options, bool quick) {
   if (options.kinds.empty()) options.kinds = scene_kinds();
   if (options.hidden.empty()) options.hidden = quick ? std::vector<int>{50} : std::vector<int>{20, 30, 40, 50, 60, 70};
@@ -59,12 +59,12 @@ ScenesOptions whole_scenes(ScenesOptions options, bool quick) {
   return options;
 }
 
-/// The silhouettes, and which of them the library has not.
+/// The silhouettes, and which of them are left out of the library.
 struct ScenesCase {
   SilhouetteCase silhouettes;
   std::vector<bool> left_out;
 
-  /// Silhouettes that may be in a scene beside this one: known ones beside known ones.
+  /// Silhouettes that may be in a scene with this one: known ones with known ones, others with others.
   std::vector<std::size_t> others_of(std::size_t silhouette) const {
     std::vector<std::size_t> others;
     for (std::size_t i = 0; i < left_out.size(); ++i) {
@@ -85,7 +85,7 @@ ScenesCase make_scenes_case(const ScenesOptions& options) {
 
 /// The outcome of one query.
 struct SceneAnswer {
-  bool made = false;  // else no other silhouette can hide that much of it, or too little is seen
+  bool made = false;  // false: no other silhouette can hide that much of it, or too little is visible
   bool known = false;
   SceneSuccess success;
   AnswerMeasures measures;
@@ -126,7 +126,7 @@ struct ScenesRow {
   int hidden_percent = 0;
   std::vector<SceneAnswer> answers;
 
-  /// Queries of shapes that the library has: they are what success is counted of.
+  /// The number of queries of shapes in the library; successes are counted among these.
   std::size_t known() const {
     return std::size_t(std::count_if(answers.begin(), answers.end(), [](const SceneAnswer& a) { return a.known; }));
   }
@@ -190,7 +190,7 @@ void add_cells(const PrecisionRecall& counts, std::vector<std::string>& cells) {
   for (const double part : {counts.precision(), counts.recall(), counts.f1()}) cells.push_back(fixed(100 * part, 1));
 }
 
-/// Adds to the report what least score, and what least similarity, gives which precision and recall.
+/// Adds precision and recall for thresholds of score and similarity to the report.
 Panel add_thresholds(const std::vector<ScenesRow>& rows, Report& report) {
   Panel panel{"Precision and recall", "least score or similarity, %", "%", false, 100, {}, false};
   TextTable table{
@@ -216,7 +216,7 @@ Panel add_thresholds(const std::vector<ScenesRow>& rows, Report& report) {
   return panel;
 }
 
-/// Adds how each measure does at its best threshold, to the report.
+/// Adds the result of each measure at its best threshold to the report.
 void add_best_thresholds(const std::vector<ScenesRow>& rows, Report& report) {
   TextTable table{{"best threshold of the", "at least", "precision %", "recall %", "F1 %"}};
   const std::array<std::pair<const char*, double AnswerMeasures::*>, 3> measures = {

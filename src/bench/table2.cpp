@@ -3,7 +3,7 @@
 
 #include "bench/benchmarks.h"
 #include "bench/devices.h"
-#include "bench/library_matcher.h"
+#include "bench/inputs/library_matcher.h"
 #include "bench/table2_rows.h"
 #include "core/base/error.h"
 #include "core/base/stop.h"
@@ -17,9 +17,9 @@
 namespace tessera::bench {
 namespace {
 
-// The rule for the range of scales: start where the engine, left alone, fills a canvas with about so many pieces; where
+// Rule for the range of scales: start with scales at which the engine fills a canvas with about that many pieces; while
 // it is full before, take smaller ones.
-constexpr float kFirstMaxScale = 2.25f;  // in square roots of the canvas' area by the pieces
+constexpr float kFirstMaxScale = 2.25f;  // times the square root of the canvas' area for each piece
 constexpr float kScaleRatio = 8;
 constexpr float kSmaller = 0.85f;
 constexpr int kMostTries = 12;
@@ -131,7 +131,7 @@ void add_lines(TextTable& table, const Table2Row& row, const SizedRun& run) {
              std::to_string(row.objective_percent), std::to_string(row.merge_percent)});
 }
 
-/// What a reader of the row must know beside its figures.
+/// Remarks on differences between the row and our run.
 std::string remarks(const Table2Row& row, const SizedRun& run) {
   std::string text;
   const std::string figure = "Fig. " + std::string(row.figure) + ": ";

@@ -11,7 +11,7 @@ struct Table2Row {
   int candidates;  // shapes of the library
   int pads_per_shape;
   int iterations;                    // pieces
-  std::string_view docking_choices;  // as text: two of them have exponents that the other columns do not bear out
+  std::string_view docking_choices;  // as text: two of them have exponents that do not fit the other columns
   double pruned_percent;
   double total_min;
   int prune_percent;  // of the total time: pruning of docking choices,

@@ -1,4 +1,4 @@
-// Times of repeated runs.
+// Measures repeated runs.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace tessera::bench {
 
-/// The median of `runs` times of work(), in seconds, after one that does not count (caches, device compilers).
+/// The median time of `runs` calls of work(), in seconds, after one that does not count (caches, device compilers).
 template <class Work>
 double median_s(int runs, Work&& work) {
   work();

@@ -14,7 +14,7 @@
 namespace tessera::bench {
 namespace {
 
-/// Means of collages that differ in their seeds alone.
+/// Means of collages that differ only in their seeds.
 struct Means {
   double coverage = 0;
   double overlap = 0;
@@ -50,14 +50,14 @@ void add_row(std::uint32_t shapes, std::uint32_t pairs, const Means& means, Text
                   {"ms_per_piece", rounded(means.ms_per_piece)}});
 }
 
-/// `pairs`: of a sample; 0: tangent dockings alone.
+/// `pairs`: for each sample; 0: only tangent dockings.
 CollageSettings with_pairs(CollageSettings settings, std::uint32_t pairs) {
-  settings.match.top_percent = pairs == 0 ? 0 : 100;  // as many as are asked for, where there are so many
+  settings.match.top_percent = pairs == 0 ? 0 : 100;  // as many as asked for, if there are so many
   settings.match.most_pairs = int(pairs);
   return settings;
 }
 
-/// With what was not asked for.
+/// The options with defaults for those that are not given.
 VarietyOptions whole(VarietyOptions options, bool quick) {
   using Numbers = std::vector<std::uint32_t>;
   if (options.sizes.empty()) options.sizes = quick ? Numbers{10, 30} : Numbers{100, 1000, 10000};

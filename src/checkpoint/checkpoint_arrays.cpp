@@ -38,7 +38,7 @@ struct Types<double> {
   static hid_t memory() { return H5T_NATIVE_DOUBLE; }
 };
 
-/// Without times: the same checkpoint gives the same bytes.
+/// Properties without time stamps, so that the same checkpoint gives the same bytes.
 Hdf5Handle timeless(hid_t kind, const std::string& what) {
   Hdf5Handle properties(H5Pcreate(kind), what);
   hdf5_checked(H5Pset_obj_track_times(properties.get(), false), what);
@@ -54,7 +54,7 @@ void make_groups(hid_t file, const std::string& path) {
   }
 }
 
-/// Every link on the way must be a hard one: soft and external links could lead to other files.
+/// Checks that every link of the path is a hard link: soft and external links could lead to other files.
 void check_links(hid_t file, const std::string& path) {
   for (std::size_t slash = path.find('/', 1);; slash = path.find('/', slash + 1)) {
     const std::string prefix = path.substr(0, slash);
@@ -70,7 +70,7 @@ std::vector<hsize_t> dims_of(const ArrayLayout& layout, hsize_t rows) {
   return layout.row == 1 ? std::vector<hsize_t>{rows} : std::vector<hsize_t>{rows, hsize_t(layout.row)};
 }
 
-/// Plain bytes inside the file.
+/// Checks that the data set is stored as plain bytes inside the file.
 void check_storage(hid_t data_set, const std::string& what) {
   const Hdf5Handle properties(H5Dget_create_plist(data_set), what);
   if (H5Pget_layout(properties.get()) != H5D_CONTIGUOUS || H5Pget_external_count(properties.get()) != 0 ||
@@ -79,7 +79,7 @@ void check_storage(hid_t data_set, const std::string& what) {
   }
 }
 
-/// Returns the numbers.
+/// Checks the shape of the data set and returns its number of values.
 std::size_t check_dims(hid_t data_set, const ArrayLayout& layout, const std::string& what) {
   const Hdf5Handle space(H5Dget_space(data_set), what);
   hsize_t dims[2] = {0, 1};
@@ -87,7 +87,7 @@ std::size_t check_dims(hid_t data_set, const ArrayLayout& layout, const std::str
     throw Hdf5Error(what + " has wrong dimensions");
   hdf5_checked(H5Sget_simple_extent_dims(space.get(), dims, nullptr), what);
   if (dims[1] != hsize_t(layout.row)) throw Hdf5Error(what + " has wrong dimensions");
-  constexpr hsize_t kMostRows = hsize_t(1) << 40;  // so that bytes can be counted
+  constexpr hsize_t kMostRows = hsize_t(1) << 40;  // keeps the number of bytes within 64 bits
   if (dims[0] > kMostRows) throw Hdf5Error(what + " has too many rows");
   return std::size_t(dims[0] * dims[1]);
 }

@@ -73,7 +73,7 @@ void append_loop(CheckpointColumns& to, const CheckpointState& state) {
   to.best_missing = {state.best.missing};
   to.empty_passes.push_back(std::uint8_t(state.empty_passes));
   RunStatistics statistics = state.statistics;
-  tell(statistics, state.loop);
+  copy_to_statistics(statistics, state.loop);
   for (const auto count : kCounts) to.counts.push_back(statistics.*count);
   for (const auto measure : kMeasures) to.measures.push_back(statistics.*measure);
   to.replaced.push_back(state.loop.replaced);
@@ -162,7 +162,7 @@ void check_values(const CheckpointColumns& c) {
   require_ascending(c.matched_edge, "/samples/matched_edge");
 }
 
-/// Columns of one table have as many rows.
+/// Checks that all columns of a table have the same number of rows.
 void check_rows(const CheckpointColumns& c) {
   require(c.digests.size() == 4 && c.improving.size() == 1 && c.stage.size() == 6 && c.empty_passes.size() == 1 &&
               c.replaced.size() == 1 && c.size_factors.size() == 4 && c.best_missing.size() == 1 &&
@@ -193,7 +193,7 @@ void check_rows(const CheckpointColumns& c) {
   require(candidates == rows, "/pool/candidates does not count /candidates");
 }
 
-/// Pieces that move while the canvas is filled are left for the master to refuse.
+/// The phase that the columns show. The master refuses pieces that move while the canvas is being filled.
 LoopPhase phase_of(const CheckpointColumns& from) {
   if (from.improving[0] == 0) return LoopPhase::filling;
   return from.moving_shape.empty() ? LoopPhase::trying : LoopPhase::replacing;

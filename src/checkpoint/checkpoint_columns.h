@@ -1,4 +1,4 @@
-// A checkpoint as flat arrays, one a data set of the file. Reader and writer go by the one list in each_column.
+// A checkpoint as flat arrays, one for each data set of the file. Reader and writer both use the list in each_column.
 #pragma once
 
 #include <cstdint>
@@ -38,8 +38,8 @@ struct CheckpointColumns {
   std::vector<float> matched_pad;
 };
 
-/// Calls visit(path, array, numbers in a row, unit, description). `Columns` is CheckpointColumns, const or not. A table,
-/// a column a row.
+/// Calls visit(path, array, numbers in a row, unit, description) for each data set. A table has one data set for each
+/// column. `Columns` is CheckpointColumns, const or not.
 template <class Columns, class Visit>
 void each_column(Columns& c, Visit visit) {
   visit("/job", c.job, 1, "", "the effective job, TOML");
@@ -91,8 +91,8 @@ void each_column(Columns& c, Visit visit) {
 
 CheckpointColumns to_columns(const Checkpoint& checkpoint);
 
-/// Throws Hdf5Error where the columns contradict each other or hold what no number of a checkpoint can be. What only
-/// canvas and library can tell (shapes, target samples) is left to Collage::restore.
+/// Makes a checkpoint of the columns. Throws Hdf5Error where the columns contradict each other, or where a number is
+/// outside its range. Collage::restore checks what needs the canvas and the library (shapes, target samples).
 Checkpoint from_columns(const CheckpointColumns& columns);
 
 }  // namespace tessera

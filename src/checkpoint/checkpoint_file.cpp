@@ -13,9 +13,9 @@
 namespace tessera {
 namespace {
 
-constexpr std::size_t kMemoryStep_bytes = 16384;  // the file is filled up with zeros to a multiple
+constexpr std::size_t kMemoryStep_bytes = 16384;  // the file is filled up with zeros to a multiple of this
 
-/// A file in memory: the disk is written to elsewhere, where every failure is noticed.
+/// An HDF5 file in memory. CheckpointFolder writes its bytes to the disk, where every failure is noticed.
 Hdf5Handle create_in_memory() {
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), "file");
   // Checksums over all metadata; the next newer format would be marked as still being written.
@@ -27,7 +27,7 @@ Hdf5Handle create_in_memory() {
   return {H5Fcreate("checkpoint in memory", H5F_ACC_TRUNC, creation.get(), access.get()), "file"};
 }
 
-/// Not by H5Fget_file_image, whose image has a wrong checksum (HDF5 1.10).
+/// The bytes of a file in memory. H5Fget_file_image is not used: its image has a wrong checksum (HDF5 1.10).
 std::vector<std::uint8_t> content_of(hid_t file) {
   hdf5_checked(H5Fflush(file, H5F_SCOPE_GLOBAL), "flush");
   void** memory = nullptr;
@@ -44,7 +44,7 @@ void write_columns(hid_t file, const CheckpointColumns& columns) {
   });
 }
 
-/// HDF5 1.10 parses older formats without checksums, and not safely where they are forged.
+/// Accepts superblock version 2 only: HDF5 1.10 parses older formats without checksums, and forged ones not safely.
 void check_superblock(const std::string& path) {
   constexpr std::uint8_t kVersion = 2;
   std::array<std::uint8_t, 1> found{};
@@ -54,9 +54,9 @@ void check_superblock(const std::string& path) {
 
 Hdf5Handle open_for_reading(const std::string& path) {
   check_superblock(path);
-  H5PLset_loading_state(0);  // no code from outside
+  H5PLset_loading_state(0);  // loads no plug-ins
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), "file");
-  hdf5_checked(H5Pset_file_locking(access.get(), false, true), "file");  // often missing on cluster file systems
+  hdf5_checked(H5Pset_file_locking(access.get(), false, true), "file");  // file systems of clusters often lack locks
   return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), "no HDF5 of our format in it"};
 }
 

@@ -33,8 +33,8 @@ void CheckpointFolder::keep(std::span<const std::uint8_t> bytes) const {
   latest.commit();
 }
 
-/// By a second name, so that the latest one keeps its own until it is replaced. Where the file system has no hard links
-/// it is renamed: for a moment the previous one is the only one.
+/// Gives the latest checkpoint a second name (a hard link), so that it keeps its own name until it is replaced. Where
+/// the file system has no hard links the file is renamed: for a moment only the previous checkpoint exists.
 void CheckpointFolder::keep_as_previous() const {
   if (link_atomically(latest_, previous_)) return;
   std::error_code error;
@@ -45,7 +45,7 @@ void CheckpointFolder::keep_as_previous() const {
 void CheckpointFolder::remove() const {
   std::error_code error;
   for (const std::string& leftover : {temporary_path(latest_), temporary_path(previous_)}) fs::remove(leftover, error);
-  // The latest one last: whoever is interrupted here still finds it.
+  // The latest checkpoint is removed last: after an interruption it is still there.
   for (const std::string& path : {previous_, latest_}) {
     fs::remove(path, error);
     if (error) throw EnvironmentError("cannot remove " + path + ": " + error.message());

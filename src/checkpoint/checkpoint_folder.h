@@ -1,4 +1,5 @@
-// The checkpoints of one result's folder: checkpoint.h5, and the one before it as checkpoint.previous.h5.
+// The checkpoints in the folder of one result: the latest, checkpoint.h5, and the one before it,
+// checkpoint.previous.h5.
 #pragma once
 
 #include <cstdint>
@@ -17,12 +18,12 @@ class CheckpointFolder {
   bool has_previous() const;
   bool has_any() const { return has_latest() || has_previous(); }
 
-  /// `bytes` become the latest checkpoint, that one the previous; both are on the disk when this returns. There is
-  /// never a moment without a whole checkpoint. Throws EnvironmentError with the reason; the latest one is untouched
-  /// then.
+  /// Stores `bytes` as the latest checkpoint; the latest one so far becomes the previous one. Both are on the disk when
+  /// the function returns, and at every moment there is a whole checkpoint. Throws EnvironmentError with the reason;
+  /// the latest checkpoint then stays as it was.
   void keep(std::span<const std::uint8_t> bytes) const;
 
-  /// Removes all of them. Throws EnvironmentError.
+  /// Removes both checkpoints. Throws EnvironmentError.
   void remove() const;
 
  private:

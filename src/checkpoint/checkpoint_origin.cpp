@@ -8,7 +8,7 @@
 namespace tessera {
 namespace {
 
-/// Files go by their content.
+/// Whether a different value of this key changes the collage. Files are compared by their content.
 bool counts(const JobKey& key) { return key.decides && key.kind != JobKind::file && key.kind != JobKind::files; }
 
 std::string differing_file(const char* key, const std::string& then, const std::string& now) {
@@ -25,7 +25,7 @@ std::string differences_of(const Job& before, const Job& after, const Checkpoint
   if (then.library_digest != now.library_digest) {
     differences += differing_file("library.file", library_text(before), library_text(after));
   }
-  // The canvas of other keys is another one anyway.
+  // Where other canvas keys differ the canvas differs anyway, and needs no message of its own.
   const auto told = [&](const char* key) { return differences.find(key) != std::string::npos; };
   if (then.canvas_digest != now.canvas_digest && !told("; canvas.") && !told("; [[keep_out]]")) {
     const bool zones = !before.canvas.keep_out.empty() || !after.canvas.keep_out.empty();

@@ -28,14 +28,14 @@ Seal make_seal(std::uint64_t bytes, std::uint64_t digest) {
   return seal;
 }
 
-/// Block by block, as reading goes.
+/// Adds the bytes block by block, in the same blocks in which a file is read.
 void add_blocks(Digest& digest, std::span<const std::uint8_t> bytes) {
   for (; !bytes.empty(); bytes = bytes.subspan(std::min(kBlockBytes, bytes.size()))) {
     digest.add_all(bytes.first(std::min(kBlockBytes, bytes.size())));
   }
 }
 
-/// Of what lies behind the seal.
+/// The digest of everything behind the seal.
 std::uint64_t digest_of_rest(const std::string& path, const FileDescriptor& file) {
   Digest digest;
   std::vector<std::uint8_t> block(kBlockBytes);

@@ -25,7 +25,7 @@ bool asks_for_bench(int argc, char** argv) { return argc > 1 && std::string_view
 
 void become_bench(char** argv) {
   const std::string program = program_beside_own("tessera-bench");
-  argv[1] = const_cast<char*>(program.c_str());  // execv changes nothing
+  argv[1] = const_cast<char*>(program.c_str());  // execv does not change it
   ::execv(program.c_str(), argv + 1);
   if (errno == ENOENT)
     throw EnvironmentError("the program tessera-bench, which measures, is missing: looked for " + program +

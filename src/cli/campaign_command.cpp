@@ -12,13 +12,17 @@ constexpr const char* kCampaignExamples =
     "  tessera campaign jobs/animals.toml --seeds 1-3 --set objective.gap_weight=0.5,1,2 --out out/gaps\n"
     "  tessera campaign jobs/animals.toml --set 'pieces.scale_px=[20, 160],[14, 90]' --set quality=draft\n"
     "  tessera campaign jobs/animals.toml --seeds 1-8 --list\n"
-    "Every seed with every value. Collages that are finished are not made again. A DIR with those of another job, or\n"
-    "with some that these seeds and values do not make, is refused; at the end all are ranked (see tessera rank). A "
-    "collage that lacks pieces ends no other one, "
-    "and\n"
-    "the exit code is 3 then. --list prints, for scripts, a line a collage:\n"
-    "finished or open, its folder, its values, with tabs between them; a cell of what cannot be printed is $'...', as\n"
-    "bash quotes it. One process; slurm/campaign.sh makes an array of jobs of any number of ranks.";
+    "Makes a collage for every combination of seeds and values, and ranks them at the end (see tessera rank). "
+    "Finished\n"
+    "collages are not made again. A DIR with collages of another job, or of other seeds and values, is refused. A "
+    "collage\n"
+    "that lacks pieces does not stop the others; the exit code is then 3. --list prints one line for each collage, "
+    "for\n"
+    "scripts: finished or open, its folder, its values, with tabs between them; a cell that cannot be printed is "
+    "written as\n"
+    "$'...', as bash quotes it. A campaign runs in one process; slurm/campaign.sh makes an array of jobs of any number "
+    "of\n"
+    "ranks.";
 
 }  // namespace
 
@@ -38,11 +42,14 @@ void add_campaign_command(CLI::App& app, Command& selected) {
       ->add_option("--out", arguments->out,
                    "Folder for the results' folders; default: out/<name of the job file>-campaign")
       ->type_name("DIR");
-  campaign->add_option("--weight", arguments->weights, "Of the ranking, as in tessera rank; may be repeated")
+  campaign
+      ->add_option("--weight", arguments->weights,
+                   "Weight of a measure in the ranking, as in tessera rank; may "
+                   "be repeated")
       ->type_name("NAME=WEIGHT")
       ->allow_extra_args(false)
       ->take_all();
-  campaign->add_flag("--list", arguments->list, "Only print what there is to do");
+  campaign->add_flag("--list", arguments->list, "Only print the collages and whether they are finished");
   campaign->callback([arguments, &selected] {
     selected.run_on_all_ranks = [arguments](comm::Communicator& ranks) {
       return ranks.rank() == 0 ? run_campaign(*arguments, ranks) : 0;

@@ -33,14 +33,14 @@ void add_collage_options(CLI::App& command, CollageArguments& arguments, const s
   CLI::Option* resume =
       command
           .add_flag("--resume{latest}", arguments.resume,
-                    "Go on from DIR/checkpoint.h5; --resume=previous: from DIR/checkpoint.previous.h5; --resume=auto: "
-                    "from the one that is there, if any")
+                    "Continue from DIR/checkpoint.h5; --resume=previous: from DIR/checkpoint.previous.h5; "
+                    "--resume=auto: from a checkpoint if there is one, else start")
           ->check(CLI::IsMember({"latest", "previous", "auto"}));
   command.add_flag("--restart", arguments.restart, "Remove the checkpoints in DIR and start again")->excludes(resume);
   command
       .add_option_function<std::string>(
           "--time-limit", [&arguments](const std::string& limit) { arguments.time_limit = limit; },
-          "Stop so early that all is written by then; default: the end of the Slurm job")
+          "Stop early enough to write all files within this time; default: the end of the Slurm job")
       ->type_name("LIMIT");
 }
 

@@ -1,4 +1,4 @@
-// How a collage is run, whichever command runs it: the options, and what is said at an end with work left.
+// The options and the final messages of commands that run a collage.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,12 +9,13 @@
 
 namespace tessera::cli {
 
-/// Adds all options but the job. `default_out`: where the result goes without --out, for the help. `arguments` must
+/// Adds all options except the job. `default_out`: the output folder without --out, for the help. `arguments` must
 /// outlive the parsing.
 void add_collage_options(CLI::App& command, CollageArguments& arguments,
                          const std::string& default_out = "out/<name of the job file>");
 
-/// run_collage, to be called on every rank. Says on stderr how to go on where work is left.
+/// Calls run_collage and returns its exit code; to be called on every rank. Where work is left it says on stderr how to
+/// go on.
 int collage_exit_code(const CollageArguments& arguments, comm::Communicator& ranks);
 
 }  // namespace tessera::cli

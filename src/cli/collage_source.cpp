@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kHdf5Signature("\x89HDF\r\n\x1a\n", 8);
 
-/// False also where the file cannot be read: who reads the job says why.
+/// Whether the file is HDF5. Also false where it cannot be read: the reader of the job reports why.
 bool is_hdf5(const std::string& path) {
   try {
     std::array<std::uint8_t, kHdf5Signature.size()> first = {};

@@ -1,4 +1,4 @@
-// Tells apart what tessera collage may be given: a job, a folder of drawings, or a library.
+// Tells apart what tessera collage can be given: a job, a folder of drawings, or a library.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@ namespace tessera::cli {
 
 enum class CollageSource { job, drawings, library };
 
-/// Tells what the path is, by its kind and its first bytes. Throws InputError for the folder of a result and for a picture, with
-/// the right command, and where nothing is there and the name is not that of a job (.toml).
+/// The kind of the path, found from its type and its first bytes. Throws InputError, with the right command, for the
+/// folder of a result and for a picture; also where nothing is there and the name is not that of a job (.toml).
 CollageSource collage_source(const std::string& path);
 
 }  // namespace tessera::cli

@@ -1,4 +1,4 @@
-// The sub-commands of tessera. Each file adds its own to the parser and says what to run when it is the one given.
+// The sub-commands of tessera. Each file adds its own to the parser and sets what runs when it is chosen.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -23,10 +23,10 @@ void add_match_command(CLI::App& app, Command& selected);
 void add_keys_command(CLI::App& app, Command& selected);
 void add_devices_command(CLI::App& app, Command& selected);
 
-/// For help alone: "tessera bench ..." is the command line of another program, tessera-bench.
+/// Only for the help: "tessera bench ..." is the command line of another program, tessera-bench.
 void add_bench_command(CLI::App& app);
 bool asks_for_bench(int argc, char** argv);
-/// Replaces this program by tessera-bench, which lies beside it, with the arguments after "bench". Throws
+/// Replaces this program by tessera-bench from the same folder, with the arguments after "bench". Throws
 /// EnvironmentError where it cannot be started.
 [[noreturn]] void become_bench(char** argv);
 

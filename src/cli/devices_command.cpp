@@ -11,10 +11,10 @@ constexpr const char* kDevicesExamples =
     "  tessera devices                                            of this machine\n"
     "  srun -N 4 --ntasks-per-node=1 tessera devices              of each node of an allocation\n"
     "  tessera collage my.toml --set devices.use=0                computes on the first of the list\n"
-    "Each device compiles the kernels and computes some hard cases: one that cannot is NOT USABLE, and the line says "
-    "why.\n"
-    "Drivers whose library cannot be loaded, or whose library nothing lists, as in containers, are named.\n"
-    "Where no device is found the exit code is 1, and the message says what may help.";
+    "Each device compiles the kernels and computes some hard cases; a device that fails is NOT USABLE, and its line "
+    "says\n"
+    "why. Drivers are named if their library cannot be loaded, or if no file lists it (as in containers).\n"
+    "If no device is found the exit code is 1, and the message says what may help.";
 
 }  // namespace
 

@@ -27,14 +27,15 @@ namespace {
 constexpr const char* kDrawExamples =
     "Examples:\n"
     "  tessera draw out/animals                           collage.svg and collage.png again, as the job says\n"
-    "  tessera draw out/animals --width 12000 --png       the picture alone, for print\n"
-    "  tessera draw out/animals --pdf                     collage.pdf, vectors and all\n"
+    "  tessera draw out/animals --width 12000 --png       only the PNG, for print\n"
+    "  tessera draw out/animals --pdf                     collage.pdf, with vectors\n"
     "  tessera draw out/animals --width 60000 --tiff      for viewers of large pictures\n"
-    "  tessera draw out/animals --background none         on nothing: transparent between the pieces\n"
+    "  tessera draw out/animals --background none         transparent between the pieces\n"
     "  tessera draw out/animals --set output.width_mm=420 --set output.dpi=300     42 cm wide on paper\n"
     "  tessera draw out/birds --palette ink --to out/birds-ink     the same collage in other colours, elsewhere\n"
-    "  tessera draw out/animals --library moved.h5        where the library has another name now\n"
-    "Nothing is computed: the pictures are made from the files in RESULT, of an unfinished collage too. Ctrl-C ends\n"
+    "  tessera draw out/animals --library moved.h5        if the library has another name now\n"
+    "Pieces stay where they are: the pictures are made from the files in RESULT, also of an unfinished collage. Ctrl-C "
+    "ends\n"
     "drawing within two seconds with exit code 75 and leaves no half-written picture.";
 
 struct DrawArguments {
@@ -47,7 +48,7 @@ struct DrawArguments {
   bool quiet = false;
 };
 
-/// "#264653,#e76f51" as the list that a job has; a name or a path as it is.
+/// "#264653,#e76f51" as the list that a job has; a name or a path unchanged.
 std::string palette_value(const std::string& text) {
   if (!text.starts_with('#')) return text;
   std::string list;
@@ -57,7 +58,7 @@ std::string palette_value(const std::string& text) {
   return "[" + list + "]";
 }
 
-/// --width, --background and --palette are short for keys, and --set wins.
+/// The keys for --width, --background and --palette, followed by those of --set, which win.
 std::vector<std::string> drawing_keys(const DrawArguments& arguments) {
   std::vector<std::string> keys;
   if (arguments.width_px > 0) {
@@ -71,7 +72,7 @@ std::vector<std::string> drawing_keys(const DrawArguments& arguments) {
   return keys;
 }
 
-/// The job that a result was made by.
+/// The job that made a result.
 Job job_of_result(const std::string& folder) {
   try {
     return read_result(folder).job;
@@ -82,7 +83,7 @@ Job job_of_result(const std::string& folder) {
   }
 }
 
-/// Of what is asked for; what the result's job says was told when it was run.
+/// A warning about keys that are given but have no effect. Warnings about the result's own job were printed by its run.
 std::string idle_keys_warning(Job job, const std::vector<std::string>& keys) {
   const Job before = job;
   set_drawing_keys(job, keys);
@@ -98,7 +99,7 @@ void check_palette(Job job, const std::vector<std::string>& keys, const std::str
   load_palette(job, "--palette " + palette);
 }
 
-/// Pictures of one result are none of another, nor of a run that is to go on.
+/// Refuses the folder of another result, or of a run that can be resumed.
 void check_takes_pictures(const std::string& folder) {
   if (is_in_result(folder, kManifestName)) {
     throw InputError("--to " + folder + ": found a result there, allowed: a folder without one");
@@ -109,20 +110,20 @@ void check_takes_pictures(const std::string& folder) {
   }
 }
 
-/// Keeps other runs out of the folders.
+/// Locks the result's folder and the pictures' folder against other runs.
 class DrawingLocks {
  public:
   DrawingLocks(const std::string& result, const std::string& to) {
-    if (!to.empty()) check_takes_pictures(to);  // nothing is written there
+    if (!to.empty()) check_takes_pictures(to);  // checked before anything is written there
     lock_result(result, !to.empty());
     if (to.empty()) return;
     prepare_output_directory(to);
     pictures_.emplace(folder_lock_path(to), to);
-    check_takes_pictures(to);  // nobody has made one since
+    check_takes_pictures(to);  // checked again, now with the lock
   }
 
  private:
-  /// A result where nothing can be written can be drawn elsewhere.
+  /// Locks the result's folder. Where it is read-only its pictures can still be written elsewhere.
   void lock_result(const std::string& result, bool elsewhere) {
     try {
       result_.emplace(folder_lock_path(result), result);
@@ -132,19 +133,19 @@ class DrawingLocks {
   }
 
   std::optional<OutputLock> result_;
-  std::optional<OutputLock> pictures_;  // where they have a folder of their own
+  std::optional<OutputLock> pictures_;  // where the pictures have a folder of their own
 };
 
 int run(DrawArguments arguments) {
   PictureRequest& wanted = arguments.request;
   if (!wanted.png && !wanted.svg && !wanted.pdf && !wanted.tiff) wanted.png = wanted.svg = true;
   wanted.keys = drawing_keys(arguments);
-  const Job job = job_of_result(arguments.folder);  // no lock is left where there is no result
+  const Job job = job_of_result(arguments.folder);  // first, so that no lock stays where there is no result
   if (!arguments.palette.empty()) check_palette(job, wanted.keys, arguments.palette);
   print_warning(idle_keys_warning(job, wanted.keys));
   const DrawingLocks locks(arguments.folder, wanted.to);
   comm::install_stop_handlers();
-  if (!draw(arguments.folder, wanted, arguments.quiet, comm::asked_by_signal)) {
+  if (!draw(arguments.folder, wanted, arguments.quiet, comm::stop_asked_by_signal)) {
     print_message("drawing interrupted: the same command goes on");
     return kUnfinishedExitCode;
   }
@@ -167,7 +168,7 @@ std::string not_a_colour(const std::string& text) {
              : "found " + text + ", allowed: #rrggbb, none or image";
 }
 
-/// A name or a path is for load_palette to judge.
+/// The mistake in a list of colours; empty where there is none. load_palette checks names and paths.
 std::string not_a_palette(const std::string& text) {
   const std::vector<std::string_view> colours = split_outside(text, ',');
   const bool is_list = text.starts_with('#');
@@ -185,15 +186,18 @@ void add_draw_command(CLI::App& app, Command& selected) {
   draw->footer(kDrawExamples);
   draw->add_option("RESULT", arguments->folder, "The folder of the result")->required()->type_name("DIR");
   draw->add_option("--width", arguments->width_px,
-                   "Of the pictures, which then have no size in mm; default: as the result's job says")
+                   "Width of the pictures, which then have no size in mm; default: as in the result's job")
       ->type_name("PX")
       ->check(width_range());
-  draw->add_flag("--svg", arguments->request.svg, "Draw collage.svg; without any of the four: SVG and PNG");
+  draw->add_flag("--svg", arguments->request.svg,
+                 "Draw collage.svg; without --svg, --png, --pdf and --tiff: SVG and "
+                 "PNG");
   draw->add_flag("--png", arguments->request.png, "Draw collage.png");
   draw->add_flag("--pdf", arguments->request.pdf, "Draw collage.pdf");
   draw->add_flag("--tiff", arguments->request.tiff, "Draw collage.tiff: the PNG's picture in tiles and at all sizes");
   draw->add_option("--background", arguments->background,
-                   "Of the canvas, none, or image: what the pieces show; default: output.background")
+                   "Colour of the canvas; none: transparent; image: the picture that the pieces show; default: "
+                   "output.background")
       ->type_name("#RRGGBB")
       ->check(not_a_colour);
   draw->add_option("--palette", arguments->palette,
@@ -208,7 +212,7 @@ void add_draw_command(CLI::App& app, Command& selected) {
       ->allow_extra_args(false)
       ->take_all();
   draw->add_option("--library", arguments->request.library,
-                   "The library, where it is not at its place any more; of several, each with an option of its own")
+                   "The library, if its file was moved; for several libraries give the option once for each")
       ->type_name("FILE")
       ->allow_extra_args(false);
   draw->add_flag("--quiet", arguments->quiet, "Print no progress, only warnings");

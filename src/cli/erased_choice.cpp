@@ -12,7 +12,7 @@
 namespace tessera::cli {
 namespace {
 
-/// As the command line has it.
+/// The numbers as on the command line.
 std::string text_of(const std::vector<float>& numbers) {
   std::string text;
   for (const float number : numbers) text += (text.empty() ? "" : ",") + fixed(number, 1);
@@ -31,8 +31,9 @@ std::vector<int> numbered(const std::string& option, const std::vector<int>& giv
   return pieces;
 }
 
-/// Locked ones stay, wherever they lie.
-std::vector<int> loose(const std::string& option, std::vector<int> pieces, const std::vector<PlacedPiece>& all) {
+/// The pieces without locked ones, which always stay.
+std::vector<int> without_locked(const std::string& option, std::vector<int> pieces,
+                                const std::vector<PlacedPiece>& all) {
   const bool any = !pieces.empty();
   std::erase_if(pieces, [&](int i) { return all[std::size_t(i)].locked; });
   if (!pieces.empty()) return pieces;
@@ -43,7 +44,7 @@ std::vector<int> loose(const std::string& option, std::vector<int> pieces, const
 std::vector<int> in_box(const std::string& option, const std::vector<float>& px, const Job& job,
                         const std::vector<PlacedPiece>& all) {
   const std::vector<int> found = pieces_in({{px[0], px[1]}, {px[0] + px[2], px[1] + px[3]}}, all);
-  if (!found.empty()) return loose(option, found, all);
+  if (!found.empty()) return without_locked(option, found, all);
   const Canvas canvas = canvas_of(job);
   throw InputError(
       option + ": found no piece with its centre in it; the canvas is " + std::to_string(canvas.width_px) + " x " +
@@ -52,8 +53,8 @@ std::vector<int> in_box(const std::string& option, const std::vector<float>& px,
 }
 
 std::vector<int> under_mask(const std::string& mask, const std::string& folder, const Job& job) {
-  constexpr double kWholly = 0.5;     // of a piece
-  constexpr double kNearlyAll = 0.9;  // of the pieces
+  constexpr double kWholly = 0.5;     // covered part of a piece
+  constexpr double kNearlyAll = 0.9;  // part of all pieces
   const Canvas canvas = canvas_of(job);
   const ErasingMask marked = erasing_mask(mask, "--erase", canvas, path_in_result(folder, "collage.png"));
   const std::string file = path_in_result(folder, "pieces.geojson");
@@ -61,10 +62,11 @@ std::vector<int> under_mask(const std::string& mask, const std::string& folder, 
   const std::vector<int> touched = pieces_under(marked.cells, pieces, canvas);
   const std::size_t covered = pieces_under(marked.cells, pieces, canvas, kWholly).size();
   if (marked.is_opaque && covered > 1 && double(covered) >= kNearlyAll * double(pieces.size())) {
-    throw InputError("--erase " + mask + ": an opaque picture that covers " + std::to_string(covered) + " of " +
-                     std::to_string(pieces.size()) +
-                     " pieces; needed: what is drawn over the pieces that are to go, alone on a transparent or plain " +
-                     "page, or painted over a copy of collage.png");
+    throw InputError(
+        "--erase " + mask + ": an opaque picture that covers " + std::to_string(covered) + " of " +
+        std::to_string(pieces.size()) +
+        " pieces; needed: marks over the pieces that are to go, on a transparent or plain page, or painted " +
+        "over a copy of collage.png");
   }
   return touched;
 }
@@ -90,7 +92,7 @@ std::vector<int> erased_pieces(const EraseArguments& arguments, const std::strin
   if (!arguments.box_px.empty()) {
     return in_box("--box " + text_of(arguments.box_px), arguments.box_px, job, all);
   }
-  return loose("--erase " + arguments.mask, under_mask(arguments.mask, folder, job), all);
+  return without_locked("--erase " + arguments.mask, under_mask(arguments.mask, folder, job), all);
 }
 
 }  // namespace tessera::cli

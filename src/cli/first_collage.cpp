@@ -26,18 +26,18 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kLibraryFolder = "out";
-/// The box round the shape of --canvas.
+/// Longest side of the box round the silhouette of --canvas.
 constexpr int kBox_px = 1200;
 constexpr std::size_t kMostJobBytes = std::size_t(1) << 20;
 
-/// The last part of the path, also of ".", "drawings/" and a path with "..".
+/// The last part of the path; also for ".", "drawings/" and a path with "..".
 std::string name_of_source(const std::string& source) {
   fs::path path = fs::absolute(source).lexically_normal();
   if (!path.has_filename()) path = path.parent_path();
   return fs::is_directory(source) ? path.filename().string() : path.stem().string();
 }
 
-/// Returns the library of the drawings. A folder's library is built each time: another folder may have the same name.
+/// The library of the drawings. A folder's library is built each time: another folder may have the same name.
 std::string library_of(const FirstCollageArguments& first, bool quiet) {
   if (first.is_library) return first.source;
   const std::string library = (fs::path(kLibraryFolder) / (name_of_source(first.source) + ".h5")).string();
@@ -66,7 +66,7 @@ FirstCanvas canvas_of(const FirstCollageArguments& first, const std::string& job
   return canvas;
 }
 
-/// Throws InputError where somebody has written or changed the job: it is not replaced then.
+/// Throws InputError where somebody has written or changed the job file; it is then not replaced.
 void check_job_is_ours(const std::string& job) {
   if (!fs::exists(job)) return;
   const std::vector<std::uint8_t> bytes = read_regular_file(job, kMostJobBytes);
@@ -75,7 +75,7 @@ void check_job_is_ours(const std::string& job) {
                    shell_word(job) + " runs it as it is; --job FILE.toml writes another one");
 }
 
-/// Writes the job. A mistake in --set is a mistake of the whole command: the new job is removed again.
+/// Writes the job. Where an override of --set is wrong, a newly written job is removed again.
 void write_checked(const CollageArguments& collage, const std::string& text) {
   const comm::StopDelay delay;
   const bool is_new = !fs::exists(collage.job);
@@ -99,7 +99,7 @@ std::string first_job_path(const FirstCollageArguments& first) {
 
 void write_first_job(const FirstCollageArguments& first, const CollageArguments& collage) {
   check_job_is_ours(collage.job);
-  const FirstCanvas canvas = canvas_of(first, collage.job);  // a slip of the pen costs no time
+  const FirstCanvas canvas = canvas_of(first, collage.job);  // first: a mistyped option costs no time
   const std::string library = library_of(first, collage.quiet);
   const std::size_t shapes = LibraryView({.files = {library}, .names = {}}).size();
   write_checked(collage, first_job(name_of_source(first.source), path_in_job(library, collage.job), shapes, canvas));

@@ -22,14 +22,15 @@ constexpr const char* kMatchExamples =
     "  tessera match star.svg star.svg --all 5 --json       its five symmetries, for programs\n"
     "A and B are SVGs, images or masks; outlines are those of their silhouettes, holes too. B may be turned, scaled "
     "and\n"
-    "moved, but not mirrored, and may be a part of A, or have a part in common with it. The table says of each match:\n"
-    "score, 1 of a drawing and itself: how much follows one another, and how closely; similarity: how closely within\n"
-    "the matched parts; of A, of B: the part of the length that is matched. Lengths in JSON are arclengths from the\n"
+    "moved, but not mirrored, and may be a part of A, or have a part in common with it. The table shows for each "
+    "match:\n"
+    "score: how long and how close the matched parts are, 1 for two equal drawings; similarity: how close they are;\n"
+    "of A, of B: the matched part of the length. Lengths in JSON are arclengths from the\n"
     "first point of a curve, in units of its drawing: px, or 1/96 inch of an SVG.\n"
     "Exit code 3: nothing matches.";
 
 constexpr int kMostMatches = 1000;
-/// The narrowest smoothing, in pixels: of silhouettes, and of thinned lines, which are rougher.
+/// Standard deviation of the finest smoothing in px: of silhouettes, and of centre lines, which are rougher.
 constexpr float kOutlineSigma_px = 1.5f;
 constexpr float kCentreLineSigma_px = 2;
 
@@ -86,7 +87,7 @@ void add_match_command(CLI::App& app, Command& selected) {
   match->add_option("A", arguments->a, "The drawing that B is laid onto")->required()->type_name("FILE");
   match->add_option("B", arguments->b, "The other drawing")->required()->type_name("FILE");
   match->add_flag("--open", arguments->open, "Match centre lines of strokes, not outlines of silhouettes");
-  match->add_option("--all", arguments->most, "Tell so many matches that differ, the best first")
+  match->add_option("--all", arguments->most, "Number of different matches to report, the best first")
       ->type_name("K")
       ->check(CLI::Range(1, kMostMatches))
       ->capture_default_str();

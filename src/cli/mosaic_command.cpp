@@ -32,15 +32,20 @@ constexpr const char* kMosaicExamples =
     "  tessera mosaic portrait.jpg tiles.h5 --regions 1 --replace     the same image once more, in another way\n"
     "  tessera mosaic portrait.jpg tiles.h5 --job-only     portrait.toml and its two pictures, to be edited; then\n"
     "  tessera collage portrait.toml\n"
-    "IMAGE is JPEG, PNG, TIFF, WebP or BMP. The job is a file of few lines that say what they do; portrait_sizes.png\n"
-    "is grey, dark where the image has detail or a face and pieces are to be small, portrait_regions.png shows the\n"
-    "parts that pieces keep within. All stay as they are where they are there, unless they would change: then\n"
-    "--replace is needed. The more colours the library has the better; 500 drawings are few, 5,000 are many, and with\n"
-    "fewer than 100 each may lie beside itself. Between the pieces lies the image, a little darker.\n"
-    "--set colour.weight=8 shows the image better, with more gaps; --shift 0 leaves drawings as they are;\n"
-    "--set colour.overlay=0.25 lays the image over them, a quarter of what is seen. The rest is as in tessera collage.";
+    "IMAGE is JPEG, PNG, TIFF, WebP or BMP. The job is a short file with comments. portrait_sizes.png is grey: dark "
+    "where\n"
+    "the image has details or a face and pieces shall be small. portrait_regions.png shows the parts of the image; "
+    "each\n"
+    "piece stays within one. Existing files are kept; if they would change, --replace is needed. A library with more "
+    "colours\n"
+    "is better; 500 drawings are few, 5,000 are many, and with fewer than 100 a drawing may lie beside itself. The "
+    "image,\n"
+    "a little darker, is shown between the pieces.\n"
+    "--set colour.weight=8 shows the image better, but with more gaps; --shift 0 keeps the colours of drawings;\n"
+    "--set colour.overlay=0.25 lays the image over the pieces with an opacity of a quarter. All else is as in tessera\n"
+    "collage.";
 
-constexpr double kMostShift = 100;  // CIEDE2000: between any two colours
+constexpr double kMostShift = 100;  // CIEDE2000; the distance of any two colours is smaller
 
 struct MosaicArguments {
   MosaicRequest request;
@@ -52,7 +57,7 @@ std::string job_path(const MosaicRequest& request) {
   return request.job.empty() ? std::filesystem::path(request.image).stem().string() + ".toml" : request.job;
 }
 
-/// All files or none. What is wrong with the overrides is wrong with the command: it leaves nothing behind.
+/// Writes all files or none. A mistake in the overrides is a mistake of the command: it leaves no file behind.
 void write_checked(const MosaicArguments& arguments, const Mosaic& mosaic) {
   const comm::StopDelay delay;
   const std::vector<std::string> new_files = write_mosaic(mosaic);
@@ -80,7 +85,7 @@ void print_faces(const MosaicRequest& request, const Mosaic& mosaic) {
       request.face_cascade.c_str());
 }
 
-/// The job as it was asked for: what --set says is not in the file.
+/// The command that runs the job, with the overrides of --set: they are not in the job file.
 std::string next_command(const MosaicArguments& arguments) {
   std::string command = "tessera collage " + shell_word(arguments.request.job);
   for (const std::string& value : arguments.collage.overrides) command += " --set " + shell_word(value);
@@ -96,7 +101,7 @@ void write_job(const MosaicArguments& arguments) {
     throw InputError(path + ": found a folder, allowed: a library; tessera library build " + shell_word(path) +
                      " -o LIB.h5 makes one of its drawings");
   }
-  const LibraryView library({.files = request.libraries, .names = {}});  // a slip of the pen costs no time
+  const LibraryView library({.files = request.libraries, .names = {}});  // first: a mistyped option costs no time
   request.shapes = library.size();
   request.face_cascade = face_cascade_file();
   Drawers drawers(photo_drawer_settings(1));
@@ -115,7 +120,7 @@ void write_job(const MosaicArguments& arguments) {
   print_now();
 }
 
-/// Rank 0: the job, and then the collage.
+/// Writes the job, then runs the collage; for rank 0.
 int write_and_run(const MosaicArguments& arguments, comm::Communicator& ranks) {
   const std::string& job = arguments.request.job;
   const JobOutput output(arguments.collage, {size_map_path(job), region_picture_path(job)}, arguments.job_only);
@@ -123,7 +128,7 @@ int write_and_run(const MosaicArguments& arguments, comm::Communicator& ranks) {
   return arguments.job_only ? kDoneExitCode : collage_exit_code(arguments.collage, ranks);
 }
 
-/// Rank 0 alone reads the image and writes the job; the workers get it from there as of any collage.
+/// Only rank 0 reads the image and writes the job; it sends the job to the workers, as any collage.
 int run(MosaicArguments arguments, comm::Communicator& ranks) {
   arguments.request.job = job_path(arguments.request);
   arguments.collage.job = arguments.request.job;
@@ -138,29 +143,32 @@ void add_mosaic_command(CLI::App& app, Command& selected) {
   MosaicRequest& request = arguments->request;
   CLI::App* mosaic = app.add_subcommand("mosaic", "Show an image by the colours of a library's pieces");
   mosaic->footer(kMosaicExamples);
-  mosaic->add_option("IMAGE", request.image, "What is to be seen from afar")->required()->type_name("FILE");
+  mosaic->add_option("IMAGE", request.image, "The image that the mosaic shows")->required()->type_name("FILE");
   mosaic->add_option("LIB", request.libraries, "Libraries of the pieces")->required()->type_name("LIB.h5");
-  mosaic->add_option("--pieces", request.pieces, "About so many pieces, 100 to 40000; more show more of the image")
+  mosaic
+      ->add_option("--pieces", request.pieces,
+                   "Approximate number of pieces, 100 to 40000; more pieces show more "
+                   "of the image")
       ->capture_default_str();
   mosaic
       ->add_option("--shift", request.shift,
-                   "The tones of each piece are moved towards the image by so much CIEDE2000 at most; 0 = as drawn")
+                   "Largest change of each piece's tones towards the image, CIEDE2000; 0 = as drawn")
       ->check(CLI::Range(0.0, kMostShift))
       ->capture_default_str();
   mosaic
       ->add_option("--regions", request.regions,
-                   "Parts of the image, of so many colours at most, 8 or fewer: pieces keep within them, so that "
-                   "their edges are sharp; 1 = pieces lie anywhere, which covers a little more")
+                   "Divide the image into parts by at most this many colours (up to 8); pieces keep within a part, "
+                   "so that its edges are sharp; 1 = pieces lie anywhere, which covers a little more")
       ->capture_default_str();
   mosaic
       ->add_option("--salient", request.salient,
-                   "Where eyes look first: a grey picture over the image, white where pieces are to be small, black "
-                   "where its contrast alone decides; default: faces that are found")
+                   "Important places: a grey picture over the image, white where pieces shall be small, black where "
+                   "only the image's contrast decides; default: faces that are found")
       ->type_name("FILE");
   mosaic->add_option("--job", request.job, "The job file to write; default: <name of the image>.toml")
       ->type_name("FILE.toml");
   mosaic->add_flag("--job-only", arguments->job_only, "Write the job and its pictures, and run nothing");
-  mosaic->add_flag("--replace", request.replace, "Write them anew where another mosaic's are there");
+  mosaic->add_flag("--replace", request.replace, "Replace the job and the pictures of another mosaic");
   add_collage_options(*mosaic, arguments->collage);
   mosaic->callback([arguments, &selected] {
     selected.run_on_all_ranks = [arguments](comm::Communicator& ranks) { return run(*arguments, ranks); };

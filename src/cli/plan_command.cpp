@@ -20,9 +20,9 @@ constexpr const char* kPlanExamples =
     "  tessera plan jobs/animals.toml --ranks 5\n"
     "  tessera plan my.toml --set quality=best          with eight times as much improving as the usual \"good\"\n"
     "  tessera plan jobs/animals.toml --ranks 33 --nodes 4 --set 'canvas.size_px=[8000, 6000]' --set devices.use=gpu\n"
-    "Memory, time and checkpoint before the job is run, estimated, and the head of a batch script that fits. Nothing "
-    "is\n"
-    "computed but the canvas.";
+    "Estimates memory, time and the size of the checkpoint before the job runs, and prints the head of a batch script "
+    "that\n"
+    "fits. Only the canvas is computed.";
 
 constexpr int kMostRanks = 100'000;
 
@@ -53,11 +53,11 @@ void add_plan_command(CLI::App& app, Command& selected) {
   CLI::App* plan = app.add_subcommand("plan", "Estimate what a job needs on a cluster");
   plan->footer(kPlanExamples);
   plan->add_option("JOB", arguments->job, "The job file")->required()->type_name("FILE");
-  plan->add_option("--ranks", arguments->on.ranks, "A master and workers")
+  plan->add_option("--ranks", arguments->on.ranks, "Number of ranks: a master and workers")
       ->type_name("N")
       ->check(CLI::Range(1, kMostRanks))
       ->capture_default_str();
-  plan->add_option("--nodes", arguments->on.nodes, "That share the ranks")
+  plan->add_option("--nodes", arguments->on.nodes, "Number of nodes that share the ranks")
       ->type_name("M")
       ->check(CLI::Range(1, kMostRanks))
       ->capture_default_str();

@@ -47,8 +47,8 @@ constexpr const char* kMakeExamples =
     "  tessera puzzle make photo.jpg --pieces 18 --cut polygons --seed 3 --out shards\n"
     "  tessera puzzle make heart.svg --pieces 24                   the heart itself is cut: heart_puzzle/frame.svg\n"
     "Each piece is a PNG with transparency, turned by a random angle; pieces are numbered in a random order.\n"
-    "DIR/truth/pieces.geojson says where each lay, px of the picture. Of tabs there may be a few pieces more or\n"
-    "fewer, rows times columns. What to type next is printed.";
+    "DIR/truth/pieces.geojson says where each lay, px of the picture. With tabs there may be a few pieces more or\n"
+    "fewer: rows times columns. The next commands are printed.";
 
 constexpr const char* kSolveExamples =
     "Examples:\n"
@@ -56,14 +56,15 @@ constexpr const char* kSolveExamples =
     "shape\n"
     "  tessera puzzle solve jigsaw.h5 --size 600,400 --scale 1     they are known to be as large as they were drawn\n"
     "  tessera puzzle solve heart.h5 --frame heart.svg             a frame of any outline\n"
-    "  tessera puzzle solve jigsaw.h5                              no frame: the canvas is as large as what comes out\n"
-    "  tessera puzzle solve jigsaw.h5 --size 600,400 --truth jigsaw/truth      how far from it\n"
-    "LIB.h5 holds the pieces, each once, in one scale among themselves: as large as their pictures. What fits is\n"
-    "found by outlines and by what is on both sides of them; pieces need corners. A frame may come out upside down. "
-    "jigsaw_pieces.geojson\n"
-    "says where they lie, jigsaw.toml is a job that shows it, which is then run as by tessera collage. Nothing is "
-    "laid\n"
-    "beyond a frame. Pieces that find no place are named, the others are laid, and the exit code is 3.";
+    "  tessera puzzle solve jigsaw.h5                              no frame: the canvas gets the size of the solution\n"
+    "  tessera puzzle solve jigsaw.h5 --size 600,400 --truth jigsaw/truth      how far the solution is off\n"
+    "LIB.h5 holds each piece once, all in the same scale: as large as their pictures. Pieces are matched by their "
+    "outlines\n"
+    "and by the pictures on both sides; they need corners. A frame may come out upside down. jigsaw_pieces.geojson "
+    "says\n"
+    "where the pieces lie. jigsaw.toml is a job that shows it; it then runs as with tessera collage. Nothing is laid "
+    "beyond\n"
+    "a frame. Pieces without a place are named, the others are laid, and the exit code is 3.";
 
 const std::map<std::string, CutStyle> kCuts = {
     {"tabs", CutStyle::tabs}, {"polygons", CutStyle::polygons}, {"rectangles", CutStyle::rectangles}};
@@ -74,7 +75,7 @@ struct MakeArguments {
   std::string cut = "tabs";
 };
 
-/// Without a slash at its end.
+/// The folder without a slash at its end.
 std::string folder_of(const MakeArguments& arguments) {
   if (arguments.folder.empty()) return std::filesystem::path(arguments.request.picture).stem().string() + "_puzzle";
   const std::filesystem::path folder = arguments.folder;
@@ -90,8 +91,8 @@ int make(MakeArguments arguments) {
   const MadePuzzle made = make_puzzle(request, drawers);
   print_warning(first_picture_warning(std::vector{request.picture}));
   try {
-    const comm::StopDelay delay;  // before, a signal ends the command at once
-    new_folder.write(made.files, stop_check(comm::asked_by_signal));
+    const comm::StopDelay delay;  // until here a signal ends the command at once
+    new_folder.write(made.files, stop_check(comm::stop_asked_by_signal));
   } catch (const Interrupted&) {
     return kUnfinishedExitCode;
   }
@@ -124,31 +125,31 @@ bool has_frame(const SolveArguments& arguments) {
   return arguments.request.frame_px || !arguments.request.frame_file.empty();
 }
 
-/// The size of all pieces together, and the option that gives the frame that size.
+/// The size of all pieces laid without a frame, and the option that gives the frame that size.
 std::string loose_size(const SolvedPuzzle& solved) {
   const std::string width = std::to_string(solved.loose_width_px), height = std::to_string(solved.loose_height_px);
   return width + " x " + height + " px (--size " + width + "," + height + ", or the same turned)";
 }
 
-/// How to go on where all pieces fit each other, but not in the frame.
+/// Advice where all pieces fit each other, but not the frame.
 std::string shape_advice(const SolvedPuzzle& solved) {
   return "; without a frame all of them fit each other: the frame of " + std::to_string(solved.width_px) + " x " +
          std::to_string(solved.height_px) + " px has another shape or size than the puzzle, which takes " +
          loose_size(solved);
 }
 
-/// How to go on where pieces found no place, by what was given.
+/// Advice where pieces found no place; it depends on the options that were given.
 std::string advice(const SolveArguments& arguments, const SolvedPuzzle& solved) {
   if (!has_frame(arguments)) return "";
   if (solved.loose_width_px > 0) return shape_advice(solved);
   const std::string shape =
       "; the frame may have another shape than the puzzle: without --size and --frame all that fits together is laid";
   if (arguments.request.scale) return shape;
-  return shape + "; where pieces are missing or foreign, --scale says how large the others are";
+  return shape + "; if pieces are missing or foreign, give the size of the others with --scale";
 }
 
-/// What is not as it should be, beside pieces that are left over.
-std::string doubt(const SolveArguments& arguments, const SolvedPuzzle& solved) {
+/// A warning about a doubtful solution, apart from pieces that are left over.
+std::string solution_warning(const SolveArguments& arguments, const SolvedPuzzle& solved) {
   constexpr double kLeastFilled = 0.99;
   if (solved.gaps > kMostPuzzleGaps)
     return "there are narrow gaps between pieces: some may not belong where they lie, or outlines are not exact";
@@ -158,8 +159,8 @@ std::string doubt(const SolveArguments& arguments, const SolvedPuzzle& solved) {
            (solved.loose_width_px > 0 ? ": all pieces together take " + loose_size(solved) : "");
   if (solved.undecided > 0)
     return std::to_string(solved.undecided) + " of " + count_text(solved.placed, "piece") +
-           " have the outline of others, and what is on them does not say for sure where they belong: some may lie "
-           "wrongly";
+           " have the same outline as others, and their pictures do not decide where they belong: some may lie in a "
+           "wrong place";
   return "";
 }
 
@@ -167,7 +168,7 @@ std::string erosion_text(double erosion_px) {
   return erosion_px > 0 ? "; they are " + fixed(erosion_px, 2) + " px smaller all round than they were cut" : "";
 }
 
-/// How far pieces lie from where they belong: those that are right, and where others are laid, those too.
+/// The distances of pieces from their right places: of correct ones, and, if some are laid elsewhere, of those as well.
 std::string off_text(const PuzzleAgreement& agreement) {
   if (agreement.laid == 0) return "none of them was laid";
   const std::string right = fixed(agreement.worst_px, 2) + " px off at most";
@@ -182,14 +183,14 @@ void report(const SolveArguments& arguments, const SolvedPuzzle& solved) {
                   " found no place" + (has_frame(arguments) ? " in the frame" : "") + ": " + listed(solved.left_over) +
                   advice(arguments, solved));
   }
-  print_warning(doubt(arguments, solved));
+  print_warning(solution_warning(arguments, solved));
   if (!arguments.collage.quiet) {
     print_line("%s: %zu of %s on %d x %d px, %.2f %% of it covered, scale %.4g%s",
                printable_utf8(arguments.request.job).c_str(), solved.placed, count_text(solved.pieces, "piece").c_str(),
                solved.width_px, solved.height_px, 100 * solved.covered, solved.scale,
                erosion_text(solved.erosion_px).c_str());
   }
-  if (solved.agreement) {  // who asks for it wants to know
+  if (solved.agreement) {  // the user asked for the comparison
     print_line("by %s: %d of %zu right (within 2 px, 1 degree, 1 %%), %s",
                printable_utf8(arguments.request.truth).c_str(), solved.agreement->right, solved.pieces,
                off_text(*solved.agreement).c_str());
@@ -199,7 +200,7 @@ void report(const SolveArguments& arguments, const SolvedPuzzle& solved) {
   print_now();
 }
 
-/// How far it is, and whether it is time to end.
+/// Shows the progress of solving, and ends it at a signal or the time limit.
 class SolvingWatch {
  public:
   SolvingWatch(const CollageArguments& arguments, const comm::Communicator& ranks)
@@ -210,10 +211,10 @@ class SolvingWatch {
     comm::install_stop_handlers();
   }
 
-  /// Throws Interrupted.
-  void look(const PuzzleProgress& at) {
+  /// Shows the progress. Throws Interrupted.
+  void check_stop(const PuzzleProgress& at) {
     if (comm::stop_signalled()) throw Interrupted{StopReason::signal};
-    if (limit_.round_over(leaving_s_)) throw Interrupted{StopReason::time_limit};
+    if (limit_.must_end_round(leaving_s_)) throw Interrupted{StopReason::time_limit};
     if (quiet_) return;
     const SolvingProgress::Shown shown = progress_.see(at);
     if (!bar_ || shown.label != label_) bar_.emplace(label_ = shown.label, shown.of);
@@ -221,21 +222,21 @@ class SolvingWatch {
   }
 
  private:
-  static constexpr double kLeaving_s = 4;  // of several ranks, as of a collage
+  static constexpr double kLeaving_s = 4;  // time for several ranks to leave, as in a collage
 
   bool quiet_;
   double leaving_s_;
   TimeLimit limit_;
   SolvingProgress progress_;
-  std::string label_;  // of the bar
+  std::string label_;  // of the progress bar
   std::optional<ProgressBar> bar_;
 };
 
-/// The exit code of the job that was written, or that of an end before its time.
+/// Solves the puzzle and writes the job. Returns the exit code of that, or of an early end.
 int solve_and_report(SolveArguments& arguments, const comm::Communicator& ranks) {
   try {
     SolvingWatch watch(arguments.collage, ranks);
-    arguments.request.watch = [&](const PuzzleProgress& at) { watch.look(at); };
+    arguments.request.watch = [&](const PuzzleProgress& at) { watch.check_stop(at); };
     const SolvedPuzzle solved = write_solved_puzzle(arguments.request);
     report(arguments, solved);
     return solved.left_over.empty() ? kDoneExitCode : kIncompleteExitCode;
@@ -245,17 +246,17 @@ int solve_and_report(SolveArguments& arguments, const comm::Communicator& ranks)
   }
 }
 
-/// Rank 0: the job, and then the collage.
+/// Solves the puzzle and writes the job, then runs the collage; for rank 0.
 int solve_and_collage(SolveArguments& arguments, comm::Communicator& ranks) {
   const JobOutput output(arguments.collage, {solution_path(arguments.request.job)}, arguments.job_only);
   const int solved = solve_and_report(arguments, ranks);
   if (solved == kUnfinishedExitCode || arguments.job_only) return solved;
-  comm::end_stop_handlers();  // until the collage has something to lose
+  comm::end_stop_handlers();  // signals set a flag again only once the collage has something to lose
   const int made = collage_exit_code(arguments.collage, ranks);
   return made == kDoneExitCode ? solved : made;
 }
 
-/// Rank 0 alone lays the pieces and writes the job; the workers get it from there as of any collage.
+/// Only rank 0 lays the pieces and writes the job; it sends the job to the workers, as any collage.
 int solve(SolveArguments arguments, comm::Communicator& ranks) {
   SolvingRequest& request = arguments.request;
   if (request.job.empty()) request.job = std::filesystem::path(request.library).stem().string() + ".toml";
@@ -273,7 +274,7 @@ void add_make(CLI::App& puzzle, Command& selected) {
   command->add_option("IMAGE", request.picture, "JPEG, PNG, TIFF, WebP or BMP; of an SVG its silhouette is cut")
       ->required()
       ->type_name("FILE");
-  command->add_option("--pieces", request.pieces, "About so many, 2 to 2000")->capture_default_str();
+  command->add_option("--pieces", request.pieces, "Approximate number of pieces, 2 to 2000")->capture_default_str();
   command->add_option("--cut", arguments->cut, "tabs, polygons with straight sides, or rectangles, all alike")
       ->check(CLI::IsMember(kCuts))
       ->capture_default_str();
@@ -294,7 +295,8 @@ void add_solve(CLI::App& puzzle, Command& selected) {
                        {.type_name = "W,H", .count = 2, .value = CLI::Range(64, 20'000)});
   command
       ->add_option("--frame", request.frame_file,
-                   "The frame is what this file shows, as a canvas.file; without --size as large as the pieces want it")
+                   "The frame is the silhouette in this file, like a canvas.file; without --size its size follows "
+                   "from the pieces")
       ->type_name("FILE");
   command
       ->add_option(
@@ -303,13 +305,15 @@ void add_solve(CLI::App& puzzle, Command& selected) {
       ->check(CLI::Range(0.001, 1000.0))
       ->type_name("K");
   command
-      ->add_option("--truth", request.truth, "A folder with the pieces.geojson of how they were cut: says how far off")
+      ->add_option("--truth", request.truth,
+                   "A folder with the pieces.geojson of the cut: reports how far the "
+                   "solution is off")
       ->type_name("DIR");
   command->add_option("--job", request.job, "The job file to write; default: <name of the library>.toml")
       ->type_name("FILE.toml");
-  command->add_flag("--outlines-only", request.outlines_only, "Leave out what is on the pieces");
+  command->add_flag("--outlines-only", request.outlines_only, "Ignore the pictures on the pieces");
   command->add_flag("--job-only", arguments->job_only, "Write the job and where the pieces lie, and run nothing");
-  command->add_flag("--replace", request.replace, "Write them anew where others are there");
+  command->add_flag("--replace", request.replace, "Replace the files of another puzzle");
   add_collage_options(*command, arguments->collage);
   command->callback([arguments, &selected] {
     selected.run_on_all_ranks = [arguments](comm::Communicator& ranks) { return solve(*arguments, ranks); };

@@ -11,18 +11,21 @@ constexpr const char* kRankExamples =
     "  tessera rank out/campaign                        all results in a folder\n"
     "  tessera rank out/a out/b --out out/a_or_b\n"
     "  tessera rank out/campaign --weight variety=0.2 --weight overlap=-5\n"
-    "  tessera rank out/campaign --weight balance=0.1 --weight dwarfs=-0.1    where large and small are to have a "
-    "part\n"
+    "  tessera rank out/campaign --weight balance=0.1 --weight dwarfs=-0.1    if sizes shall be balanced\n"
     "  tessera rank out/cups --weight colour_from_afar=-2 --weight structure_from_afar=0.5     mosaics of a photo\n"
-    "The score is the sum of weight times measure, in percent. By default coverage counts 1, overlap and outside -2,\n"
-    "shared_boundary and variety (effective_shapes by pieces: 1 where each shows another shape of one size) 0.1. "
-    "Those\n"
-    "that count 0 until asked for: balance (1: small to large pieces cover alike), dwarfs (their part of the pieces'\n"
-    "area), copies_apart (how far off the nearest copy of a piece is, by the canvas' diagonal), alone (pieces without\n"
-    "another within 2 px); of results that show a picture (colour.image), both at 100 px wide, colour_from_afar (how\n"
-    "far its colours are off, CIEDE2000: 100 is black for white) and structure_from_afar (SSIM). Equal scores share a\n"
-    "rank and stand in the order of their folders' names. The table is written as ranking.csv and ranking.json, the\n"
-    "pictures, best first, as ranking.png.";
+    "The score is the sum of weight times measure, in percent. Default weights: coverage 1, overlap and outside -2,\n"
+    "shared_boundary and variety (effective_shapes / pieces: 1 if all pieces show different shapes in one size) 0.1. "
+    "These\n"
+    "have the weight 0 unless it is given: balance (1: small, medium and large pieces cover the same area), dwarfs "
+    "(their\n"
+    "part of the pieces' area), copies_apart (distance of the nearest copy of a piece / the canvas' diagonal), alone "
+    "(pieces\n"
+    "without another one within 2 px). For results that show a picture (colour.image), at a width of 100 px:\n"
+    "colour_from_afar (difference of colours, CIEDE2000: 100 is black instead of white) and structure_from_afar "
+    "(SSIM).\n"
+    "Equal scores share a rank, in the order of their folders' names. The table is written as ranking.csv and "
+    "ranking.json,\n"
+    "the pictures, best first, as ranking.png.";
 
 }  // namespace
 

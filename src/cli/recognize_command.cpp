@@ -8,14 +8,14 @@ namespace {
 
 constexpr const char* kRecognizeExamples =
     "Examples:\n"
-    "  tessera recognize torn.png --library animals.h5                      which of the animals is this a part of\n"
+    "  tessera recognize torn.png --library animals.h5                      finds the animal of which this is a part\n"
     "  tessera recognize signs/*.png --library signs.h5 --json signs.json --sheet signs.png\n"
     "  mpirun -n 8 tessera recognize q.svg --library large.h5               the same answer on any number of ranks\n"
     "A query may be turned, of any size, clipped or partly hidden. Similarity: how much of the query's outline the "
     "shape\n"
-    "follows, and how closely; 1 is all of it. Score: the same, of the query's outline and the shape's alike. The "
-    "exit\n"
-    "code is 3 where a query is nothing that the library has, or cannot be read, and 2 where none can.";
+    "follows, and how closely; 1 means all of it. Score: the same for the query's and the shape's outlines together. "
+    "The\n"
+    "exit code is 3 if a query is unknown to the library or cannot be read, and 2 if no query can be read.";
 
 }  // namespace
 
@@ -28,7 +28,7 @@ void add_recognize_command(CLI::App& app, Command& selected) {
       ->required()
       ->type_name("FILE ...");
   command->add_option("--library", arguments->library, "The library")->required()->type_name("LIB.h5");
-  command->add_option("--top", arguments->most, "How many shapes are told of each query")
+  command->add_option("--top", arguments->most, "Most shapes to report for each query")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command->add_option("--least", arguments->least_score, "A query whose best shape has a lower score counts as unknown")
@@ -36,11 +36,12 @@ void add_recognize_command(CLI::App& app, Command& selected) {
       ->capture_default_str();
   command
       ->add_option("--scale", arguments->scale,
-                   "Where it is known: px of the query for one px of the library's drawings, which excludes others")
+                   "Scale of the queries, if known: px of the query for one px of the library's drawings; other "
+                   "scales are excluded")
       ->type_name("FACTOR");
-  command->add_option("--json", arguments->json, "Write the answer for programs, too")->type_name("FILE");
+  command->add_option("--json", arguments->json, "Also write the answer as JSON")->type_name("FILE");
   command->add_option("--sheet", arguments->sheet, "Draw queries and shapes side by side")->type_name("FILE.png");
-  command->add_flag("--quiet", arguments->quiet, "Warnings and errors only");
+  command->add_flag("--quiet", arguments->quiet, "Print only warnings and errors");
   command->callback([arguments, &selected] {
     selected.run_on_all_ranks = [arguments](comm::Communicator& ranks) {
       return recognize_on_all_ranks(*arguments, ranks);

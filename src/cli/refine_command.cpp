@@ -25,40 +25,42 @@ namespace {
 constexpr const char* kRefineExamples =
     "Examples:\n"
     "  tessera refine out/animals --relax                 all pieces move once: out/animals-relaxed\n"
-    "  tessera refine out/animals --relax --trials 300    then pieces are exchanged, go out and others come in\n"
+    "  tessera refine out/animals --relax --trials 300    then pieces are exchanged, too\n"
     "  tessera refine out/animals --relax --out denser --set pieces.padding_px=0\n"
     "  tessera refine out/animals --deform                gaps close: out/animals-deformed; limits: [deform] of a job\n"
-    "  tessera refine out/animals --pieces 3,17           these two go, others come in: out/animals-erased\n"
+    "  tessera refine out/animals --pieces 3,17           these two are replaced: out/animals-erased\n"
     "  tessera refine out/animals --box 200,300,150,100   all pieces with their centre in it\n"
-    "  tessera refine out/animals --erase scribble.png    all that it touches: drawn on a transparent page over\n"
+    "  tessera refine out/animals --erase scribble.png    the pieces that it touches; drawn on a transparent page "
+    "over\n"
     "                                                     collage.png, or painted over a copy of that\n"
     "  tessera refine out/animals --swap 12 --set seed=7  another drawing: out/animals-swapped\n"
     "  tessera refine out/animals --box 200,300,150,100 --variants 8\n"
     "                                                     out/animals-variants/seed_1 and so on, and a sheet of them\n"
     "  mpirun -n 3 tessera refine out/animals --relax     rank 0 is the master, the others are workers\n"
-    "RESULT stays as it is, and is the way back. Pieces are counted as \"index\" in pieces.geojson does, from 0;\n"
-    "output.labels draws a map of them. Those that were locked ([[given]], --lock) stay where they are.\n"
-    "Where pieces go, all others stay exactly where they are, and only the room where these lay is filled; another "
-    "seed\n"
-    "gives another filling. No drawing that went comes back to the place where it lay, unless nothing else may come "
-    "in,\n"
-    "which is told. It is improved by the part of improve.trials that the room is of the canvas.\n"
-    "--relax: the job is run again from the pieces, which may move. What still fits is placed before and after, so "
-    "there\n"
-    "may be more pieces; a job with a limit of\n"
-    "[stop] gets none beyond it, or beyond those of RESULT, and exchanges none. What comes of a trial is kept where "
-    "it\n"
-    "covers more, what pieces cover twice and what copies cost (objective.repetition_exponent) taken off; else pieces\n"
-    "stay where they are. --relax brings something where sizes may change, the largest is at most five times the\n"
-    "smallest, and neither colour.image nor pieces.size_map is given; elsewhere a warning says why not. [[regions]]\n"
-    "relax one after the other, each in a trial of its own.\n"
-    "The library and the canvas must be those that RESULT was made from. --resume, --time-limit, signals and exit\n"
-    "codes are as in tessera collage.";
+    "RESULT itself is not changed. Pieces have the numbers of \"index\" in pieces.geojson, from 0; output.labels draws "
+    "a map\n"
+    "of them. Locked pieces ([[given]], --lock) stay where they are.\n"
+    "If pieces are removed, all others stay exactly where they are, and only the room of the removed ones is filled;\n"
+    "another seed gives another filling. A removed drawing does not come back to its old place, unless no other "
+    "drawing may\n"
+    "come in; a warning says so. Improving gets a part of improve.trials: the room's part of the canvas.\n"
+    "--relax: the job runs again from the pieces, which may move. Pieces that still fit are placed before and after, "
+    "so\n"
+    "there may be more pieces. With a limit in [stop] no piece is added beyond it, or beyond the number in RESULT, and "
+    "no\n"
+    "piece is exchanged. The outcome of a trial is kept if it covers more, after subtracting area covered twice and "
+    "the\n"
+    "cost of copies (objective.repetition_exponent); otherwise pieces stay where they are. --relax helps if sizes may\n"
+    "change, the largest is at most five times the smallest, and neither colour.image nor pieces.size_map is given;\n"
+    "otherwise a warning says why not. [[regions]] relax one after the other, each in a trial of its own.\n"
+    "The library and the canvas must be those that RESULT was made from. --resume, --time-limit, signals and exit "
+    "codes are\n"
+    "as in tessera collage.";
 
 struct RefineArguments {
   std::string result;
   bool relax = false;
-  std::string deform;  // how; empty: not
+  std::string deform;  // the kind of deformation; empty: none
   EraseArguments erase;
   std::vector<int> locked;
   int trials = 0;    // 0: as few as the action needs
@@ -66,7 +68,7 @@ struct RefineArguments {
   CollageArguments collage;
 };
 
-/// What an action makes of a result: where it goes, and which keys differ from those of its job.
+/// The action on a result: the suffix of its folder, and the keys that differ from the result's job.
 struct Action {
   const char* suffix;
   std::vector<std::string> keys;
@@ -78,7 +80,7 @@ std::vector<std::string> names_of(const std::vector<int>& pieces, const std::vec
   return {names.begin(), names.end()};
 }
 
-/// What is done to single pieces is noted in `result`.
+/// The action that the options ask for. Changes of single pieces are noted in `result`.
 Action action_of(const RefineArguments& arguments, const std::string& job, RefinedResult& result) {
   const std::vector<PlacedPiece> all = read_placed_pieces(result.folder);
   result.locked = piece_numbers("--lock", arguments.locked, all.size());
@@ -97,7 +99,7 @@ Action action_of(const RefineArguments& arguments, const std::string& job, Refin
   return {erase.swapped.empty() ? "-erased" : "-swapped", erasing_keys()};
 }
 
-/// The result's job, run again. What the command line sets wins, but not over where it starts.
+/// The arguments that run the result's job again. Overrides of the command line win, except over the starting pieces.
 CollageArguments collage_of(const RefineArguments& arguments) {
   check_overrides(arguments.collage.overrides);
   const auto result = std::make_shared<RefinedResult>(read_refined_result(arguments.result));
@@ -114,8 +116,8 @@ CollageArguments collage_of(const RefineArguments& arguments) {
   return collage;
 }
 
-/// One after the other with the job's seed and those after it, each in a folder of its own; then they are ranked. What
-/// was left unfinished goes on. Workers serve one run, so that there are none.
+/// Makes the variants one after the other, with the job's seed and those after it, each in a folder of its own; then
+/// ranks them. Unfinished variants continue. Runs on one rank only, as workers serve a single run.
 int make_variants(const RefineArguments& arguments, comm::Communicator& ranks) {
   if (ranks.size() > 1) {
     throw InputError(
@@ -148,7 +150,7 @@ int make_variants(const RefineArguments& arguments, comm::Communicator& ranks) {
   return exit_code == kDoneExitCode && !all_complete ? kIncompleteExitCode : exit_code;
 }
 
-/// Rank 0 alone reads the result; the workers get its job from there as of any collage.
+/// Only rank 0 reads the result; it sends the job to the workers, as any collage.
 int run(const RefineArguments& arguments, comm::Communicator& ranks) {
   if (arguments.variants > 0) return ranks.rank() == 0 ? make_variants(arguments, ranks) : 0;
   return collage_exit_code(ranks.rank() == 0 ? collage_of(arguments) : arguments.collage, ranks);
@@ -162,7 +164,7 @@ void check_has_action(const RefineArguments& arguments) {
   throw CLI::RequiredError("What to do with RESULT (--relax, --deform, --pieces, --box, --erase or --swap)");
 }
 
-/// One of them at a time.
+/// Adds the actions; at most one can be given.
 void add_actions(CLI::App& refine, RefineArguments& arguments) {
   CLI::Option_group* actions = refine.add_option_group("Actions");
   actions->require_option(0, 1);
@@ -170,21 +172,23 @@ void add_actions(CLI::App& refine, RefineArguments& arguments) {
   actions
       ->add_flag(
           "--deform{capped}", arguments.deform,
-          "Outlines and drawings are deformed to close gaps and overlaps, a little; --deform=voronoi: as far as there "
-          "is something to fill")
+          "Deform outlines and drawings a little to close gaps and overlaps; --deform=voronoi: as far as there is "
+          "something to fill")
       ->check(CLI::IsMember({"capped", "voronoi"}));
   const ListOption pieces{.type_name = "N,N.."};
-  add_list_option(*actions, "--pieces", arguments.erase.pieces, "These go, and the room where they lay is filled anew",
+  add_list_option(*actions, "--pieces", arguments.erase.pieces, "Remove these pieces, and fill their room again",
                   pieces);
   add_list_option(
       *actions, "--box", arguments.erase.box_px,
-      "Pieces whose centre lies in this rectangle go, px of the canvas (canvas.size_px), not of collage.png",
+      "Remove pieces with their centre in this rectangle, px of the canvas (canvas.size_px), not of collage.png",
       {.type_name = "X,Y,W,H", .count = 4});
   actions
       ->add_option("--erase", arguments.erase.mask,
-                   "Pieces go that this drawing touches, which is laid over the canvas: SVG, or an image")
+                   "Remove pieces that this drawing touches; it is laid over the canvas: an SVG or an image")
       ->type_name("MASK");
-  add_list_option(*actions, "--swap", arguments.erase.swapped, "These go, and none of their drawings comes in for them",
+  add_list_option(*actions, "--swap", arguments.erase.swapped,
+                  "Remove these pieces, and fill their room with other "
+                  "drawings",
                   pieces);
 }
 
@@ -192,22 +196,26 @@ void add_actions(CLI::App& refine, RefineArguments& arguments) {
 
 void add_refine_command(CLI::App& app, Command& selected) {
   const auto arguments = std::make_shared<RefineArguments>();
-  CLI::App* refine = app.add_subcommand("refine", "Improve a finished result without making it anew");
+  CLI::App* refine = app.add_subcommand("refine", "Improve or change a finished result");
   refine->footer(kRefineExamples);
   refine->add_option("RESULT", arguments->result, "The folder of the result")->required()->type_name("DIR");
   add_actions(*refine, *arguments);
-  add_list_option(*refine, "--lock", arguments->locked, "These stay where they are, now and in later refinements",
+  add_list_option(*refine, "--lock", arguments->locked,
+                  "Lock these pieces: they stay where they are, now and in "
+                  "later refinements",
                   {.type_name = "N,N.."});
   const JobKey& trials = *find_job_key("improve", "trials");
   refine
       ->add_option("--trials", arguments->trials,
-                   "Of improving, the first of which relaxes (improve.trials); default: 1, or one for each region")
+                   "Number of improvement trials (improve.trials), of which the first one relaxes; default: 1, or "
+                   "one for each region")
       ->type_name("N")
       ->check(CLI::Range(1, int(trials.max)))
       ->needs(refine->get_option("--relax"));
   refine
       ->add_option("--variants", arguments->variants,
-                   "So many results with as many seeds, from the job's on, in folders of DIR, ranked (tessera rank)")
+                   "Make this many results with different seeds, beginning with the job's seed, in folders of DIR, "
+                   "and rank them (tessera rank)")
       ->type_name("N")
       ->check(CLI::Range(2, int(kMaxSheetCollages)));
   add_collage_options(*refine, arguments->collage,

@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 
-// Boost's library holds this code for its own archives only. For ours it must be compiled here.
+// Boost's library holds this code only for its own archives. For ours it must be compiled here.
 namespace boost::archive {
 template class detail::archive_serializer_map<tessera::comm::MessageReader>;
 template class detail::archive_serializer_map<tessera::comm::MessageWriter>;

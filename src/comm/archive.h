@@ -1,11 +1,12 @@
-// How the values of messages become bytes and back, by Boost.Serialization: the one format in which ranks talk. The bytes
-// travel only between ranks of one job, on machines of one kind: they have no version and no byte order. Bytes that were
-// cut off, or claim to hold more elements than there are bytes, are an error. Ranks compare their programs first.
+// Converts the values of messages to bytes and back with Boost.Serialization: the one format of messages between ranks.
+// The bytes travel only between ranks of one job, on machines of one kind: they have no version and no byte order.
+// Bytes that were cut off, or that claim more elements than there are bytes, are an error. Ranks compare their programs
+// before the first such message.
 //
-// A type travels as it lies in memory where kSentAsItLies says so, or by its members where kSentByMembers does. For the
-// latter whoever sends it defines, in boost::serialization,
-//   template <class Archive> void serialize(Archive& archive, Type& value, unsigned)
-// which names all members in a structured binding, so that a forgotten one does not compile, and gives them to
+// A type is sent as the bytes that it has in memory (kSentAsBytes) or member by member (kSentByMembers). For the
+// latter the type needs, in boost::serialization,
+// template <class Archive> void serialize(Archive& archive, Type& value, unsigned)
+// It names all members in a structured binding, so that a forgotten member does not compile, and passes them to
 // send_members().
 #pragma once
 
@@ -25,14 +26,14 @@
 
 namespace tessera::comm {
 
-/// Whether values of this type travel as they lie in memory: of them a vector costs one copy. To be specialised for
-/// structures without pointers, several at once by kIsOneOf.
+/// Whether values of this type are sent as the bytes that they have in memory; a vector of them then costs one copy.
+/// Specialise it for structures without pointers, several at once with kIsOneOf.
 template <class T>
-inline constexpr bool kSentAsItLies = std::is_enum_v<T>;
+inline constexpr bool kSentAsBytes = std::is_enum_v<T>;
 template <class T, std::size_t kSize>
-inline constexpr bool kSentAsItLies<std::array<T, kSize>> = std::is_arithmetic_v<T>;
+inline constexpr bool kSentAsBytes<std::array<T, kSize>> = std::is_arithmetic_v<T>;
 
-/// Whether there is a serialize() of the type. To be specialised like kSentAsItLies.
+/// Whether the type has a serialize(). Specialise it like kSentAsBytes.
 template <class T>
 inline constexpr bool kSentByMembers = false;
 template <class T>
@@ -41,16 +42,16 @@ inline constexpr bool kSentByMembers<Grid<T>> = true;
 template <class T, class... Types>
 inline constexpr bool kIsOneOf = (std::same_as<T, Types> || ...);
 
-/// Writes or reads the members, one after the other.
+/// Writes or reads the members one after the other.
 template <class Archive, class... Members>
 void send_members(Archive& archive, Members&... members) {
   (archive & ... & members);
 }
 
-/// Throws the EnvironmentError of a message that this program does not understand.
+/// Throws the EnvironmentError for a message that this program does not understand.
 [[noreturn]] void refuse_message();
 
-/// A message's bytes, to be read.
+/// A stream buffer that reads the bytes of a message.
 class MessageBuffer : public std::streambuf {
  public:
   explicit MessageBuffer(const Bytes& bytes) {
@@ -62,8 +63,9 @@ class MessageBuffer : public std::streambuf {
 
 inline constexpr unsigned kBareArchive = boost::archive::no_header | boost::archive::no_codecvt;
 
-/// Boost's binary archive, which looks at what is left of the message before it takes memory for what a count claims.
-/// Throws EnvironmentError, or boost::archive::archive_exception where the message ends early.
+/// A binary archive of Boost for reading. Before it allocates memory for a count, it checks that the rest of the
+/// message can hold that many elements. Throws EnvironmentError, or boost::archive::archive_exception where the message
+/// ends early.
 class MessageReader : public boost::archive::binary_iarchive_impl<MessageReader, char, std::char_traits<char>> {
   using Base = boost::archive::binary_iarchive_impl<MessageReader, char, std::char_traits<char>>;
   friend class boost::archive::detail::interface_iarchive<MessageReader>;
@@ -77,7 +79,7 @@ class MessageReader : public boost::archive::binary_iarchive_impl<MessageReader,
   void load_override(T& value) {
     Base::load_override(value);
   }
-  /// An element takes a byte or more.
+  /// Refuses a count above the bytes left: each element takes at least one byte.
   void load_override(boost::serialization::collection_size_type& count) {
     Base::load_override(count);
     if (count > buffer_.left()) refuse_message();
@@ -98,7 +100,7 @@ class MessageReader : public boost::archive::binary_iarchive_impl<MessageReader,
   MessageBuffer& buffer_;
 };
 
-/// Boost's binary archive, which writes texts as MessageReader reads them.
+/// A binary archive of Boost for writing; it writes texts in the form that MessageReader reads.
 class MessageWriter : public boost::archive::binary_oarchive_impl<MessageWriter, char, std::char_traits<char>> {
   using Base = boost::archive::binary_oarchive_impl<MessageWriter, char, std::char_traits<char>>;
   friend class boost::archive::detail::interface_oarchive<MessageWriter>;
@@ -129,20 +131,20 @@ BOOST_SERIALIZATION_USE_ARRAY_OPTIMIZATION(tessera::comm::MessageWriter)
 namespace boost::serialization {
 
 template <class T>
-requires tessera::comm::kSentAsItLies<T>
+requires tessera::comm::kSentAsBytes<T>
 struct is_bitwise_serializable<T> : mpl::true_ {
   static_assert(std::is_trivially_copyable_v<T>);
 };
 
 template <class T>
-requires tessera::comm::kSentAsItLies<T>
+requires tessera::comm::kSentAsBytes<T>
 struct implementation_level_impl<const T> {
   using tag = mpl::integral_c_tag;
   using type = mpl::int_<primitive_type>;
   static constexpr int value = primitive_type;
 };
 
-// No version, no identity: every value is written once.
+// Values are written without version and without identity (each is written once).
 template <class T>
 requires tessera::comm::kSentByMembers<T>
 struct implementation_level_impl<const T> {

@@ -18,8 +18,8 @@ namespace {
 
 SharedBytes shared(Bytes bytes) { return std::make_shared<const Bytes>(std::move(bytes)); }
 
-/// The messages of a job's end come from any rank, also from one whose program turned out to be another one. What such
-/// a rank says may be unreadable, which is no reason not to end.
+/// Decodes a message of a job's end; empty where it cannot be read. Such messages come from any rank, even from one
+/// whose program is a different one; that is no reason not to end.
 template <class T>
 std::optional<T> readable(const Bytes& bytes) {
   try {
@@ -73,7 +73,7 @@ void Communicator::throw_if_over() const {
   if (failure_) throw_failure(*failure_);
 }
 
-void Communicator::look() {
+void Communicator::check_arrivals() {
   take_in_arrivals();
   throw_if_over();
 }
@@ -85,12 +85,12 @@ void Communicator::watch_workers(double silence_s, std::function<void(const std:
 
 void Communicator::throw_if_interrupted() {
   const std::optional<StopReason> reason = shall_stop_ ? shall_stop_() : std::nullopt;
-  // A rank that is heard of again later has been told to be lost: nobody waits for it any more.
+  // A rank that was reported as lost stays lost, even if it sends again later.
   if (const auto lost = watch_ && !lost_a_worker_ ? watch_->lost() : std::nullopt) {
     lost_a_worker_ = true;
     report_lost_(lost->rank > 0 ? place_of(lost->rank) + " " + lost->what : lost->what);
   }
-  gave_up_waiting_ |= reason || lost_a_worker_;
+  wait_was_interrupted_ |= reason || lost_a_worker_;
   if (reason) throw Interrupted{*reason};
   if (lost_a_worker_) throw Interrupted{StopReason::lost_rank};
 }
@@ -105,7 +105,7 @@ void Communicator::wait_until(Done done) {
   IdleWait wait;
   Stopwatch since_look;
   if (watch_) watch_->begin_wait();
-  for (look(); !done(); look()) {
+  for (check_arrivals(); !done(); check_arrivals()) {
     if (watch_) watch_->waited(since_look.lap());
     throw_if_interrupted();
     wait.pause();
@@ -184,7 +184,7 @@ bool Communicator::wait_patiently(Done done, double patience_s) {
   return true;
 }
 
-bool Communicator::see_off(double patience_s) {
+bool Communicator::wait_for_goodbyes(double patience_s) {
   if (!wait_patiently([this] { return byes_ == size() - 1 && under_way() == 0; }, patience_s)) return false;
   for (int to = 1; to < size(); ++to) post(to, Tag::leave, shared({}));
   return wait_until_sent(patience_s);

@@ -1,10 +1,10 @@
-// The ranks of a job and how they talk: the one interface to the transport, implemented by MPI and, within one process,
-// by threads. Everything here belongs to one thread of the rank, but for its heartbeats (heartbeat.h).
+// The ranks of a job and the messages between them: the one interface to the transport. MPI implements it, and, within
+// one process, threads. All members belong to one thread of the rank, except those for heartbeats (heartbeat.h).
 //
-// Sending never waits for the receiver, and whoever waits takes in whatever arrives, so that no order of large messages
-// can lock two ranks up. A rank that cannot go on tells rank 0, whose next wait throws; rank 0 ends the job by telling
-// all, whose next wait throws JobEnded (rank_program.h does both). A wait of rank 0 also ends, by core's Interrupted,
-// when the job is to stop or a worker is lost.
+// Sending never waits for the receiver, and every wait takes in all messages that arrive, so that large messages cannot
+// block two ranks in any order. A rank that cannot go on tells rank 0, whose next wait throws. Rank 0 ends the job by
+// telling all ranks, whose next wait throws JobEnded (rank_program.h does both). A wait of rank 0 also ends, with
+// core's Interrupted, when the job shall stop or a worker is lost.
 #pragma once
 
 #include <atomic>
@@ -25,14 +25,14 @@
 
 namespace tessera::comm {
 
-/// Thrown by the waits of every rank but 0 when rank 0 ended the job. Not an error, hence no std::exception: let it
-/// pass.
+/// Thrown by the waits of every rank except 0 when rank 0 has ended the job. It is not an error, so it is no
+/// std::exception; do not catch it.
 struct JobEnded {};
 
-/// How the ranks leave.
+/// The way in which the ranks leave the job.
 enum class Ending : std::uint8_t {
-  orderly,  // everyone waits for everyone, then MPI says its own farewell
-  at_once,  // the launcher is killing the job and answers nobody any more
+  orderly,  // all ranks wait for each other, then finalise MPI
+  at_once,  // the launcher is killing the job and answers no MPI calls any more
 };
 
 class Communicator {
@@ -44,88 +44,89 @@ class Communicator {
 
   virtual int rank() const = 0;
   virtual int size() const = 0;
-  /// The ranks that share this rank's node, ascending, itself included.
+  /// The ranks on this rank's node, ascending, itself included.
   virtual const std::vector<int>& node_ranks() const = 0;
   int local_rank() const;  // position in node_ranks()
   int local_size() const { return int(node_ranks().size()); }
-  /// The rank as messages to people name it: "rank 2 on node7".
+  /// The name of this rank in messages for people: "rank 2 on node7".
   std::string place() const { return place_of(rank()); }
   virtual std::string place_of(int rank) const = 0;
-  /// Ends all ranks at once, without regard to what they do.
+  /// Ends all ranks at once, whatever they do.
   [[noreturn]] virtual void abort(int exit_code) = 0;
 
-  /// Returns without waiting for the receiver, unless kMostUnderWay bytes are already under way. Messages of one tag
-  /// from one rank to another arrive in order. At most 2^31 - 1 bytes.
+  /// Sends a message. Waits for nobody, unless more than kMostUnderWay bytes have not left yet. Messages of one tag
+  /// from one rank to another arrive in order. A message has at most 2^31 - 1 bytes.
   void send(int to, Tag tag, Bytes bytes);
   /// Sends the same bytes to several ranks.
   void send(const std::vector<int>& to, Tag tag, Bytes bytes);
-  /// The next message of that tag from rank `from`.
+  /// Waits for the next message with this tag from rank `from`.
   Bytes receive(int from, Tag tag);
-  /// The next message of any of the tags from rank `from`, in the order in which they were sent.
+  /// Waits for the next message with any of the tags from rank `from`, in the order in which they were sent.
   Message receive_any(int from, std::initializer_list<Tag> tags);
-  /// Waits until all that was sent has left.
+  /// Waits until all messages have left.
   void flush();
 
-  /// Gives rank 0's bytes on every rank.
+  /// Returns the bytes of rank 0 on every rank.
   Bytes broadcast(Bytes bytes);
-  /// Returns when every rank has come here.
+  /// Waits until every rank has called it.
   void barrier();
 
-  /// Takes in what has arrived and throws as a wait does: for whoever computes for long.
-  void look();
+  /// Takes in what has arrived and throws as a wait does. To be called now and then during long computations.
+  void check_arrivals();
 
-  /// From now on a wait for which `shall_stop` gives a reason throws Interrupted with it. The replies that
-  /// were waited for may still come; the only thing left to do is to end the job.
+  /// Makes every later wait throw Interrupted as soon as `shall_stop` returns a reason. The awaited replies may still
+  /// arrive; the only thing left to do is to end the job.
   void interrupt_waits_when(StopQuestion shall_stop) { shall_stop_ = std::move(shall_stop); }
-  /// Rank 0, whose workers all have a Heart with the same `silence_s`: from now on a wait that finds one of them lost
-  /// (rank_watch.h) calls `report` with a line that names it and throws Interrupted. So does every later wait, without
-  /// another report.
+  /// Watches the workers; for rank 0, whose workers all have a HeartbeatSender with the same `silence_s`. From now on a wait that
+  /// finds a worker lost (rank_watch.h) calls `report` with a line that names it and throws Interrupted. Every later
+  /// wait throws as well, without another report.
   void watch_workers(double silence_s, std::function<void(const std::string& line)> report);
-  /// A wait of this rank was interrupted: somebody may still be at work on what it asked for; or there is no time left
-  /// (hurry).
-  bool gave_up_waiting() const { return gave_up_waiting_; }
+  /// Whether a wait of this rank was interrupted, so that a worker may still compute an answer, or end_soon() was called.
+  bool wait_was_interrupted() const { return wait_was_interrupted_; }
   bool lost_a_worker() const { return lost_a_worker_; }
-  /// Rank 0: the job is to end as soon as if a wait had been interrupted.
-  void hurry() { gave_up_waiting_ = true; }
+  /// Makes rank 0 end the job as fast as after an interrupted wait.
+  void end_soon() { wait_was_interrupted_ = true; }
 
   const Traffic& traffic() const { return traffic_; }
-  /// The time spent in receive since the start, until the messages came, and the processor time that looking for them
-  /// took.
+  /// Time since the start that this rank spent in receive() until the messages came, and the processor time that the
+  /// waiting took.
   double waited_s() const { return waited_s_; }
   double waited_processor_s() const { return waited_processor_s_; }
 
-  // For the thread of heartbeat.h.
+  // The rest of this part is for the thread of heartbeat.h.
 
-  /// Sends a heartbeat to rank 0. It needs a transport that sends from two threads.
+  /// Sends a heartbeat to rank 0. The transport must allow sending from two threads.
   void send_heartbeat(const Heartbeat& beat);
-  /// A number that changes whenever the rank begins to wait for a message, and when it goes on.
+  /// A counter that rises whenever the rank begins or ends a wait for a message: odd while it waits.
   std::uint64_t activity() const { return activity_.load(std::memory_order_relaxed); }
   static bool is_waiting(std::uint64_t activity) { return activity % 2 == 1; }
 
-  // How a job ends; see rank_program.h, which alone calls these.
+  // The end of a job; only rank_program.h calls these functions.
 
   /// Tells rank 0 that this rank cannot go on.
   void report_failure(const Failure& failure);
-  /// Rank 0: tells all others to leave.
+  /// Tells all other ranks to leave; for rank 0.
   void tell_end(Ending ending);
-  /// Rank 0: waits until all others said goodbye, then lets them go. False where some did not within `patience_s`.
-  bool see_off(double patience_s);
-  /// Waits until all that was sent has left. False where it did not within `patience_s`.
+  /// Waits until all other ranks have said goodbye, then lets them leave; for rank 0. False where some did not within
+  /// `patience_s`.
+  bool wait_for_goodbyes(double patience_s);
+  /// Waits until all messages have left. False where that took longer than `patience_s`.
   bool wait_until_sent(double patience_s);
-  /// Another rank: waits for tell_end and, unless that is `at_once`, says goodbye and waits to be let go: until all
-  /// have said it, a large message of theirs may need this rank's help to arrive.
+  /// Waits for tell_end; for all ranks except 0. Unless that says `at_once`, it says goodbye and waits for permission
+  /// to leave: until all ranks have said goodbye, a large message of another rank may need this rank's poll() to
+  /// arrive.
   Ending wait_for_end();
 
   static constexpr std::size_t kMostUnderWay = std::size_t(128) << 20;
 
  protected:
-  // start_send and poll are called by the rank's thread and start_send by that of its heartbeats, too.
+  // The rank's own thread calls start_send and poll; the thread of its heartbeats calls start_send, too.
 
-  /// Keeps the bytes until they have left; they arrive as long as poll() is called now and then.
+  /// Starts to send and keeps the bytes until they have left. Progress needs a poll() now and then.
   virtual void start_send(int to, Tag tag, SharedBytes bytes) = 0;
-  /// A message that has arrived, if there is one; helps along what is under way.
+  /// A message that has arrived, if there is one. Also moves pending transfers on.
   virtual std::optional<Message> poll() = 0;
-  /// Bytes of messages that have not left yet; zero only if there are none.
+  /// Bytes of messages that have not left yet; 0 only if there are no such messages.
   virtual std::size_t under_way() const = 0;
 
  private:
@@ -140,14 +141,14 @@ class Communicator {
   bool wait_patiently(Done done, double patience_s);
 
   std::deque<Message> inbox_;
-  std::optional<Failure> failure_;  // rank 0: the first that was reported
-  std::optional<Ending> end_;       // others: as told by rank 0
+  std::optional<Failure> failure_;  // rank 0: the first one reported
+  std::optional<Ending> end_;       // other ranks: as rank 0 told it
   int byes_ = 0;
   bool may_leave_ = false;
   StopQuestion shall_stop_;
-  std::optional<RankWatch> watch_;  // rank 0, with workers
+  std::optional<RankWatch> watch_;  // on rank 0 with workers
   std::function<void(const std::string& line)> report_lost_;
-  bool gave_up_waiting_ = false;
+  bool wait_was_interrupted_ = false;
   bool lost_a_worker_ = false;
   std::atomic<std::uint64_t> activity_{0};
   Traffic traffic_;
@@ -155,7 +156,7 @@ class Communicator {
   double waited_processor_s_ = 0;
 };
 
-/// The processor time of this process since its start, without what waiting for messages took.
+/// Processor time of this process since its start, without the time that waiting for messages took.
 inline double busy_processor_s(const Communicator& ranks) { return processor_time_s() - ranks.waited_processor_s(); }
 
 }  // namespace tessera::comm

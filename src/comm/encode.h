@@ -1,4 +1,4 @@
-// Values to the bytes of a message and back.
+// Encodes values as the bytes of a message and decodes them.
 #pragma once
 
 #include "comm/archive.h"
@@ -6,7 +6,7 @@
 namespace tessera::comm {
 namespace detail {
 
-/// Counts what is written to it.
+/// A stream buffer that only counts the bytes written to it.
 class CountingBuffer : public std::streambuf {
  public:
   std::size_t count() const { return count_; }
@@ -25,7 +25,7 @@ class CountingBuffer : public std::streambuf {
   std::size_t count_ = 0;
 };
 
-/// Appends what is written to it.
+/// A stream buffer that appends the bytes written to it to a vector.
 class AppendingBuffer : public std::streambuf {
  public:
   explicit AppendingBuffer(Bytes& bytes) : bytes_(bytes) {}
@@ -46,7 +46,8 @@ class AppendingBuffer : public std::streambuf {
 
 }  // namespace detail
 
-/// Writes the value twice, once to count: the one allocation is exact, which matters for a large canvas' field.
+/// The bytes of a value. Writes it twice, first to count: the one allocation is exact, which matters for the field of a
+/// large canvas.
 template <class T>
 Bytes encode(const T& value) {
   detail::CountingBuffer counter;
@@ -58,7 +59,7 @@ Bytes encode(const T& value) {
   return bytes;
 }
 
-/// The value whose encode() gave `bytes`. Throws EnvironmentError where they cannot be that: they end early, hold
+/// The value whose encode() gave `bytes`. Throws EnvironmentError where the bytes cannot be that: they end early, hold
 /// more, or claim to hold more.
 template <class T>
 T decode(const Bytes& bytes) {

@@ -11,11 +11,11 @@
 namespace tessera::comm {
 namespace {
 
-/// The system's exceptions without a file: most often a thread could not be started.
+/// The text for a system exception that names no file: most often a thread could not be started.
 std::string refusal(const std::system_error& error) {
   const std::string reason = error.code().message();
   if (error.code() != std::errc::resource_unavailable_try_again) return "the system refused: " + reason;
-  return "the system gives no further thread or process: " + reason + " (ulimit -u, or the container's limit)" +
+  return "the system starts no further thread or process: " + reason + " (ulimit -u, or the container's limit)" +
          process_limits();
 }
 

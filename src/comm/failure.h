@@ -1,4 +1,4 @@
-// Why a rank cannot go on, in a form that travels: the exception on the worker becomes one on rank 0.
+// The reason why a rank cannot go on, as a message: rank 0 throws the exception of the worker again.
 #pragma once
 
 #include <string>
@@ -15,11 +15,12 @@ struct Failure {
   friend bool operator==(const Failure&, const Failure&) = default;
 };
 
-/// To be called in a catch block. InputError has exit code 2. What the system refused (memory, threads, a file that
-/// nobody named) is told in its words; whatever else is not of core/base/error.h is marked as a bug.
+/// Describes the exception that is being handled; to be called in a catch block. InputError gets exit code 2. A refusal
+/// of the system (memory, threads, a file without a name) is told in the system's words. Any other exception that is
+/// not in core/base/error.h is marked as a bug.
 Failure describe_current_exception();
 
-/// Throws the InputError or EnvironmentError that tells of it.
+/// Throws the InputError or EnvironmentError that the failure describes.
 [[noreturn]] void throw_failure(const Failure& failure);
 
 }  // namespace tessera::comm

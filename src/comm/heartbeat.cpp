@@ -9,17 +9,17 @@ namespace tessera::comm {
 namespace {
 
 constexpr double kBeatsPerSilence = 10;
-constexpr double kMostPeriod_s = 5;  // whatever silence is allowed, faults of long questions show soon
+constexpr double kMostPeriod_s = 5;  // however long the allowed silence, so that busy times stay up to date
 
 }  // namespace
 
-Heart::Heart(Communicator& ranks, double silence_s)
+HeartbeatSender::HeartbeatSender(Communicator& ranks, double silence_s)
     : ranks_(ranks),
       thread_([this, period_s = std::min(silence_s / kBeatsPerSilence, kMostPeriod_s)](const std::stop_token& stop) {
-        beat(stop, period_s);
+        send_until_stopped(stop, period_s);
       }) {}
 
-void Heart::beat(const std::stop_token& stop, double period_s) {
+void HeartbeatSender::send_until_stopped(const std::stop_token& stop, double period_s) {
   std::uint64_t activity = 0;
   double for_s = 0;
   std::unique_lock lock(mutex_);

@@ -1,6 +1,5 @@
-// Signs of life that a worker sends to rank 0, whatever its main thread does: a rank that was stopped, whose node hangs
-// or whose connection is cut sends none any more. They also tell what the main thread does, for faults that leave the
-// process alive.
+// Heartbeats that a worker sends to rank 0, whatever its main thread does. They end when the rank was stopped, its node
+// hangs or its connection is cut. They also say what the main thread does, for faults in which the process stays alive.
 #pragma once
 
 #include <condition_variable>
@@ -12,23 +11,23 @@ namespace tessera::comm {
 class Communicator;
 
 struct Heartbeat {
-  bool waiting = false;  // for a message; else it computes
-  double for_s = 0;      // since it last changed from one to the other; while the process is stopped, little is counted
+  bool waiting = false;  // true: it waits for a message; false: it computes
+  double for_s = 0;      // time since `waiting` last changed; time in which the process is stopped hardly counts
 };
 
-/// Sends a heartbeat every tenth of `silence_s`, or more often, from a thread of its own, until it is destroyed.
-/// Workers make it. The communicator outlives it; its transport must allow this (communicator.h).
-class Heart {
+/// Sends a heartbeat every tenth of `silence_s`, or more often, from a thread of its own until it is destroyed. For
+/// workers. The communicator must outlive it and must allow sending from two threads (communicator.h).
+class HeartbeatSender {
  public:
-  Heart(Communicator& ranks, double silence_s);
+  HeartbeatSender(Communicator& ranks, double silence_s);
 
  private:
-  void beat(const std::stop_token& stop, double period_s);
+  void send_until_stopped(const std::stop_token& stop, double period_s);
 
   Communicator& ranks_;
   std::mutex mutex_;
   std::condition_variable_any stopped_;
-  std::jthread thread_;  // the last member: it ends before the others go
+  std::jthread thread_;  // last member, so it ends before the others are destroyed
 };
 
 }  // namespace tessera::comm

@@ -1,4 +1,4 @@
-// Ranks that are threads of one process: for tests, where the same things must hold as under MPI.
+// Ranks that are threads of one process: for tests, and for a run without MPI.
 #pragma once
 
 #include <memory>
@@ -7,13 +7,13 @@
 
 namespace tessera::comm {
 
-/// The queues between the ranks; lives as long as any of its communicators.
+/// The message queues between the ranks; must outlive all communicators.
 class InProcessNetwork {
  public:
   explicit InProcessNetwork(int size);
   ~InProcessNetwork();
 
-  /// Makes the communicator of the thread that plays `rank`, at most one for each.
+  /// Makes the communicator for the thread of rank `rank`; call it at most once for each rank.
   std::unique_ptr<Communicator> connect(int rank);
 
  private:
@@ -23,7 +23,7 @@ class InProcessNetwork {
   std::vector<std::unique_ptr<Queue>> queues_;  // per receiving rank
 };
 
-/// abort() of such a rank throws this, and so does whatever the others do next.
+/// Thrown by abort() of such a rank, and then by whatever the other ranks call next.
 struct InProcessAbort {
   int exit_code = 0;
 };

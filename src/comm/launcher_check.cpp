@@ -6,7 +6,7 @@ namespace tessera::comm {
 namespace {
 
 struct Launcher {
-  const char* tasks;  // the variable that says how many processes it started
+  const char* tasks;  // environment variable with the number of processes that the launcher started
   const char* rank;
   const char* name;
 };
@@ -18,8 +18,8 @@ constexpr Launcher kForeignLaunchers[] = {
     {"PALS_SIZE", "PALS_RANKID", "Cray's launcher"},
     {"JSM_NAMESPACE_SIZE", "JSM_NAMESPACE_RANK", "jsrun"},
     {"FLUX_JOB_SIZE", "FLUX_TASK_RANK", "flux run"},
-    // Of a step of srun; a batch script and salloc's shell have none. A shell by srun --pty is one process, as large as
-    // the step may be (SLURM_PTY_PORT).
+    // These are set for a step of srun; a batch script and salloc's shell have none. A shell of srun --pty is one
+    // process, but its step may have more tasks (SLURM_PTY_PORT).
     {"SLURM_STEP_NUM_TASKS", "SLURM_PROCID", "srun without PMIx"},
 };
 
@@ -36,8 +36,8 @@ bool is_one_of_many(const Environment& environment, const Launcher& launcher) {
 std::string refusal(const Environment& environment, const Launcher& launcher) {
   const std::string tasks = std::to_string(number(environment, launcher.tasks));
   return "started as one of " + tasks + " processes by " + launcher.name + " (" + launcher.tasks + "=" + tasks +
-         "), which this program, built with Open MPI, does not see as ranks of one job; allowed: Open MPI's mpirun "
-         "-n " +
+         "), but this program, built with Open MPI, does not see them as ranks of one job; allowed: Open MPI's "
+         "mpirun -n " +
          tasks + " tessera ..., inside sbatch too, or srun --mpi=pmix; for " + tasks +
          " jobs of one process each: env -u " + launcher.tasks + " tessera ...";
 }

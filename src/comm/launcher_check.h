@@ -1,5 +1,5 @@
-// Launchers whose processes do not find each other: those of other MPI libraries than Open MPI, and srun without PMIx.
-// Each process would be a master of its own.
+// Detects launchers whose processes do not find each other: those of other MPI libraries than Open MPI, and srun
+// without PMIx. Each of their processes would be a master of its own.
 #pragma once
 
 #include <functional>
@@ -7,11 +7,12 @@
 
 namespace tessera::comm {
 
-/// The value of an environment variable, or null.
+/// Returns the value of an environment variable, or null.
 using Environment = std::function<const char*(const char* name)>;
 
-/// Empty where the job's `ranks` are those that a launcher started, or none did: a batch script's own process, a shell
-/// inside an allocation. Otherwise what is wrong and what to do. `ranks`: of MPI; 1 without it.
+/// A message that says what is wrong with the launcher and what to do. Empty where a launcher started as many ranks as
+/// the job has. Also empty without a launcher (a batch script's own process, a shell inside an allocation). `ranks`:
+/// the size that MPI reports; 1 without MPI.
 std::string launcher_problem(const Environment& environment, int ranks);
 
 }  // namespace tessera::comm

@@ -1,4 +1,4 @@
-// What ranks send to each other: bytes with a tag that says what they are.
+// Messages between ranks: bytes with a tag that says what they are.
 #pragma once
 
 #include <array>
@@ -10,13 +10,13 @@
 namespace tessera::comm {
 
 using Bytes = std::vector<char>;
-/// The same bytes to many ranks: none has a copy of its own.
+/// Bytes of a message to many ranks; they share them without a copy.
 using SharedBytes = std::shared_ptr<const Bytes>;
 
 enum class Tag : int {
-  hello,        // worker -> who asks it: its part of the library, with those below it
-  breadth,      // worker -> who asks it: how many windows it and those below it work on at a time
-  start_field,  // down the tree of ranks (worker_tree.h), as are the requests below; replies carry the request's name
+  hello,        // worker -> its parent in the tree: its part of the library, with those below it
+  breadth,      // worker -> its parent: how many windows it and those below it work on at a time
+  start_field,  // down the tree of ranks (worker_tree.h), like the requests below; replies have the request's name
   update_field,
   limit,
   count_request,
@@ -34,13 +34,13 @@ enum class Tag : int {
   broadcast,
   barrier,
   nest_layout,   // worker -> rank 0: the best layout of its chains of a nesting
-  recognitions,  // worker -> rank 0: the best shapes of its lots for each query
-  site,          // worker -> rank 0: where it runs, on which devices
+  recognitions,  // worker -> rank 0: the best shapes that it found for each query
+  site,          // worker -> rank 0: its machine and its devices
   turn,          // worker -> worker of the same node: it is your turn
   failure,       // any rank -> rank 0: this rank cannot go on
   end,           // rank 0 -> all: leave
-  bye,           // any rank -> rank 0: nothing more comes from here
-  leave,         // rank 0 -> all: nothing more comes from anywhere
+  bye,           // any rank -> rank 0: I send nothing more
+  leave,         // rank 0 -> all: nobody sends anything more
   heartbeat,     // worker -> rank 0: it is alive
 };
 

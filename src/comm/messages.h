@@ -1,5 +1,5 @@
-// The messages of matching, replacing and the end of a job: for each type that is sent, how it travels (archive.h).
-// Structures without pointers travel as they lie in memory, all others by their members.
+// The messages of matching, replacing and the end of a job: how each type is sent (archive.h). Structures without
+// pointers are sent as their bytes in memory, all others member by member.
 #pragma once
 
 #include "comm/archive.h"
@@ -24,10 +24,10 @@ template <class T>
 requires kIsOneOf<T, FieldStart, ShapeRange, Window, TargetSample, Docking, RefinedDocking, DockingTerms, Vec2, Box,
                   ContactDistances, RepetitionCosts, WindowPiece, IncomingShape, DrawingArea, PlacedDrawing,
                   ReplacedPiece, WorkerTimes>
-inline constexpr bool kSentAsItLies<T> = true;
+inline constexpr bool kSentAsBytes<T> = true;
 
 template <class T>
-requires kIsOneOf<T, Failure, Heartbeat, FieldPatch, StandingLimits, CountRequest, DockRequest, DockReply, CanvasField,
+requires kIsOneOf<T, Failure, Heartbeat, FieldPatch, StanceLimits, CountRequest, DockRequest, DockReply, CanvasField,
                   EdgeField, ReplacementWindow, ReplacementOutcome, DeviceDescription, RankSite>
 inline constexpr bool kSentByMembers<T> = true;
 
@@ -54,7 +54,7 @@ void serialize(Archive& archive, tessera::FieldPatch& patch, unsigned) {
 }
 
 template <class Archive>
-void serialize(Archive& archive, tessera::StandingLimits& limits, unsigned) {
+void serialize(Archive& archive, tessera::StanceLimits& limits, unsigned) {
   auto& [region, size_factor, most_scale_px, used_up] = limits;
   tessera::comm::send_members(archive, region, size_factor, most_scale_px, used_up);
 }

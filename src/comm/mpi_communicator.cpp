@@ -28,10 +28,10 @@ std::vector<int> ranks_of_this_node(const mpi::communicator& world) {
   return ranks;
 }
 
-// A message without content still counts, so that "nothing under way" means that all have left.
+// Counts an empty message as one byte, so that 0 bytes under way means that all messages have left.
 std::size_t weight(const Bytes& bytes) { return bytes.size() + 1; }
 
-/// Boost.MPI dereferences the pointer even where there is nothing to send.
+/// A valid pointer even for empty bytes: Boost.MPI dereferences the pointer in any case.
 template <class BytesOrConst>
 auto content(BytesOrConst& bytes) {
   static char nothing = 0;
@@ -51,7 +51,7 @@ std::string MpiCommunicator::place_of(int rank) const {
 }
 
 void MpiCommunicator::abort(int exit_code) {
-  std::optional<Watchdog> watchdog;  // where the launcher does not answer, the rank leaves all the same
+  std::optional<Watchdog> watchdog;  // ends the process if the launcher does not answer
   start_if_possible(watchdog, kAbortPatience_s, exit_code);
   mpi::environment::abort(exit_code);
   throw std::logic_error("MPI_Abort returned");
@@ -81,7 +81,7 @@ std::size_t MpiCommunicator::under_way() const {
   return under_way_;
 }
 
-/// Without waiting for the rest of a message: its sender may have stopped in the middle of it.
+/// Begins to receive without waiting for the rest of a message: its sender may have stopped in the middle.
 void MpiCommunicator::begin_to_receive() {
   while (const boost::optional<mpi::status> begun = world_.iprobe(mpi::any_source, mpi::any_tag)) {
     Arriving& arriving = arriving_.emplace_back();
@@ -91,7 +91,7 @@ void MpiCommunicator::begin_to_receive() {
   }
 }
 
-/// The first that is complete, none before one of the same sender that was sent earlier.
+/// The first message that is complete, but never before an earlier one of the same sender.
 std::optional<Message> MpiCommunicator::take_arrived() {
   std::vector<int> late;
   for (auto arriving = arriving_.begin(); arriving != arriving_.end(); ++arriving) {

@@ -1,4 +1,4 @@
-// The ranks of an MPI job. MPI must be initialised (mpi_job.h).
+// The communicator of an MPI job. MPI must be initialised before (mpi_job.h).
 #pragma once
 
 #include <boost/mpi/communicator.hpp>
@@ -12,7 +12,7 @@ namespace tessera::comm {
 
 class MpiCommunicator : public Communicator {
  public:
-  /// Connects all ranks of the job; they make it together. Its messages do not mix with those of another one.
+  /// Connects all ranks of the job; all ranks must call it together. Messages of different objects do not mix.
   MpiCommunicator();
 
   int rank() const override { return world_.rank(); }
@@ -43,7 +43,7 @@ class MpiCommunicator : public Communicator {
   boost::mpi::communicator world_;
   std::vector<int> node_ranks_;
   std::vector<std::string> hosts_;  // by rank
-  mutable std::mutex mutex_;        // of MPI and of what follows: MPI is told that one thread calls at a time
+  mutable std::mutex mutex_;        // guards MPI and the members below: MPI was told that one thread calls at a time
   std::vector<Leaving> leaving_;
   std::size_t under_way_ = 0;
   std::list<Arriving> arriving_;  // in the order in which they were sent

@@ -19,7 +19,7 @@ namespace tessera::comm {
 MpiGuard::MpiGuard(int& argc, char**& argv) : exceptions_before_(std::uncaught_exceptions()) {
   int provided = 0;
   BOOST_MPI_CHECK_RESULT(MPI_Init_thread, (&argc, &argv, MPI_THREAD_SERIALIZED, &provided));
-  if (provided < MPI_THREAD_SERIALIZED) {  // heartbeats come from a thread of their own
+  if (provided < MPI_THREAD_SERIALIZED) {  // heartbeats are sent from another thread
     std::fprintf(stderr, "tessera: this MPI library serves a single thread; needed: MPI_THREAD_SERIALIZED\n");
     MPI_Abort(MPI_COMM_WORLD, kEnvironmentExitCode);
   }
@@ -33,7 +33,8 @@ MpiGuard::~MpiGuard() {
 
 namespace {
 
-/// Rank 0 speaks first, then rank 1, then all others: when one has spoken and left, the launcher ends the rest.
+/// Delay of the other ranks' messages. Rank 0 reports first, then rank 1, then all others: once one has reported and
+/// left, the launcher ends the rest.
 constexpr double kBehind_s = 5;
 
 [[noreturn]] void leave_at_once(int exit_code) {
@@ -41,7 +42,7 @@ constexpr double kBehind_s = 5;
   std::_Exit(exit_code);
 }
 
-/// As the launcher says it, before MPI can be asked.
+/// The rank that the launcher's environment states, for the time before MPI can be asked.
 std::string launched_rank() {
   for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK"}) {
     if (const char* rank = std::getenv(name)) return rank;
@@ -49,8 +50,8 @@ std::string launched_rank() {
   return "0";
 }
 
-/// Ends this process with `exit_code` and a message unless the calls of MPI that `doing` names are over in time.
-/// `rest`: what the message says of the run.
+/// Ends this process with `exit_code` and a message unless the MPI calls that `doing` names end in time. `rest`: the
+/// end of the message, which says what became of the run.
 void watch(std::optional<Watchdog>& watchdog, const RankProgram& program, double patience_s, int exit_code,
            const std::string& doing, const std::string& rest) {
   const std::string rank = launched_rank();
@@ -65,7 +66,7 @@ void watch(std::optional<Watchdog>& watchdog, const RankProgram& program, double
 
 int run_mpi_job(int& argc, char**& argv, const RankProgram& program, const MpiPatience& patience) {
   do_without_refused_copies();
-  std::optional<Watchdog> leaving;  // outlives MPI
+  std::optional<Watchdog> leaving;  // must outlive MPI
   std::optional<Watchdog> starting;
   watch(starting, program, patience.start_s, kEnvironmentExitCode, "start MPI",
         "the run ends before it has begun: start it again");
@@ -78,7 +79,7 @@ int run_mpi_job(int& argc, char**& argv, const RankProgram& program, const MpiPa
     if (result.ending == Ending::at_once) leave_at_once(result.exit_code);
     watch(leaving, program, patience.end_s, result.exit_code, "end MPI", "the run's files are written");
     return result.exit_code;
-  } catch (...) {  // the transport itself failed: nobody can be told
+  } catch (...) {  // the transport itself failed: no rank can be told
     program.report_error(ranks.place() + ": " + describe_current_exception().text);
     watch(leaving, program, patience.end_s, kEnvironmentExitCode, "end MPI", "the run ends here");
     throw;

@@ -9,7 +9,7 @@ namespace {
 constexpr double kLeavePatience_s = 10;  // a worker may be in the middle of a request
 constexpr double kGivenUpPatience_s =
     2;  // it may be in the middle of a launch; the time limit is near, or the user waits
-constexpr double kAtOncePatience_s = 0.1;  // of the two seconds that mpirun leaves
+constexpr double kAtOncePatience_s = 0.1;  // out of the two seconds that mpirun leaves
 
 int run_first(Communicator& ranks, const RankProgram& program) {
   try {
@@ -23,14 +23,14 @@ int run_first(Communicator& ranks, const RankProgram& program) {
 
 double leave_patience_s(const Communicator& ranks) {
   if (ranks.lost_a_worker()) return 0;
-  return ranks.gave_up_waiting() ? kGivenUpPatience_s : kLeavePatience_s;
+  return ranks.wait_was_interrupted() ? kGivenUpPatience_s : kLeavePatience_s;
 }
 
 RankResult end_job(Communicator& ranks, int exit_code, Ending ending) {
   ranks.tell_end(ending);
   if (ending == Ending::at_once) {
     ranks.wait_until_sent(kAtOncePatience_s);
-  } else if (!ranks.see_off(leave_patience_s(ranks))) {
+  } else if (!ranks.wait_for_goodbyes(leave_patience_s(ranks))) {
     ranks.abort(exit_code);
   }
   return {exit_code, ending};

@@ -31,7 +31,7 @@ std::optional<RankWatch::Lost> RankWatch::lost() const {
     const double silent_s = clock_s_ - seen.at_s;
     if (silent_s > silence_s_) return Lost{int(i) + 1, "has not been heard of for " + seconds_text(silent_s)};
     if (!seen.beat.waiting && seen.beat.for_s > kMostBusy * silence_s_) {
-      return Lost{int(i) + 1, "has been busy with one question for " + seconds_text(seen.beat.for_s)};
+      return Lost{int(i) + 1, "has been busy with one request for " + seconds_text(seen.beat.for_s)};
     }
   }
   if (this_wait_s_ > silence_s_ && all_wait()) {

@@ -1,5 +1,5 @@
-// Which worker is lost, as rank 0 sees it from their heartbeats. It knows no clock: whoever waits tells it how long, so
-// that tests need no time.
+// Finds lost workers from their heartbeats, on rank 0. It has no clock: the caller tells it how long it has waited, so
+// that tests need no real time.
 #pragma once
 
 #include <optional>
@@ -12,19 +12,19 @@ namespace tessera::comm {
 
 class RankWatch {
  public:
-  /// A worker may be silent for `silence_s` while rank 0 waits, and compute at one question for kMostBusy times that.
+  /// A worker may be silent for `silence_s` while rank 0 waits, and may compute one request for kMostBusy times that.
   RankWatch(int ranks, double silence_s);
 
   /// Rank 0 begins to wait for a message.
   void begin_wait() { this_wait_s_ = 0; }
-  /// Rank 0 has waited so much longer and has taken in all that arrived. A long pause between two looks counts as
-  /// kMostAtOnce_s: the process was stopped then, and probably all the others with it.
+  /// Rank 0 has waited `seconds` longer and has taken in all that arrived. A long pause between two polls counts as
+  /// kMostAtOnce_s: the process was suspended then, and probably all others with it.
   void waited(double seconds);
   void heard(int rank, const Heartbeat& beat);
 
   struct Lost {
-    int rank;          // 0: no particular one
-    std::string what;  // "has not been heard of for 60 s"
+    int rank;          // 0: no single rank
+    std::string what;  // e.g. "has not been heard of for 60 s"
   };
   std::optional<Lost> lost() const;
 
@@ -33,7 +33,7 @@ class RankWatch {
 
  private:
   struct Seen {
-    double at_s = 0;  // on the watch's own clock
+    double at_s = 0;  // in seconds of clock_s_
     Heartbeat beat;
   };
   bool all_wait() const;

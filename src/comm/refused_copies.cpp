@@ -8,7 +8,7 @@
 namespace tessera::comm {
 namespace {
 
-/// A filter refuses a copy from the process itself as it refuses any other.
+/// Tries a copy from the process itself: a filter refuses it like any other.
 bool may_copy() {
   char from = 1;
   char to = 0;

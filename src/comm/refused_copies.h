@@ -1,11 +1,11 @@
-// Copies from the memory of one process to that of another, by which Open MPI passes large messages between ranks of a node.
+// Copies between the memories of two processes: Open MPI passes large messages between ranks of one node this way.
 #pragma once
 
 namespace tessera::comm {
 
-/// To be called before MPI and any thread begin. Where the kernel refuses such copies, as the filters of some containers
-/// have it, Open MPI is told to do without: it looks at other limits than these, tries them all the same, and prints a
-/// line for each message. What the user has set for it stays.
+/// Tells Open MPI not to use such copies where the kernel refuses them, as filters of some containers do. Open MPI does
+/// not notice these filters, tries the copies anyway, and prints a line for each message. Settings of the user stay. To
+/// be called before MPI and any thread start.
 void do_without_refused_copies();
 
 }  // namespace tessera::comm

@@ -20,7 +20,7 @@ namespace {
 
 volatile sig_atomic_t launcher_has_begun = 0;
 
-/// mpirun or its daemon on this node. Called by a signal handler: no memory, no streams.
+/// Whether the process is mpirun or its daemon on this node. Called by a signal handler: no memory, no streams.
 bool is_launcher(pid_t process) {
   char path[32] = "/proc/";
   char* end = std::to_chars(path + 6, path + sizeof path - 6, process).ptr;
@@ -37,7 +37,7 @@ bool is_launcher(pid_t process) {
   return false;
 }
 
-// Others send SIGCONT too: a shell after Ctrl-Z, Slurm after a suspension.
+// Only SIGCONT from the launcher counts: a shell after Ctrl-Z and Slurm after a suspension send it, too.
 void on_continue(int, siginfo_t* info, void*) {
   const int saved_errno = errno;
   if (is_launcher(info->si_pid)) {
@@ -49,8 +49,8 @@ void on_continue(int, siginfo_t* info, void*) {
 
 void on_first_stop(int) {}
 
-std::atomic<int> signalled{0};          // its number
-std::atomic<std::int64_t> first_ns{0};  // when it came; 0: none has
+std::atomic<int> signalled{0};          // number of the signal
+std::atomic<std::int64_t> first_ns{0};  // time of the first signal; 0: none has come
 std::atomic<bool> signalled_again{false};
 static_assert(std::atomic<std::int64_t>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
 
@@ -68,7 +68,7 @@ void remember(int number) {
   if (!first_ns.compare_exchange_strong(none, at_ns) && at_ns - first_ns.load() >= kOneStop_ns) signalled_again = true;
 }
 
-/// The number of the signal that has come; 0: none has. From now on none has come.
+/// Returns the number of the signal that has come (0: none) and forgets it.
 int forgotten_stop() {
   first_ns = 0;
   signalled_again = false;
@@ -89,11 +89,11 @@ void end_at_once(int number) {
   raise(number);
 }
 
-/// Those of install_stop_handlers.
+/// The signals that install_stop_handlers handles.
 constexpr std::array kStops = {SIGINT, SIGTERM, SIGUSR2, SIGHUP, SIGXCPU};
 
-/// nohup ignores SIGHUP, so that what it starts goes on. A shell without job control ignores SIGINT for what it starts
-/// in the background, but whoever sends that to a run means it.
+/// Whether the signal stays ignored. nohup ignores SIGHUP, so that the program goes on. A shell without job control
+/// ignores SIGINT for programs in the background, but a SIGINT that somebody sends to a run is meant.
 bool stays_ignored(int signal) {
   struct sigaction now = {};
   return signal == SIGHUP && sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_IGN;
@@ -130,7 +130,7 @@ void end_at_once_when_signalled(void (*clean_up)()) {
 void install_stop_handlers() {
   struct sigaction action = {};
   action.sa_handler = remember;
-  action.sa_flags = SA_RESTART;  // a system call of MPI or OpenCL goes on
+  action.sa_flags = SA_RESTART;  // system calls of MPI or OpenCL are restarted
   for (const int signal : kStops) {
     if (!stays_ignored(signal)) sigaction(signal, &action, nullptr);
   }
@@ -138,7 +138,7 @@ void install_stop_handlers() {
 
 bool stop_signalled() { return signalled.load(std::memory_order_relaxed) != 0; }
 
-std::optional<StopReason> asked_by_signal() {
+std::optional<StopReason> stop_asked_by_signal() {
   return stop_signalled() ? std::optional(StopReason::signal) : std::nullopt;
 }
 

@@ -1,4 +1,4 @@
-// How much a rank sent and received, by kind of message.
+// The messages and bytes that a rank sent and received, by tag.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@ namespace tessera::comm {
 
 struct TrafficCount {
   std::uint64_t messages = 0;
-  std::uint64_t bytes = 0;  // of content; the transport's own headers are not counted
+  std::uint64_t bytes = 0;  // of the messages' content, without the transport's own headers
 
   void add(std::size_t message_bytes) {
     ++messages;
@@ -24,7 +24,7 @@ struct Traffic {
 
   const TrafficCount& sent(Tag tag) const { return sent_by_tag[std::size_t(tag)]; }
   const TrafficCount& received(Tag tag) const { return received_by_tag[std::size_t(tag)]; }
-  /// What was sent in the loop: questions to the workers, or their answers.
+  /// Messages sent in the loop: requests to the workers, or their answers.
   TrafficCount sent_in_loop() const {
     TrafficCount sum;
     for (std::size_t tag = std::size_t(Tag::start_field); tag <= std::size_t(Tag::replace_reply); ++tag) {

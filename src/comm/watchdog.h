@@ -1,5 +1,5 @@
-// Ends a process that a call of MPI holds up without end: these wait for other ranks, whether those were stopped, hang
-// or were never started.
+// Ends a process that a call of MPI blocks for too long. Such calls wait for other ranks, even where these were
+// stopped, hang or were never started.
 #pragma once
 
 #include <condition_variable>
@@ -13,7 +13,8 @@ namespace tessera::comm {
 class Watchdog {
  public:
   /// Unless this object is destroyed within `patience_s`, a thread of its own calls `report` and ends the process with
-  /// `exit_code`. Time in which the process was suspended hardly counts, as in RankWatch. Infinite patience never ends.
+  /// `exit_code`. Time in which the process was suspended hardly counts, as in RankWatch. With infinite patience
+  /// nothing happens.
   Watchdog(double patience_s, int exit_code, std::function<void()> report = {});
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;
@@ -25,11 +26,11 @@ class Watchdog {
   std::condition_variable_any stopped_;
   int exit_code_;
   std::function<void()> report_;
-  std::jthread thread_;  // the last member: it ends before the others go
+  std::jthread thread_;  // last member, so it ends before the others are destroyed
 };
 
-/// Puts a Watchdog into `watchdog`. Where the system gives no further thread there is none: the process goes on
-/// unwatched.
+/// Puts a Watchdog into `watchdog`. Where the system refuses another thread `watchdog` stays empty, and nothing watches
+/// the process.
 void start_if_possible(std::optional<Watchdog>& watchdog, double patience_s, int exit_code,
                        std::function<void()> report = {});
 

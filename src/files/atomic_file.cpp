@@ -20,7 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A temporary name is taken again between its removal and the creation of our file only where somebody means harm.
+/// Attempts to create a file under a temporary name. The name is taken again between its removal and the creation only
+/// where another program does so on purpose.
 constexpr int kTries = 5;
 
 std::string message(int reason) { return std::generic_category().message(reason); }
@@ -29,7 +30,7 @@ std::string message(int reason) { return std::generic_category().message(reason)
   throw EnvironmentError("cannot write " + path + ": " + reason);
 }
 
-/// Without the folder.
+/// The file name without its folder.
 std::string name_of(const std::string& path) {
   const std::string name = fs::path(path).filename().string();
   if (name.empty()) throw_cannot_write(path, message(EISDIR));
@@ -38,7 +39,7 @@ std::string name_of(const std::string& path) {
 
 std::string temporary_name_of(const std::string& path) { return temporary_path(name_of(path)); }
 
-/// All 0 where nothing has the name.
+/// The status of what has the name; all 0 where nothing has it.
 struct stat status_of(const FileDescriptor& folder, const std::string& name) {
   struct stat named {};
   if (::fstatat(folder.number(), name.c_str(), &named, AT_SYMLINK_NOFOLLOW) != 0) named = {};
@@ -51,12 +52,12 @@ FileDescriptor open_folder(const std::string& folder, const std::string& path) {
   return open;
 }
 
-/// Without it a power cut may undo a renaming. Some file systems cannot flush a folder (EINVAL) and keep its order by
-/// themselves. False with errno.
+/// Flushes the folder; otherwise a power cut may undo a renaming. Some file systems cannot flush a folder (EINVAL) and
+/// keep the order themselves. False, with errno, on failure.
 bool flush_folder(const FileDescriptor& folder) { return ::fsync(folder.number()) == 0 || errno == EINVAL; }
 
-/// For a file that becomes `path`. Renaming would replace whatever has that name, also a device: who names /dev/null does
-/// not mean that.
+/// Opens the folder of a file that will become `path`. Refuses a `path` that is, for example, a device: renaming would
+/// replace whatever has that name, and a user who names /dev/null does not want that.
 FileDescriptor open_folder_of(const std::string& path) {
   FileDescriptor folder = open_folder(fs::path(path).parent_path(), path);
   const mode_t mode = status_of(folder, name_of(path)).st_mode;
@@ -65,7 +66,7 @@ FileDescriptor open_folder_of(const std::string& path) {
   return folder;
 }
 
-/// Not open with errno where that cannot be, as where the name is taken.
+/// Creates a new file. Not open, with errno, where that is impossible, e.g. because the name is taken.
 FileDescriptor create(const FileDescriptor& folder, const std::string& name) {
   constexpr int kNew = O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
   return FileDescriptor(::openat(folder.number(), name.c_str(), kNew, kNewFileMode));
@@ -84,8 +85,8 @@ void check_is_not_read(const std::string& path, const FileDescriptor& folder, co
     throw_cannot_write(path, name + " would be removed, and is read here; give another name");
 }
 
-/// Removes what stands under the name, and returns the file that `create` creates there, for what is to become `path`.
-/// Where somebody else was faster, `create` returns a file that is not open, and is called again.
+/// Removes what has the name, then returns the file that `create` creates there; it will become `path`. Where another
+/// program was faster, `create` returns a file that is not open, and is called again.
 FileDescriptor create_anew(const std::string& path, const FileDescriptor& folder, const std::string& name,
                            const std::function<FileDescriptor()>& create) {
   for (int i = 0; i < kTries; ++i) {
@@ -147,14 +148,15 @@ void TemporaryFile::commit() {
   if (!file_.close()) fail();
   const std::string name = name_of(path_);
   if (::renameat(folder_.number(), name_.c_str(), folder_.number(), name.c_str()) != 0) fail();
-  if (!leads_to(folder_.number(), name, open)) throw_replaced(path_, name_);  // at the last moment
+  if (!leads_to(folder_.number(), name, open)) throw_replaced(path_, name_);  // replaced at the last moment
   name_.clear();
   leftover_.reset();
   if (!flush_folder(folder_)) fail();
 }
 
 void TemporaryFile::leave() {
-  // Only a hint. On ext4 it also gives the file its blocks, so that the first flush of many files commits all of them.
+  // This is only a hint. On ext4 it also allocates the file's blocks, so that the first flush of many files commits
+  // all.
   ::sync_file_range(file_.number(), 0, 0, SYNC_FILE_RANGE_WRITE);
   if (!file_.close()) fail();
   name_.clear();
@@ -175,7 +177,7 @@ void TemporaryFile::fail() {
 }
 
 void flush_left_files(const std::string& folder, std::span<const std::string> names) {
-  TaskPool waiting(32);  // its threads wait for the disk and do not compute: they may be more than the rank's cores
+  TaskPool waiting(32);  // its threads wait for the disk and do not compute: there may be more than the rank's cores
   const FileDescriptor open = open_folder(folder, folder);
   waiting.run(names.size(), [&](std::size_t i) {
     const std::string name = temporary_path(names[i]);
@@ -226,7 +228,7 @@ bool link_atomically(const std::string& file, const std::string& path) {
   if (result != 0) return false;
   result = ::renameat(folder.number(), temporary.c_str(), folder.number(), name_of(path).c_str());
   const int reason = errno;
-  remove_temporary();  // it is still there where both were names of one file already
+  remove_temporary();  // it still exists where both were already names of one file
   errno = reason;
   return result == 0;
 }

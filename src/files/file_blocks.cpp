@@ -9,7 +9,7 @@
 namespace tessera {
 namespace {
 
-/// In words of eight bytes; the last one is filled up with zeros.
+/// Adds the bytes as words of eight bytes; the last word is filled up with zeros.
 void add_words(std::span<const char> bytes, Digest& digest) {
   for (std::size_t at = 0; at < bytes.size(); at += sizeof(std::uint64_t)) {
     std::uint64_t word = 0;

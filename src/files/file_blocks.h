@@ -1,4 +1,4 @@
-// A file that is read block by block, for what may be larger than what should be in memory.
+// A file that is read block by block, as it may be too large for the memory.
 #pragma once
 
 #include <cstddef>
@@ -16,18 +16,18 @@ class FileBlocks {
  public:
   /// Opens a regular file. Throws InputError where it cannot be read or has more than `most_bytes`.
   FileBlocks(const std::string& path, std::size_t most_bytes);
-  /// Of a file that is open already.
+  /// Reads a file that is already open.
   FileBlocks(FileDescriptor file, const std::string& path, std::size_t most_bytes);
 
-  /// The next bytes, valid until the next call; none at the end. Throws InputError where the file cannot be read or is
-  /// shorter than it was.
+  /// The next bytes, valid until the next call; empty at the end. Throws InputError where the file cannot be read or
+  /// has become shorter.
   std::span<const char> next();
 
-  /// Of the whole file, as Digest::add_all makes it of its bytes. To be asked after the end.
+  /// The digest of the whole file, equal to Digest::add_all of its bytes. Valid only after the end was read.
   std::uint64_t digest() const { return digest_.value(); }
 
  private:
-  static constexpr std::size_t kBlockBytes = std::size_t(1) << 18;  // whole words of the digest
+  static constexpr std::size_t kBlockBytes = std::size_t(1) << 18;  // a multiple of the digest's words
 
   std::string path_;
   FileDescriptor file_;

@@ -1,4 +1,4 @@
-// An open file of the system that closes itself.
+// A file descriptor of the system that closes itself.
 #pragma once
 
 #include <utility>
@@ -7,7 +7,7 @@ namespace tessera {
 
 class FileDescriptor {
  public:
-  /// Takes `number` over; a negative one is no file.
+  /// Takes over the descriptor `number`; a negative number means no file.
   explicit FileDescriptor(int number) : number_(number) {}
   ~FileDescriptor() { close(); }
   FileDescriptor(FileDescriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
@@ -19,10 +19,10 @@ class FileDescriptor {
   bool is_open() const { return number_ >= 0; }
   int number() const { return number_; }
 
-  /// The number, for somebody else to close.
+  /// Gives up the descriptor and returns its number; the caller must close it.
   int release() { return std::exchange(number_, -1); }
 
-  /// False with errno where closing failed: network file systems report a full disk as late as here.
+  /// False, with errno, where closing failed: network file systems may report a full disk only here.
   bool close();
 
  private:

@@ -13,7 +13,7 @@ struct KernelFileSystem {
   const char* name;
 };
 
-// Numbers without a name are not in <linux/magic.h>, but in the kernel's sources.
+// The plain numbers are in the kernel's sources, but not in <linux/magic.h>.
 constexpr std::array kKernelFileSystems = {KernelFileSystem{PROC_SUPER_MAGIC, "proc"},
                                            KernelFileSystem{SYSFS_MAGIC, "sysfs"},
                                            KernelFileSystem{DEBUGFS_MAGIC, "debugfs"},

@@ -7,7 +7,7 @@
 namespace tessera {
 namespace {
 
-/// The number of a file that is gone may be given to another one: the time tells them apart.
+/// Identifies a file. The inode number of a deleted file may be given to a new one: the time tells them apart.
 using Identity = std::tuple<dev_t, ino_t, time_t, long>;
 
 Identity identity_of(const struct stat& status) {

@@ -1,4 +1,4 @@
-// The files that this process has read: what somebody gives as input is not removed because it has the temporary name of
+// Remembers the files that this process has read: an input file is never removed because it has the temporary name of
 // an output.
 #pragma once
 
@@ -6,10 +6,10 @@
 
 namespace tessera {
 
-/// `status`: of an open file, as fstat(2) has it. May be called by several threads at a time, as was_read().
+/// Notes a file as read. `status`: of the open file, from fstat(2). Several threads may call it and was_read().
 void note_as_read(const struct stat& status);
 
-/// Whether this file was noted, and has not changed since.
+/// Whether this file was noted as read and has not changed since.
 bool was_read(const struct stat& status);
 
 }  // namespace tessera

@@ -15,22 +15,22 @@ namespace {
 
 enum class State { free, being_noted, noted };
 
-/// No memory is allocated or freed: the signal may come in the middle of either.
+/// An entry of the table. It allocates and frees no memory: the signal may come in the middle of an allocation.
 struct Slot {
   std::atomic<State> state = State::free;
-  pid_t owner = 0;                  // a child process has a copy of the table
+  pid_t owner = 0;                  // a forked child has a copy of the table
   std::array<char, PATH_MAX> path;  // absolute
 };
 static_assert(std::atomic<State>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
 
-/// A run has ten of them or so: locks, the folders that it made, and the files that it writes at the moment.
+/// A run has about ten of them: locks, folders that it made, and files that it is writing.
 constexpr int kMostFiles = 64;
 std::array<Slot, kMostFiles> slots;
 
 }  // namespace
 
 LeftoverFile::LeftoverFile(const std::string& path) {
-  // A library may end the process by exit (LLVM does where its file cannot grow): no destructor of ours runs then.
+  // A library may end the process by exit() (LLVM does when its file cannot grow): our destructors do not run then.
   [[maybe_unused]] static const int registered = std::atexit(remove_leftover_files);
   std::error_code error;
   const std::string absolute = std::filesystem::absolute(path, error).string();
@@ -55,7 +55,7 @@ void remove_leftover_files() {
   for (const Slot& slot : slots) {
     if (counts(slot)) ::unlink(slot.path.data());
   }
-  // Slots are used again, so that a folder may come before or after the one that it lies in.
+  // Slots are reused, so a folder may stand before or after its parent: repeats until nothing more can be removed.
   for (bool again = true; again;) {
     again = false;
     for (const Slot& slot : slots) again |= counts(slot) && ::rmdir(slot.path.data()) == 0;

@@ -1,5 +1,5 @@
-// Files that must not stay where a signal, or exit() within a library, ends the process: locks, and what still has a
-// temporary name. Their owners remove them at every other end.
+// Files that must not stay when a signal, or exit() within a library, ends the process: locks, and files with a
+// temporary name. At every other end their owners remove them.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 namespace tessera {
 
 /// While it lives, remove_leftover_files() removes this file, or this folder if it is empty. The object itself neither
-/// makes nor removes anything.
+/// creates nor removes anything.
 class LeftoverFile {
  public:
   explicit LeftoverFile(const std::string& path);
@@ -16,10 +16,10 @@ class LeftoverFile {
   LeftoverFile& operator=(const LeftoverFile&) = delete;
 
  private:
-  int slot_ = -1;  // of the table; -1: the table is full, or the path too long
+  int slot_ = -1;  // in the table; -1: the table is full, or the path too long
 };
 
-/// Removes the files and then the empty folders of all LeftoverFile objects that live. A signal handler may call it.
+/// Removes the files, then the empty folders, of all living LeftoverFile objects. A signal handler may call it.
 void remove_leftover_files();
 
 }  // namespace tessera

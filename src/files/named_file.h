@@ -1,4 +1,4 @@
-// An open file and its name in a folder that others may write to.
+// Checks whether a name still belongs to an open file, in a folder that others may write to.
 #pragma once
 
 #include <sys/types.h>
@@ -9,11 +9,11 @@
 
 namespace tessera {
 
-/// Of a file that is created, less what the user's umask takes away.
+/// Permissions of a new file, before the user's umask.
 inline constexpr mode_t kNewFileMode = 0666;
 
-/// Whether the name leads to the open file: somebody may have removed or replaced it. A link leads to itself. `folder`:
-/// a descriptor, or AT_FDCWD for the current one.
+/// Whether the name still belongs to the open file: somebody may have removed or replaced it. Links are not followed.
+/// `folder`: a descriptor, or AT_FDCWD for the current folder.
 bool leads_to(int folder, const std::string& name, const FileDescriptor& file);
 
 }  // namespace tessera

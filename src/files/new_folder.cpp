@@ -21,10 +21,10 @@ bool holds_something(const std::string& folder) {
   return false;
 }
 
-/// Removes what it was told of, unless it was told that all is written.
-class Unfinished {
+/// Removes the paths that were added, unless finish() was called.
+class RemovedUnlessFinished {
  public:
-  ~Unfinished() {
+  ~RemovedUnlessFinished() {
     std::error_code ignored;
     for (auto path = paths_.rbegin(); path != paths_.rend(); ++path) fs::remove(*path, ignored);
   }
@@ -32,7 +32,7 @@ class Unfinished {
   void finish() { paths_.clear(); }
 
  private:
-  std::vector<fs::path> paths_;  // folders before what is in them
+  std::vector<fs::path> paths_;  // folders before their content
 };
 
 }  // namespace
@@ -42,11 +42,11 @@ NewFolder::NewFolder(const std::string& folder)
       made_(folder),
       lock_(folder_lock_path(folder), folder) {
   if (holds_something(folder))
-    throw InputError(folder + ": is there already, and holds something; allowed: a new folder (--out DIR)");
+    throw InputError(folder + ": exists already and is not empty; allowed: a new or an empty folder (--out DIR)");
 }
 
 void NewFolder::write(const std::vector<NewFile>& files, const StopCheck& check_stop) {
-  Unfinished unfinished;
+  RemovedUnlessFinished unfinished;
   for (const NewFile& file : files) {
     check_stop();
     const fs::path path = fs::path(folder_) / file.name;

@@ -1,4 +1,4 @@
-// A folder of files that belong together: all of them are written, or none stays.
+// A folder of files that belong together: either all of them are written, or none stays.
 #pragma once
 
 #include <cstdint>
@@ -13,18 +13,20 @@
 namespace tessera {
 
 struct NewFile {
-  std::string name;  // in the folder, or in a folder in it
+  std::string name;  // relative to the folder; may lie in a subfolder
   std::vector<std::uint8_t> bytes;
 };
 
-/// Makes the folder, or takes one that is there and empty, and keeps other runs away from it. While nothing is in it, it
-/// goes with the object, or where a signal ends the process.
+/// Makes the folder, or takes an existing empty one, and locks it against other runs. The destructor, or a signal that
+/// ends the process, removes it while it is empty.
 class NewFolder {
  public:
-  /// Throws InputError where the folder holds something or another run is at work in it; EnvironmentError.
+  /// Throws InputError where the folder is not empty or another run is at work in it; EnvironmentError where it cannot
+  /// be made.
   explicit NewFolder(const std::string& folder);
 
-  /// All of them, or none: then what `check_stop`, which is called before each, has thrown, or EnvironmentError.
+  /// Writes all files. Where that fails it removes them and throws EnvironmentError, or what `check_stop` has thrown;
+  /// it calls `check_stop` before each file.
   void write(const std::vector<NewFile>& files, const StopCheck& check_stop);
 
  private:

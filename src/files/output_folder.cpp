@@ -21,14 +21,14 @@ constexpr const char* kAdvice = "; give another output";
 
 std::string cannot_write_into(const std::string& folder) { return "cannot write into the folder " + folder + ": "; }
 
-/// `part` of its path is what could not be made into a folder; empty: all of it is there.
+/// Throws the error. `part`: the part of the path that could not become a folder; empty: the whole path exists.
 [[noreturn]] void fail(const std::string& folder, const fs::path& part, int reason) {
   std::error_code error;
   if (fs::exists(part, error)) throw InputError(cannot_write_into(folder) + part.string() + " is a file" + kAdvice);
   throw EnvironmentError(cannot_write_into(folder) + std::generic_category().message(reason) + kAdvice);
 }
 
-/// Calls `made` with each part of the path that was not there.
+/// Makes missing folders of the path and calls `made` with each of them.
 void make_folders(const std::string& folder, const std::function<void(const std::string&)>& made) {
   fs::path part;
   for (const fs::path& name : fs::path(folder)) {
@@ -37,7 +37,7 @@ void make_folders(const std::string& folder, const std::function<void(const std:
       made(part.string());
       continue;
     }
-    const int reason = errno;  // EROFS and EACCES, too, where the folder is there
+    const int reason = errno;  // EROFS and EACCES also come where the folder exists
     std::error_code error;
     if (!fs::is_directory(part, error)) fail(folder, part, reason);
   }
@@ -49,7 +49,7 @@ void check_takes_files(const std::string& folder) {
   if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(folder, {}, errno);
   try {
     TemporaryFile probe((fs::path(folder) / ".tessera-write-test").string());
-    probe.write(std::array<std::uint8_t, 1>{});  // a disk without room takes files, but no bytes
+    probe.write(std::array<std::uint8_t, 1>{});  // a full disk still creates files, but takes no bytes
     probe.flush();
   } catch (const EnvironmentError& error) {
     throw EnvironmentError(error.what() + std::string(kAdvice));

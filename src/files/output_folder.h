@@ -1,5 +1,5 @@
-// A folder that a command will write into. What is thrown here says what to do: InputError where a file is in the
-// folder's way, else EnvironmentError.
+// A folder that a command will write into. The errors say what to do: InputError where a file has the folder's name,
+// otherwise EnvironmentError.
 #pragma once
 
 #include <deque>
@@ -9,17 +9,17 @@
 
 namespace tessera {
 
-/// Throws EnvironmentError, which names a file in `folder`, where none with something in it can be made.
+/// Throws EnvironmentError, which names a file in `folder`, where no file with content can be made in it.
 void check_takes_files(const std::string& folder);
 
-/// Makes the folder with its parents, to stay.
+/// Makes the folder with its parents; they stay.
 void make_folder(const std::string& folder);
 
-/// Makes the folder with its parents before the work begins, so that what cannot be written is found at once. Of the
-/// folders that it made those that are still empty go with the object, and also where a signal ends the process.
+/// Makes the folder with its parents before the work begins, so that an output that cannot be written is found at once.
+/// The destructor, or a signal that ends the process, removes the folders that it made and that are still empty.
 class OutputFolder {
  public:
-  /// An empty path is the current folder. Throws where it cannot be made or where no file can be made in it.
+  /// An empty path means the current folder. Throws where the folder cannot be made or takes no files.
   explicit OutputFolder(const std::string& folder);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
@@ -28,7 +28,7 @@ class OutputFolder {
  private:
   void make(const std::string& folder);
 
-  std::deque<std::string> made_;  // each after the one that it lies in
+  std::deque<std::string> made_;  // each after its parent
   std::deque<LeftoverFile> leftovers_;
 };
 

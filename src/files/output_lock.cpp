@@ -19,7 +19,7 @@
 namespace tessera {
 namespace {
 
-/// Whose a lock is: words by name, as the file has them, a line each.
+/// The holder of a lock as words by name; the file has one line for each.
 using Holder = std::map<std::string, std::string>;
 
 constexpr std::size_t kMostBytes = 4096;
@@ -29,7 +29,7 @@ std::string variable(const char* name) {
   return value && *value ? value : "0";
 }
 
-/// Of this start of the machine: a process of another one is not under this system's eyes.
+/// Identifies this boot of the machine: a process of another boot is not in this system's list of processes.
 std::string boot_id() {
   std::ifstream file("/proc/sys/kernel/random/boot_id");
   std::string id;
@@ -73,7 +73,7 @@ long number(const Holder& holder, const std::string& name) {
   return std::strtol(word(holder, name).c_str(), nullptr, 10);
 }
 
-/// "process 71 on node7, Slurm job 12"
+/// The holder for messages: "process 71 on node7, Slurm job 12".
 std::string description(const Holder& holder) {
   if (!holder.contains("host")) return "a process that has just begun";
   const std::string job = word(holder, "slurm_job");
@@ -85,7 +85,7 @@ bool is_alive(const Holder& holder) {
   return process > 0 && (kill(process, 0) == 0 || errno == EPERM);
 }
 
-/// What the lock leaves open where the file is there and nobody holds the lock.
+/// Whether the run that wrote the file has ended, where the file exists and nobody holds the lock.
 bool is_over(const Holder& then, const Holder& now, bool locks_work) {
   if (then.empty()) return true;
   if (word(then, "boot") == word(now, "boot")) return locks_work || !is_alive(then);
@@ -95,7 +95,7 @@ bool is_over(const Holder& then, const Holder& now, bool locks_work) {
 
 enum class Locking { locked, held_by_another, not_supported };
 
-/// A lock of the process, not of the open file: children that it forks do not keep it when it is gone.
+/// Tries to lock. The lock belongs to the process, not to the open file: forked children do not hold it after its end.
 Locking try_to_lock(int file) {
   struct flock whole_file = {};
   whole_file.l_type = F_WRLCK;
@@ -104,7 +104,7 @@ Locking try_to_lock(int file) {
   return errno == EACCES || errno == EAGAIN ? Locking::held_by_another : Locking::not_supported;
 }
 
-/// Throws where the output is not free.
+/// Takes the output over. Throws where another run uses it.
 void take(int file, const std::string& path, const std::string& output, Locking locking) {
   const Holder then = read_holder(file);
   const Holder now = this_process();
@@ -114,15 +114,15 @@ void take(int file, const std::string& path, const std::string& output, Locking 
   }
   if (!is_over(then, now, locking == Locking::locked)) {
     throw InputError(output + ": another run may still be at work here: " + description(then) +
-                     ", of which this machine cannot tell; if it is over, remove " + path);
+                     ", and this machine cannot tell whether it has ended; if it has, remove " + path);
   }
   if (write_holder(file, now)) return;
   const int reason = errno;
-  unlink(path.c_str());  // it is ours, and says nothing
+  unlink(path.c_str());  // it is ours, and empty
   throw EnvironmentError("cannot write " + path + ": " + std::generic_category().message(reason));
 }
 
-/// Messages name the output and its folder: nobody asked for the lock.
+/// Opens the lock file. Errors name the output and its folder: the user does not know of the lock.
 FileDescriptor opened(const std::string& path, const std::string& output) {
   const std::string parent = std::filesystem::path(path).parent_path();
   const std::string folder = parent.empty() ? "." : parent;
@@ -142,7 +142,7 @@ OutputLock::OutputLock(const std::string& path, const std::string& output)
       file_(opened(path, output)),
       owner_(getpid()) {
   Locking locking = try_to_lock(file_.number());
-  // The lock may be that of a file that its holder has just removed.
+  // We may have locked a file that its holder has just removed.
   while (locking != Locking::held_by_another && !leads_to(AT_FDCWD, path, file_)) {
     file_ = open_own_file(path, O_RDWR);
     locking = try_to_lock(file_.number());
@@ -153,7 +153,7 @@ OutputLock::OutputLock(const std::string& path, const std::string& output)
 
 OutputLock::~OutputLock() {
   if (getpid() != owner_) return;
-  if (leads_to(AT_FDCWD, path_, file_)) unlink(path_.c_str());  // it may be another run's: somebody had removed ours
+  if (leads_to(AT_FDCWD, path_, file_)) unlink(path_.c_str());  // else it is another run's
 }
 
 void remove_stale_lock(const std::string& path) {

@@ -15,7 +15,7 @@
 namespace tessera {
 namespace {
 
-/// It is the file's fault, unless this process may have no more of something.
+/// Throws InputError for the file, or EnvironmentError where this process has reached a limit of its own.
 [[noreturn]] void throw_unreadable(const std::string& path) {
   const int reason = errno;
   const std::string message = std::generic_category().message(reason);
@@ -34,7 +34,8 @@ void check_regular(const std::string& path, const struct stat& status, const str
   if (!kernel.empty()) throw_found(path, "a file of the kernel (" + kernel + ")");
 }
 
-/// In the largest unit of which the limit is a whole number. What was found is rounded up, so that it is never the limit.
+/// The message, in the largest unit of which the limit is a whole number. The size found is rounded up, so that it
+/// never equals the limit.
 std::string more_than_allowed(std::size_t found_bytes, std::size_t most_bytes) {
   constexpr std::size_t kKibibyte = 1 << 10, kMebibyte = 1 << 20;
   const std::size_t unit = most_bytes % kMebibyte == 0 ? kMebibyte : most_bytes % kKibibyte == 0 ? kKibibyte : 1;
@@ -50,7 +51,7 @@ FileDescriptor open_regular_file(const std::string& path) {
   struct statfs system {};
   if (::stat(path.c_str(), &status) != 0 || ::statfs(path.c_str(), &system) != 0) throw_unreadable(path);
   check_regular(path, status, system);
-  // Where something else took its place meanwhile, opening it does not block either, and it is not used.
+  // Opening does not block even if something else took the file's place meanwhile; the check below refuses that.
   FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
   if (!file.is_open() || ::fstat(file.number(), &status) != 0 || ::fstatfs(file.number(), &system) != 0)
     throw_unreadable(path);

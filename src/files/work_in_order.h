@@ -1,5 +1,5 @@
-// Independent pieces of work on several threads, whose results are wanted in order. The threads are no part of the rank's
-// pool (core/base/rank_pool.h): they wait for drawers and files most of the time, and for the thread that consumes.
+// Runs independent tasks on several threads and consumes their results in order. The threads are not part of the rank's
+// thread pool (core/base/rank_pool.h): most of the time they wait for drawers, files and the consuming thread.
 #pragma once
 
 #include <algorithm>
@@ -26,10 +26,10 @@ struct OrderedWork {
   int threads = 1;
   std::function<Result(std::size_t index)> work;                  // called in any order, by any of the threads
   std::function<void(std::size_t index, Result result)> consume;  // called in order, by the calling thread
-  std::function<void()> stop = [] {};  // called where it ends early: work under way shall throw soon
+  std::function<void()> stop = [] {};  // called on an early end: running tasks shall throw soon
 };
 
-/// One run of work_in_order.
+/// One call of work_in_order.
 template <class Result>
 class OrderedWorkers {
  public:
@@ -61,7 +61,7 @@ class OrderedWorkers {
  private:
   using Outcome = std::variant<Result, std::exception_ptr>;
 
-  /// How far the work may run ahead of a slow piece: that many results are held in memory.
+  /// Most tasks that may run ahead of a slow one; their results are kept in memory.
   static constexpr std::size_t kAhead = 256;
 
   void work() {
@@ -103,16 +103,16 @@ class OrderedWorkers {
   }
 
   const OrderedWork<Result>& job_;
-  std::mutex mutex_;  // of all below; only the calling thread changes consumed_
+  std::mutex mutex_;  // guards all members below; only the calling thread changes consumed_
   std::condition_variable changed_;
-  std::map<std::size_t, Outcome> waiting_;  // finished, but an earlier one is not
+  std::map<std::size_t, Outcome> waiting_;  // finished, waiting for an earlier one
   std::size_t given_ = 0;
   std::size_t consumed_ = 0;
   bool ended_ = false;
-  std::vector<std::jthread> threads_;  // joined first
+  std::vector<std::jthread> threads_;  // joined first, as the last member
 };
 
-/// Does the work. What `work` or `consume` throws ends it and is thrown again here. No thread outlives the call.
+/// Runs all tasks. An exception of `work` or `consume` ends them and is thrown again here. No thread outlives the call.
 template <class Result>
 void work_in_order(const OrderedWork<Result>& job) {
   OrderedWorkers<Result>(job).run();

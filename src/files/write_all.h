@@ -11,7 +11,7 @@ inline std::span<const std::uint8_t> bytes_of(std::string_view text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-/// Writes all bytes where the file's descriptor stands. False with errno where that failed; then some may be written.
+/// Writes all bytes at the file's current position. False, with errno, where that failed; a part may be written then.
 bool write_all(int file, std::span<const std::uint8_t> bytes);
 
 }  // namespace tessera

@@ -12,13 +12,13 @@ namespace tessera {
 
 namespace {
 
-/// The rows without the columns that do not count.
+/// The rows as TOML, without columns that do not count.
 std::string rows_text(JobTable table, const Job& job, const std::function<bool(const JobKey&)>& counts) {
   std::erase_if(table.columns, [&](const JobKey& column) { return !counts(column); });
   return table_to_toml(table, job);
 }
 
-/// In quotes, of those that `others` lacks.
+/// The texts that are not in `others`, in quotes.
 std::string listed_without(const std::vector<std::string>& texts, const std::vector<std::string>& others) {
   std::vector<std::string> own;
   for (const std::string& text : texts)
@@ -26,7 +26,7 @@ std::string listed_without(const std::vector<std::string>& texts, const std::vec
   return joined(own);
 }
 
-/// Of two lists what came and went: they may be long.
+/// The texts that were added to a list and removed from it: the whole lists may be long.
 std::string list_difference(const std::vector<std::string>& then, const std::vector<std::string>& now) {
   const std::string came = listed_without(now, then), went = listed_without(then, now);
   if (came.empty() && went.empty()) return "in another order now";

@@ -1,4 +1,4 @@
-// How two jobs differ, for messages: what a checkpoint or a result was made with, and what is asked for now.
+// Differences between two jobs, for messages: the job of a checkpoint or result, and the job asked for now.
 #pragma once
 
 #include <functional>
@@ -8,8 +8,8 @@
 
 namespace tessera {
 
-/// "; KEY: then A, now B" for each key that `counts` and has another value, of lists what came and went, and which
-/// tables have other rows. Empty where there is none.
+/// "; KEY: then A, now B" for each key with another value for which `counts` is true. For lists it says what was added
+/// and removed, for tables which have other rows. Empty where there is no difference.
 std::string job_differences(const Job& then, const Job& now, const std::function<bool(const JobKey&)>& counts);
 
 }  // namespace tessera

@@ -40,7 +40,7 @@ std::string full_name(const JobEntry& entry) {
   return entry.section.empty() ? entry.name : entry.section + "." + entry.name;
 }
 
-/// Of the entry's own section first, then the same or a like name elsewhere.
+/// The nearest key name: first in the entry's own section, then the same or a similar name elsewhere.
 std::string suggestion(const JobEntry& entry) {
   if (const auto name = nearest_name(entry.name, key_names(entry.section)); !name.empty()) {
     return find_job_key(entry.section, name)->full_name();
@@ -53,7 +53,7 @@ std::string suggestion(const JobEntry& entry) {
   return nearest_name(full_name(entry), full_names);
 }
 
-/// ", [[shapes]], [[regions]]"
+/// The names of all tables, for messages: ", [[shapes]], [[regions]]".
 std::string table_names() {
   std::string text;
   for (const JobTable& table : job_tables()) text += ", [[" + table.name + "]]";
@@ -103,7 +103,7 @@ std::string did_you_mean(const std::string& nearest) {
                    "; allowed " + place + ": " + joined(key_names(entry.section)));
 }
 
-/// The canvas length in px that the name means, of the keys that `find` finds; null where it is none in mm.
+/// The canvas length in px for a name in mm, searched with `find`; null where there is no such length.
 template <class Find>
 const JobKey* length_in_mm(const std::string& name, Find find) {
   const std::string in_px = name_in_px(name);
@@ -115,7 +115,7 @@ const JobKey* length_in_mm(const JobEntry& entry) {
   return length_in_mm(entry.name, [&](const std::string& name) { return find_job_key(entry.section, name); });
 }
 
-/// The px of a length in mm. `about` begins the message.
+/// A length in mm, converted to px. `about` begins the message.
 JobValue length_in_px(const JobKey& key, const toml::node& node, const CanvasSpec& canvas, const std::string& about) {
   const double px = px_per_mm(canvas);
   if (px == 0) {

@@ -11,11 +11,11 @@
 namespace tessera {
 namespace {
 
-// Defaults are not repeated here: they are the initial values of Job (job_file.h) and of CollageSettings (settings.h).
-// Where those come from stands above each group; "paper" is Kwan et al. 2016, "trial" the measured single-threaded
-// prototype on 120 animal silhouettes, 1000 x 1000 px, that this program was designed from.
+// Defaults are not repeated here: they are the initial values in Job (job_file.h) and CollageSettings (settings.h).
+// Their sources stand above each group. "paper" is Kwan et al. 2016. "trial" is the measured single-threaded prototype
+// from which this program was designed (120 animal silhouettes, 1000 x 1000 px).
 
-/// A field of the functions in key_fields.h.
+/// A `field` for the functions in key_fields.h.
 #define FIELD(member) \
   [](auto& job) -> auto& { return job.member; }
 
@@ -27,7 +27,7 @@ std::vector<std::string> all_and(std::vector<std::string> words) {
   return words;
 }
 
-// Tables, a key a row: the functions are as long as there are keys.
+// The rows of the table, one for each key: these functions are as long as there are keys.
 // clang-format off
 
 /// A canvas of 1000 x 1000 px is the one that docs/measurements/pictures.md measures.
@@ -37,8 +37,9 @@ void add_input_keys(std::vector<JobKey>& keys) {
                               "start of the random numbers; another seed, another collage"},
                              FIELD(settings.seed)));
   keys.push_back(with_word({"", "quality", word, "", 0, 0, {"", "draft", "good", "best"},
-                            "how much is improved, by the canvas and the sizes of the pieces, where [improve] gives "
-                            "neither `trials` nor `seconds`; empty = as [improve] says"},
+                            "how much the collage is improved; the number of trials follows from the canvas and the "
+                            "sizes of the pieces; not used where [improve] gives `trials` or `seconds`; empty = as "
+                            "[improve] says"},
                            FIELD(quality)));
   keys.push_back(with_text({"library", "file", file, "", 0, 0, {},
                             "the library of shapes, made by `tessera library build`"},
@@ -54,10 +55,10 @@ void add_input_keys(std::vector<JobKey>& keys) {
                              "patterns of the names of shapes to leave out"},
                             FIELD(library_exclude)));
   keys.push_back(with_texts({"library", "colours", palette, "", 0, 0, all_and(built_in_palettes()),
-                             "use drawings in these colours alone"},
+                             "use only drawings in these colours"},
                             FIELD(library_colours)));
   keys.push_back(with_number({"library", "colours_within", number, "CIEDE2000", 0, 100, {},
-                              "how far a drawing may be from them, in the mean of its parts"},
+                              "largest difference of a drawing from these colours, as the mean of its parts"},
                              FIELD(library_colours_within)));
   keys.push_back(with_text({"library", "wishes", file, "", 0, 0, {},
                             "a table (CSV) of wishes, whose rows come before those of [[shapes]]; empty = none"},
@@ -66,22 +67,22 @@ void add_input_keys(std::vector<JobKey>& keys) {
                             "width and height of the rectangle, or of the box that the mask in `file` is scaled into"},
                            FIELD(canvas.width_px), FIELD(canvas.height_px)));
   keys.push_back(with_pair({"canvas", "size_mm", paper_size, "mm", 1, 20000, {},
-                            "its size on paper: lengths may then be given in mm; [0, 0] = none"},
+                            "size of the canvas on paper; lengths may then be given in mm; [0, 0] = none"},
                            FIELD(canvas.width_mm), FIELD(canvas.height_mm)));
   keys.back().decides = false;
   keys.push_back(with_text({"canvas", "file", file, "", 0, 0, {},
                             "SVG or image whose silhouette is filled; empty = rectangle"},
                            FIELD(canvas.file)));
   keys.push_back(with_word({"canvas", "seamless", word, "", 0, 0, {"none", "x", "y", "both"},
-                            "edges across which the collage goes on, so that copies side by side show no seam: left and "
-                            "right (x), top and bottom (y)"},
+                            "edges across which the collage continues, so that copies side by side show no seam: "
+                            "left and right (x), top and bottom (y)"},
                            FIELD(canvas.seamless)));
   keys.push_back(with_text({"canvas", "keep_out", file, "", 0, 0, {},
                             "SVG or image, laid over the canvas: pieces keep out of what it shows; empty = nothing"},
                            FIELD(canvas.keep_out)));
 }
 
-/// As in the paper: an empty canvas, filled from its edge inward.
+/// Default as in the paper: an empty canvas, filled from its edge inward.
 void add_start_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
   keys.push_back(with_text({"start", "pieces", file, "", 0, 0, {},
@@ -89,22 +90,21 @@ void add_start_keys(std::vector<JobKey>& keys) {
                             "empty = none"},
                            FIELD(start.pieces)));
   keys.push_back(with_word({"start", "keep", word, "", 0, 0, {"locked", "free", "standing"},
-                            "those pieces: `locked` stand to the end, `free` ones may be taken out by [improve], "
-                            "`standing` ones stand to the end and are not locked by that in the result"},
+                            "treatment of these pieces: `locked`: they stay and are locked in the result; `free`: "
+                            "[improve] may remove them; `standing`: they stay, and keep their own lock in the result"},
                            FIELD(start.keep)));
   keys.push_back(with_indices({"start", "remove", indices, "", 0, kMostStartPieces - 1, {},
-                               "of those pieces, by `index`: they do not stand, and only the room where they lay is "
-                               "filled"},
+                               "pieces to remove, by `index`; only the room where they lay is filled"},
                               FIELD(start.remove)));
   keys.push_back(with_indices({"start", "lock", indices, "", 0, kMostStartPieces - 1, {},
-                               "of those pieces, by `index`: locked, whatever `keep` says"},
+                               "pieces to lock, by `index`, whatever `keep` says"},
                               FIELD(start.lock)));
   keys.push_back(with_texts({"start", "not_anew", texts, "", 0, 0, {},
-                             "names of shapes of which only pieces stand that were there; empty = none"},
+                             "names of shapes that are not placed again; empty = none"},
                             FIELD(start.not_anew)));
   keys.push_back(with_word({"start", "grow", word, "", 0, 0, {"inward", "outward"},
-                            "`inward`: pieces dock to the canvas' edge, too; `outward`: only to what stands, so that the "
-                            "collage grows from there"},
+                            "`inward`: pieces dock to the canvas' edge, too; `outward`: only to pieces and zones "
+                            "that are there, so that the collage grows from them"},
                            FIELD(settings.start.grow_outward)));
 }
 
@@ -119,8 +119,8 @@ void add_piece_keys(std::vector<JobKey>& keys) {
                             "`range`: those of `scale_px`; `drawn`: each shape as large as its drawing is"},
                            FIELD(drawn_sizes)));
   keys.push_back(with_text({"pieces", "size_map", file, "", 0, 0, {},
-                            "a grey picture, laid over the whole canvas: black = the smallest size alone, white = up to "
-                            "the largest; empty = white"},
+                            "a grey picture, laid over the whole canvas: black = only the smallest size, white = all "
+                            "sizes up to the largest; empty = white"},
                            FIELD(size_map)));
   keys.push_back(with_intervals({"pieces", "rotation_deg", intervals, "degrees", -360, 360, {},
                                  "allowed rotations of the artwork, clockwise; -180 to 180 = any"},
@@ -133,20 +133,22 @@ void add_piece_keys(std::vector<JobKey>& keys) {
                             "how often one shape may be placed; 0 = unlimited"},
                            FIELD(settings.pieces.least_uses), FIELD(settings.pieces.uses)));
   keys.push_back(with_word({"pieces", "fit", word, "", 0, 0, {"free", "all"},
-                            "`all`: every shape at least once; the program multiplies all sizes by one factor to that end"},
+                            "`all`: every shape is placed at least once; the program multiplies all sizes by one "
+                            "factor until they fit"},
                            FIELD(settings.pieces.fit_all)));
   keys.push_back(with_number({"pieces", "least_scale_px", number, "px", 2, 5000, {},
-                              "with `fit = \"all\"`: no piece becomes smaller, even if some find no place then"},
+                              "with `fit = \"all\"`: no piece becomes smaller than this, even if some shapes then "
+                              "find no place"},
                              FIELD(settings.pieces.least_scale_px)));
   keys.push_back(with_number({"pieces", "balance", number, "", 0, 1, {},
-                              "of sizes: 0 = contrast, a few large pieces and dwarfs between them, to 1 = even, as much "
-                              "area of each size"},
+                              "mix of sizes: from 0 = contrast, a few large pieces with very small ones between "
+                              "them, to 1 = even, the same area of each size"},
                              FIELD(settings.objective.balance)));
   keys.push_back(with_number({"pieces", "padding_px", number, "px", 0, 500, {},
                               "distance kept between pieces, and between pieces and the canvas' edge"},
                              FIELD(settings.pieces.padding_px)));
   keys.push_back(with_number({"pieces", "apart_px", number, "px", 0, 20000, {},
-                              "distance kept between the outlines of two pieces of one silhouette; 0 = any"},
+                              "distance kept between the outlines of two pieces with the same silhouette; 0 = any"},
                              FIELD(settings.pieces.apart_px)));
   keys.push_back(with_number({"pieces", "overlap_px", number, "px", 0, 2.5, {},
                               "without padding: how deep a corner of a piece may lie in another, and beyond the canvas' "
@@ -187,12 +189,12 @@ std::vector<std::string> objective_names() {
   return names;
 }
 
-/// All from the trial: the paper's Z alone prefers dwarfs (75 % coverage with 600 pieces). Without a price of
+/// All from the trial: the paper's Z alone prefers very small pieces (75 % coverage with 600 pieces). Without a cost of
 /// repetition one boomerang fills the canvas.
 void add_objective_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
   keys.push_back(with_word({"objective", "kind", word, "", 0, 0, objective_names(),
-                            "`scale_aware`: long contact, little gap, large pieces; `paper`: its Z"},
+                            "`scale_aware`: long contact, little gap, large pieces; `paper`: the paper's Z"},
                            FIELD(settings.objective.kind)));
   keys.push_back(with_number({"objective", "overlap_weight", number, "", 0, 100, {}, "cost of overlapped area"},
                              FIELD(settings.objective.overlap_weight)));
@@ -200,34 +202,36 @@ void add_objective_keys(std::vector<JobKey>& keys) {
                               "cost of area that no piece can enter any more"},
                              FIELD(settings.objective.gap_weight)));
   keys.push_back(with_number({"objective", "length_exponent", number, "", 0, 4, {},
-                              "of the matched share of the piece's boundary"},
+                              "exponent of the matched share of the piece's boundary"},
                              FIELD(settings.objective.length_exponent)));
   keys.push_back(with_number({"objective", "scale_exponent", number, "", 0, 4, {},
-                              "of the piece's size by the largest allowed: more gives larger pieces and more contrast"},
+                              "exponent of the piece's size relative to the largest allowed; more gives larger "
+                              "pieces and more contrast"},
                              FIELD(settings.objective.scale_exponent)));
   keys.push_back(with_number({"objective", "repetition_exponent", number, "", 0, 4, {},
-                              "the score times (1 + uses of the shape)^-exponent"},
+                              "the score is multiplied by (1 + uses of the shape)^-exponent"},
                              FIELD(settings.objective.repetition_exponent)));
   keys.push_back(with_number({"objective", "near_twin_factor", number, "", 0, 1, {},
-                              "the score times this for each copy of the shape near by; 1 = no matter"},
+                              "the score is multiplied by this for each copy of the shape nearby; 1 = no effect"},
                              FIELD(settings.objective.near_twin_factor)));
 }
 
-/// These numbers count where `quality` has no say: without a number nothing is improved, as in the paper.
+/// These numbers apply where `quality` is not used: without a number nothing is improved, as in the paper.
 void add_improve_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
   keys.push_back(with_number({"improve", "trials", integer, "", 0, 1e7, {},
-                              "when nothing fits any more: so often take a few small pieces beside a gap out and fill "
-                              "the hole anew, kept where that is better; 0 = no limit if `seconds` is given, else none"},
+                              "number of trials when nothing fits any more: a trial removes a few small pieces "
+                              "beside a gap and fills the hole again; it is kept where that is better; 0 = no limit "
+                              "if `seconds` is given, else no trials"},
                              FIELD(settings.improve.trials)));
   keys.push_back(with_number({"improve", "seconds", number, "s", 0, 1e7, {},
                               "end improving after this time, which makes the result depend on the machine; 0 = no limit"},
                              FIELD(settings.improve.seconds)));
   keys.push_back(with_flag({"improve", "relax", flag, "", 0, 0, {},
-                            "at the beginning all pieces move, turn and grow together, then in five of six trials single "
-                            "ones are exchanged (eight a trial) while their neighbours make room, where sizes are not "
-                            "fixed, the largest is at most five times the smallest and neither `colour.image` nor "
-                            "`pieces.size_map` is given"},
+                            "at the beginning all pieces move, turn and grow together; then five of six trials "
+                            "exchange single pieces (eight in a trial) while their neighbours make room; only where "
+                            "sizes are not fixed, the largest is at most five times the smallest, and neither "
+                            "`colour.image` nor `pieces.size_map` is given"},
                            FIELD(settings.improve.relax)));
 }
 
@@ -245,31 +249,31 @@ void add_stop_keys(std::vector<JobKey>& keys) {
   keys.back().decides = false;
 }
 
-/// By default pieces keep their outlines. The limits are those up to which drawings were taken for undeformed ones.
+/// By default pieces keep their outlines. The limits are those up to which people took drawings for undeformed ones.
 void add_deform_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
   const std::size_t before = keys.size();
   keys.push_back(with_word({"deform", "kind", word, "", 0, 0, {"none", "capped", "voronoi"},
-                            "of the finished collage: `capped` moves boundaries, and the drawings with them, to the middle "
-                            "of gaps and overlaps, within the limits below; `voronoi` as far as there is something to fill"},
+                            "deformation of the finished collage: `capped` moves boundaries, and the drawings with "
+                            "them, to the middle of gaps and overlaps, within the limits below; `voronoi` does so "
+                            "without these limits, as far as there is something to fill"},
                            FIELD(settings.deform.kind)));
   keys.push_back(with_number({"deform", "most_px", number, "px", 0, 100, {},
-                              "so far a boundary moves, if `capped`"},
+                              "largest movement of a boundary, if `capped`"},
                              FIELD(settings.deform.most_px)));
   keys.push_back(with_number({"deform", "most_part", number, "", 0, 0.5, {},
-                              "the same in parts of the piece's size; whichever is less"},
+                              "the same limit as a part of the piece's size; the smaller one of both applies"},
                              FIELD(settings.deform.most_part)));
   keys.push_back(with_number({"deform", "most_area", number, "", 0.001, 1, {},
-                              "by so much of itself a piece's area may change, if `capped`"},
+                              "largest change of a piece's area, as a part of that area, if `capped`"},
                              FIELD(settings.deform.most_area)));
   keys.push_back(with_number({"deform", "most_pad", number, "", 0.001, 1, {},
-                              "so far a piece may come from what it was, if `capped`: the mean distance of PADs along its "
-                              "outline"},
+                              "largest change of a piece's outline, if `capped`: the mean distance of PADs along it"},
                              FIELD(settings.deform.most_pad)));
   for (std::size_t i = before; i < keys.size(); ++i) keys[i].decides = false;
 }
 
-/// Once a minute costs a thousandth of the time at most, and no more than a minute is ever lost.
+/// One checkpoint a minute costs at most a thousandth of the time, and at most a minute of work is lost.
 void add_checkpoint_keys(std::vector<JobKey>& keys) {
   keys.push_back(with_number({"checkpoint", "every_s", JobKind::number, "s", 0, 1e6, {},
                               "time between two checkpoints; 0 = only at the end, and where the run is interrupted"},
@@ -278,17 +282,17 @@ void add_checkpoint_keys(std::vector<JobKey>& keys) {
   keys.back().in_result = false;
 }
 
-/// Workers send a sign of life every 5 s, whatever they compute: a minute is for nodes that swap and networks that
+/// Workers send a heartbeat every 5 s, whatever they compute. A minute allows for nodes that swap and networks that
 /// stall.
 void add_comm_keys(std::vector<JobKey>& keys) {
   keys.push_back(with_number({"comm", "silence_s", JobKind::number, "s", 1, 1e6, {},
-                              "a worker that has not been heard of for so long ends the run, with a checkpoint"},
+                              "a worker that sends no heartbeat for this time ends the run, with a checkpoint"},
                              FIELD(comm.silence_s)));
   keys.back().decides = false;
   keys.back().in_result = false;
 }
 
-/// One-colour silhouettes, black as a rule, make a black mass: they are told apart by colours of a palette.
+/// Silhouettes of one colour, mostly black, would form one black area: colours of a palette tell the pieces apart.
 void add_colour_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
   keys.push_back(with_text({"colour", "pieces", word, "", 0, 0, {"auto", "artwork", "palette"},
@@ -304,28 +308,29 @@ void add_colour_keys(std::vector<JobKey>& keys) {
                             "a picture, laid over the whole canvas, that the pieces show together; empty = none"},
                            FIELD(colour.image)));
   keys.push_back(with_number({"colour", "weight", number, "", 0, 100, {},
-                              "how much colour counts beside fit, with `image`"},
+                              "how much colour counts compared with fit, with `image`"},
                              FIELD(settings.colour.weight)));
   keys.push_back(with_number({"colour", "neighbours", number, "", -100, 100, {},
-                              "above 0: pieces side by side are of like colours, below 0: of unlike ones"},
+                              "above 0: neighbouring pieces have similar colours; below 0: different ones"},
                              FIELD(settings.colour.neighbours)));
   keys.push_back(with_number({"colour", "shift", number, "CIEDE2000", 0, 100, {},
-                              "so far the colours of a piece may be moved towards those that it covers, part by part, with `image`"},
+                              "largest change of a piece's colours towards the colours that it covers, part by part, "
+                              "with `image`"},
                              FIELD(colour.shift)));
   keys.back().decides = false;
   keys.push_back(with_number({"colour", "overlay", number, "", 0, 0.5, {},
-                              "opacity in which `image` itself is laid over the pieces and what lies between them; 0 = "
-                              "not"},
+                              "opacity of `image` itself as a layer over the pieces and the space between them; 0 = "
+                              "no layer"},
                              FIELD(colour.overlay)));
   keys.back().decides = false;
   keys.push_back(with_text({"colour", "harmony", word, "", 0, 0, {kNoHarmony, "auto", "i", "V", "L", "I", "T", "Y", "X"},
-                            "the hues of pieces are turned into a harmonic template of that form, `auto`: the one that "
-                            "fits best"},
+                            "harmonic template into which the hues of pieces are turned; `auto`: the one that fits "
+                            "best; `none`: hues stay"},
                            FIELD(colour.harmony)));
   keys.back().decides = false;
 }
 
-/// A library is of many styles, and collages of the paper's do not regard them.
+/// A library has many styles; collages of the paper ignore them.
 void add_style_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
   keys.push_back(with_texts({"style", "like", texts, "", 0, 0, {},
@@ -333,12 +338,12 @@ void add_style_keys(std::vector<JobKey>& keys) {
                              "style that prevails in the library; empty = none"},
                             FIELD(style.like)));
   keys.push_back(with_number({"style", "weight", number, "", 0, 10, {},
-                              "how much: at 1 a drawing is preferred half as much for each unit of style distance; 0 = "
-                              "not at all"},
+                              "strength of this preference: at 1 a drawing is preferred half as much for each unit "
+                              "of style distance; 0 = not at all"},
                              FIELD(style.weight)));
 }
 
-/// A piece as its drawing is, cut out along its outline, is the collage of the paper.
+/// By default a piece is its drawing, cut out along its outline, as in the paper.
 void add_piece_drawing_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
   keys.push_back(with_number({"output", "outline_px", number, "px", 0, 100, {},
@@ -347,13 +352,13 @@ void add_piece_drawing_keys(std::vector<JobKey>& keys) {
   keys.push_back(with_text({"output", "outline_colour", colour, "", 0, 0, {}, "its colour"},
                            FIELD(output.outline_colour)));
   keys.push_back(with_number({"output", "shadow_strength", number, "", 0, 1, {},
-                              "of the pieces' shadow on what lies below all of them: 0 = none, 1 = black"},
+                              "strength of the pieces' shadow on the background: 0 = none, 1 = black"},
                              FIELD(output.shadow_strength)));
   keys.push_back(with_pair({"output", "shadow_offset_px", point, "px", -200, 200, {},
                             "how far the shadow lies to the right and down, in px of the canvas"},
                            FIELD(output.shadow_offset_px[0]), FIELD(output.shadow_offset_px[1])));
   keys.push_back(with_number({"output", "shadow_blur_px", number, "px", 0.5, 100, {},
-                              "how soft it is: the standard deviation of its blur, in px of the canvas"},
+                              "softness of the shadow: the standard deviation of its blur, in px of the canvas"},
                              FIELD(output.shadow_blur_px)));
   keys.push_back(with_text({"output", "clip", word, "", 0, 0, {"outline", kNoClip},
                             "`outline`: drawings are cut off beside their outline; `none`: they are drawn whole"},
@@ -363,11 +368,11 @@ void add_piece_drawing_keys(std::vector<JobKey>& keys) {
                             "left empty"},
                            FIELD(output.keep_out)));
   keys.push_back(with_flag({"output", "labels", flag, "", 0, 0, {},
-                            "with collage.png comes labels.png, whose pixels are the numbers of the pieces"},
+                            "also write labels.png, whose pixels are the numbers of the pieces"},
                            FIELD(output.labels)));
 }
 
-/// A picture twice as wide as the default canvas shows the artwork's detail on a dense screen and in print.
+/// A picture twice as wide as the default canvas shows the artwork's details on a dense screen and in print.
 void add_machine_and_output_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
   const std::size_t first = keys.size();
@@ -386,21 +391,21 @@ void add_machine_and_output_keys(std::vector<JobKey>& keys) {
                               "width of the canvas on paper; 0 = the pictures have no size on paper"},
                              FIELD(output.width_mm)));
   keys.push_back(with_number({"output", "dpi", number, "px per inch", 1, 4800, {},
-                              "with `width_mm`: how finely collage.png is drawn"},
+                              "with `width_mm`: resolution of collage.png"},
                              FIELD(output.dpi)));
   keys.push_back(with_text({"output", "background", colour, "", 0, 0, {kNoColour, kImageBackground},
                             "colour of the canvas, outside it is white; `none`: transparent, the outside too; `image`: "
                             "the picture in `colour.image`"},
                            FIELD(output.background)));
   keys.push_back(with_number({"output", "background_light", number, "", 0, 1, {},
-                              "with `image`: what its colours are multiplied by; below 1 pieces stand out from it; dark "
-                              "places become a little lighter"},
+                              "with `image`: factor on its colours; below 1 pieces stand out from it; dark places "
+                              "become a little lighter"},
                              FIELD(output.background_light)));
   keys.push_back(with_text({"output", "ground", file, "", 0, 0, {},
                             "SVG or image, laid over the background in tiles, below the pieces; empty = none"},
                            FIELD(output.ground)));
   keys.push_back(with_number({"output", "ground_px", number, "px", 0, 20000, {},
-                              "width of a tile of it, in px of the canvas; 0 = as wide as it was drawn"},
+                              "width of a tile of `ground`, in px of the canvas; 0 = as wide as it was drawn"},
                              FIELD(output.ground_px)));
   add_piece_drawing_keys(keys);
   for (std::size_t i = first; i < keys.size(); ++i) keys[i].decides = false;

@@ -1,4 +1,4 @@
-// load_job: the file's entries in the order of its lines, then the overrides, each checked against its key.
+// load_job: reads the file's entries in the order of its lines, then the overrides, and checks each against its key.
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -31,10 +31,10 @@ namespace fs = std::filesystem;
 // A job with every key and comments has 4 kB, one of a thousand wishes some 100 kB.
 constexpr std::size_t kMaxJobBytes = std::size_t(1) << 20;
 constexpr std::size_t kMaxOverrideBytes = 16384;
-constexpr std::size_t kMostZones = 1000;  // so many take seconds on the largest canvas
-// toml++ 3.3 builds and destroys a dotted key "a.a.a..." by recursion; 32,000 levels overflow a stack of 8 MB.
+constexpr std::size_t kMostZones = 1000;  // this many take seconds on the largest canvas
+// toml++ 3.3 builds and destroys a dotted key "a.a.a..." recursively; 32,000 levels overflow a stack of 8 MB.
 constexpr std::size_t kMaxKeyLevels = 8192;
-constexpr std::size_t kMaxNestedValues = 256;  // inline tables and arrays in each other, by toml++'s own limit
+constexpr std::size_t kMaxNestedValues = 256;  // nested inline tables and arrays; the limit of toml++
 
 std::string read_text(const std::string& path) {
   std::error_code error;
@@ -46,8 +46,8 @@ std::string read_text(const std::string& path) {
   }
 }
 
-/// No key of the text has more levels. Each costs a dot, and a dotted key ends with its line: another one below it lies
-/// in an inline table.
+/// An upper bound of the levels of any key in the text. Each level needs a dot, and a dotted key ends with its line; a
+/// key nested in it lies in an inline table.
 std::size_t most_key_levels(const std::string& text) {
   std::size_t all = 0, in_line = 0, most_in_line = 0;
   for (const char c : text) {
@@ -75,7 +75,7 @@ std::string line_of(const std::string& text, std::size_t number) {
   return line;
 }
 
-/// Who writes no TOML every day writes fit = all.
+/// A hint for people who seldom write TOML and write fit = all.
 std::string quotes_hint(const std::string& line) {
   const std::size_t equals = line.find('=');
   if (equals == std::string::npos) return "";
@@ -136,7 +136,7 @@ std::string without_blanks(std::string text) {
 
 std::string place_of(const std::string& override) { return "--set " + printable(override); }
 
-/// `table` keeps the value.
+/// The entry of an override; `table` keeps its value.
 JobEntry entry_of(const std::string& text, toml::table& table) {
   const std::string where = place_of(text);
   const auto equals = text.find('=');
@@ -155,7 +155,7 @@ JobEntry entry_of(const std::string& text, toml::table& table) {
           .base = fs::current_path()};
 }
 
-/// What a job is made of: the entries of the file, then those of the command line, which win.
+/// The entries of a job: those of the file, then those of the command line, which override them.
 class Entries {
  public:
   Entries(std::vector<JobEntry> of_file, const std::vector<std::string>& overrides)
@@ -170,7 +170,7 @@ class Entries {
     return given_from(0, entries_.size(), section, name);
   }
 
-  /// Whether `quality` has a say: numbers that are given beside it win, those of the command line anyway.
+  /// Whether `quality` applies: numbers beside it win, but on the command line it wins over numbers of the file.
   bool quality_counts() const {
     const bool of_command_line = given_from(in_file_, entries_.size(), "", "quality");
     const std::size_t begin = of_command_line ? in_file_ : 0;
@@ -184,7 +184,7 @@ class Entries {
     }
   }
 
-  /// When the canvas' size is known.
+  /// Applies lengths in mm, once the canvas' size is known.
   void apply_mm(Job& job) const {
     for (std::size_t i = 0; i < entries_.size(); ++i) {
       const JobEntry& entry = entries_[i];
@@ -205,12 +205,12 @@ class Entries {
                        [&](const JobEntry& entry) { return entry.section == section && entry.name == name; });
   }
 
-  std::deque<toml::table> tables_;  // of the values of the command line
+  std::deque<toml::table> tables_;  // they keep the values of the command line
   std::vector<JobEntry> entries_;
   std::size_t in_file_;
 };
 
-/// The size in px, where the job gives that in mm.
+/// Sets the size in px where the job gives only mm.
 void set_size_on_paper(bool px_are_given, Job& job) {
   if (job.canvas.width_mm == 0) return;
   try {
@@ -221,7 +221,7 @@ void set_size_on_paper(bool px_are_given, Job& job) {
   }
 }
 
-/// What the canvas and the pictures need of [[regions]].
+/// Copies what the canvas and the pictures need from [[regions]].
 void set_regions(Job& job) {
   for (const JobRow& region : rows_of(job, "regions")) {
     job.canvas.region_colours.push_back(region.at("colour").text);
@@ -260,7 +260,8 @@ KeepOutRectangle keep_out_rectangle(const JobRow& row) {
           .corner_px = float(number("corner_px"))};
 }
 
-/// Pieces are listed of an earlier result, and each once. Free ones could not lie outside the room that is filled.
+/// Checks start.remove and start.lock: they need start.pieces, and no piece may be in both. With removed pieces only
+/// their room is filled, and free pieces cannot lie outside it.
 void check_start_lists(const Job& job) {
   const StartSpec& start = job.start;
   for (const auto& [key, list] : {std::pair("start.remove", &start.remove), std::pair("start.lock", &start.lock)}) {
@@ -291,13 +292,13 @@ void check_overlay(const Job& job) {
                    ", allowed without colour.image: 0");
 }
 
-/// Checks the keys that say how pictures are drawn, where one of them asks for another or forbids it.
+/// Checks the drawing keys that require or exclude each other.
 void check_drawing(const Job& job) {
   check_background(job);
   check_overlay(job);
 }
 
-/// What keys say together.
+/// Checks keys that depend on each other.
 void check_together(const Job& job) {
   check_drawing(job);
   if (job.canvas.keep_out_rectangles.size() > kMostZones) {
@@ -324,7 +325,7 @@ Job read_job(const std::string& text, const std::string& path, const std::vector
   set_size_on_paper(entries.has("canvas", "size_px"), job);
   entries.apply_mm(job);
   if (!entries.quality_counts()) job.quality = QualityWord::none;
-  if (!quality_waits_for_sizes(job)) set_improving_by_quality(job);  // else CanvasProblem does
+  if (!quality_waits_for_sizes(job)) set_improving_by_quality(job);  // else CanvasProblem does it
   add_rows(table, path, job);
   set_regions(job);
   for (const JobRow& row : rows_of(job, "keep_out")) job.canvas.keep_out_rectangles.push_back(keep_out_rectangle(row));
@@ -341,7 +342,7 @@ Job read_job(const std::string& text, const std::string& path, const std::vector
 
 Job load_job(const std::string& path, const std::vector<std::string>& overrides) {
   Job job = read_job(read_text(path), path, overrides);
-  // Here, so that every rank has the same, and a result does not need the palette's file.
+  // Loaded here, so that all ranks have the same colours and a result does not need the palette's file.
   if (const std::vector<std::string> colours = load_library_colours(job); !colours.empty())
     job.library_colours = colours;
   return job;
@@ -357,7 +358,9 @@ bool set_drawing_keys(Job& job, const std::vector<std::string>& overrides) {
     }
     const JobKey* key = find_job_key(entry.section, entry.name);
     if (!key || !key->decides) continue;
-    throw InputError(entry.where + ": decides where pieces lie: set it in the job, and run tessera collage again");
+    throw InputError(entry.where +
+                     ": this key decides where pieces lie; set it in the job, and run tessera collage "
+                     "again");
   }
   entries.apply_all_but_mm(job);
   entries.apply_mm(job);

@@ -18,7 +18,7 @@ JobKey required(JobKey key) {
   return key;
 }
 
-/// What shapes and regions alike may wish for.
+/// Adds the columns that shapes and regions have in common.
 void add_poses(JobTable& table, const std::string& where) {
   using enum JobKind;
   table.columns.push_back(
@@ -32,7 +32,7 @@ JobTable shapes_table() {
   const std::string t = "shapes";
   JobTable table{
       t,
-      "wishes of some shapes; where several tables are about a shape, the later one wins, key by key",
+      "wishes for some shapes; where several tables name a shape, the later one wins, key by key",
       {required(column(t, "names", texts, "", 0, 0, "patterns of names, as in library.include")),
        column(t, "weight", number, "", 0, 100, "how much they are preferred; 1 = as others, 0 = never placed"),
        column(t, "uses", uses, "", 0, 1e6, "how often each may be placed, as in [pieces]")}};
@@ -54,10 +54,10 @@ JobTable shapes_table() {
 JobTable regions_table() {
   using enum JobKind;
   const std::string t = "regions";
-  const std::string of_the_file = "of this part of `canvas.file`: each place belongs to the nearest";
+  const std::string of_the_file = "colour of this part of `canvas.file`; each place belongs to the nearest colour";
   JobTable table{t,
                  "parts of the canvas, by the colours of `canvas.file`; pieces stay within their region",
-                 {required(column(t, "name", name, "", 0, 0, "what [[shapes]] call it")),
+                 {required(column(t, "name", name, "", 0, 0, "its name in [[shapes]]")),
                   required(column(t, "colour", colour, "", 0, 0, of_the_file))}};
   table.columns.push_back(column(t, "background", colour, "", 0, 0,
                                  "what pictures show beneath the pieces there, instead of output.background"));
@@ -69,7 +69,7 @@ JobTable regions_table() {
 JobTable given_table() {
   using enum JobKind;
   const std::string t = "given";
-  const std::string middle = "where the middle of its area lies, from the canvas' upper left corner";
+  const std::string middle = "the centre of its area, from the canvas' upper left corner";
   return {t,
           "pieces that stand where you put them, before any other is placed",
           {required(column(t, "shape", name, "", 0, 0, "name of a shape of the library")),
@@ -82,8 +82,8 @@ JobTable keep_out_table() {
   using enum JobKind;
   const std::string t = "keep_out";
   return {t,
-          "rectangles that pieces keep out of",
-          {required(column(t, "at_px", point, "px", -20000, 40000, "its middle, from the canvas' upper left corner")),
+          "rectangles that stay free of pieces",
+          {required(column(t, "at_px", point, "px", -20000, 40000, "its centre, from the canvas' upper left corner")),
            required(column(t, "size_px", point, "px", 1, 20000, "its width and height")),
            column(t, "rotation_deg", number, "degrees", -360, 360, "clockwise; default 0"),
            column(t, "corner_px", number, "px", 0, 20000,

@@ -28,7 +28,7 @@ std::optional<double> number_in_range(const JobKey& key, const toml::node& node,
 
 using Numbers = std::optional<std::vector<double>>;
 
-/// All of an array.
+/// All numbers of an array; nullopt where one is out of range.
 Numbers numbers_in_range(const JobKey& key, const toml::array& array, bool whole) {
   std::vector<double> numbers;
   for (const toml::node& item : array) {
@@ -58,14 +58,14 @@ Result read_two(const JobKey& key, const toml::node& node) {
   return JobValue{*both, {}};
 }
 
-/// Both of them, or none.
+/// Two sizes, or two zeros.
 Result read_paper_size(const JobKey& key, const toml::node& node) {
   const JobKey none{.section = {}, .name = {}, .kind = JobKind::point, .unit = {}};
   const Result absent = read_two(none, node);
   return absent ? absent : read_two(key, node);
 }
 
-/// [min, max], or [value] or a value, which are the interval from it to itself; appended to `pairs`.
+/// Appends [min, max] to `pairs`; [value] and a single value become the interval from the value to itself.
 bool read_interval(const JobKey& key, const toml::node& node, std::vector<double>& pairs) {
   Numbers numbers;
   if (const toml::array* array = node.as_array()) {
@@ -78,7 +78,7 @@ bool read_interval(const JobKey& key, const toml::node& node, std::vector<double
   return true;
 }
 
-/// Two plain numbers are one interval, any other count of them that many values.
+/// Two plain numbers are one interval; any other count of plain numbers is that many single values.
 Result read_intervals(const JobKey& key, const toml::node& node) {
   std::vector<double> pairs;
   const toml::array* array = node.as_array();
@@ -91,7 +91,7 @@ Result read_intervals(const JobKey& key, const toml::node& node) {
   return JobValue{pairs, {}};
 }
 
-/// As [at least, at most]; at most 0 = no limit.
+/// [at least, at most] as numbers; at most 0: no limit.
 Result read_uses(const JobKey& key, const toml::node& node) {
   if (const auto most = number_in_range(key, node, true)) return JobValue{{0, *most}, {}};
   const toml::array* array = node.as_array();
@@ -122,7 +122,7 @@ Result read_colour(std::string text) {
   return JobValue{{}, text};
 }
 
-/// One text alone is a list of one, an empty one none: what --set gives needs no brackets.
+/// A single text is a list of one, an empty text an empty list: values of --set need no brackets.
 Result read_texts(const toml::node& node) {
   std::vector<std::string> texts;
   const auto add = [&](const toml::node& item) {
@@ -137,7 +137,7 @@ Result read_texts(const toml::node& node) {
   return right ? Result(JobValue{{}, {}, std::move(texts)}) : Result();
 }
 
-/// A list holds colours; a text alone may be a name or a path, too.
+/// A list holds colours; a single text may also be a name or a path.
 Result read_palette(const toml::node& node) {
   Result value = read_texts(node);
   if (!value || value->texts.empty()) return {};
@@ -150,7 +150,7 @@ Result read_palette(const toml::node& node) {
   return value;
 }
 
-/// "0, 2" -> {0, 2}; nothing where it is no list of whole numbers.
+/// "0, 2" -> {0, 2}; nullopt where the text is no list of whole numbers.
 std::optional<std::vector<double>> split_indices(const std::string& text) {
   std::vector<double> indices;
   for (const std::string_view part : split_outside(text, ',')) {
@@ -196,7 +196,7 @@ Result read_devices(const JobKey& key, const toml::node& node) {
   return indices ? join_indices(key, *indices) : Result();
 }
 
-/// One number alone is a list of one.
+/// A single number is a list of one.
 Result read_distinct_indices(const JobKey& key, const toml::node& node) {
   if (node.is_array() && node.as_array()->empty()) return JobValue{};
   const auto indices = read_indices(key, node);
@@ -235,7 +235,7 @@ std::string quoted_words(const JobKey& key, const std::string& separator) {
   return text;
 }
 
-/// The fewest digits with which number `i` comes back from the job's own type (float, radians) unchanged.
+/// Number `i` with the fewest digits that give the same value in the job's own type (float, radians).
 std::string shortest_number(const JobKey& key, const Job& job, std::size_t i) {
   const JobValue exact = key.get(job);
   int digits = 1;
@@ -249,7 +249,7 @@ std::string shortest_number(const JobKey& key, const Job& job, std::size_t i) {
   return number_text(exact.numbers[i], digits);
 }
 
-/// The fewest digits that give the same number.
+/// The value with the fewest digits that give the same number.
 std::string exact_number(double value) {
   int digits = 1;
   while (digits < 17 && std::stod(number_text(value, digits)) != value) ++digits;
@@ -268,7 +268,7 @@ std::string quoted_list(const std::vector<std::string>& texts) {
   return listed(items);
 }
 
-/// `number(i)` writes value.numbers[i].
+/// The value as TOML; `number(i)` writes value.numbers[i].
 template <class Number>
 std::string value_text(const JobKey& key, const JobValue& value, Number number) {
   if (key.kind == JobKind::texts || key.kind == JobKind::files) return quoted_list(value.texts);

@@ -1,4 +1,4 @@
-// From a row of the table of keys (job_keys.cpp) to the members of Job that hold its value.
+// Connects a row of the table of keys (job_keys.cpp) with the members of Job that hold its value.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace tessera {
 
-// A `field` is a function that gives a reference to the member, const or not.
+// A `field` is a function that returns a reference to the member, const or not.
 
 template <class Field>
 JobKey with_number(JobKey key, Field field) {
@@ -38,8 +38,8 @@ JobKey with_pair(JobKey key, First first, Second second) {
   return key;
 }
 
-/// Intervals of the pieces: in `several`, and from the smallest to the largest in `first` and `second`.
-/// `unit_per_member` times as large in the file as in the program (degrees for radians).
+/// Intervals of the pieces: all of them in `several`, the smallest and largest value in `first` and `second`. Numbers
+/// in the file are `unit_per_member` times as large as in the program (degrees for radians).
 template <class First, class Second>
 JobKey with_intervals(JobKey key, std::vector<Interval> PoseWish::*list, First first, Second second,
                       double unit_per_member) {
@@ -69,7 +69,7 @@ JobKey with_text(JobKey key, Field field) {
   return key;
 }
 
-/// The words of the key in the order of the member's enum.
+/// Connects a key of words with an enum; the words must be in the order of its values.
 template <class Field>
 JobKey with_word(JobKey key, Field field) {
   key.get = [field, words = key.words](const Job& job) { return JobValue{{}, words[std::size_t(field(job))]}; };

@@ -49,7 +49,7 @@ void check_aspect(const CanvasSpec& canvas) {
   const int height_px = rounded_px(canvas.height_mm, px);
   if (std::abs(width_px - canvas.width_px) <= 1 && std::abs(height_px - canvas.height_px) <= 1) return;
   throw InputError("canvas.size_px: found " + size_text(canvas.width_px, canvas.height_px) +
-                   ", allowed with a canvas.size_mm of " + size_mm_text(canvas) + ": its aspect, as " +
+                   ", allowed with a canvas.size_mm of " + size_mm_text(canvas) + ": the same aspect ratio, such as " +
                    size_text(width_px, height_px));
 }
 

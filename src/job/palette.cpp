@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t kMostPaletteBytes = 64 << 10;
 constexpr std::size_t kMostColours = 256;
 
-/// Made for the default background, a warm white: each colour stands out from it and from the others.
+/// Made for the default background, a warm white: each colour contrasts with it and with the others.
 const std::map<std::string, std::vector<std::string>>& built_in() {
   static const std::map<std::string, std::vector<std::string>> palettes = {
       {"dusk", {"#264653", "#2a9d8f", "#e9a83b", "#ef7f45", "#c8443d", "#7b4b73", "#5b8fb9"}},
@@ -42,7 +42,7 @@ std::string in_lower_case(std::string text) {
   return text;
 }
 
-/// "38 70 83 name"; empty where it is none.
+/// The colour in a line of a GIMP palette, "38 70 83 name"; empty where the line is none.
 std::string gimp_colour(const std::string& line) {
   std::istringstream words(line);
   std::array<int, 3> rgb{};
@@ -61,7 +61,7 @@ bool is_gimp_header(const std::string& line) {
   throw InputError(where + ": found \"" + printable(found) + "\", allowed: " + allowed);
 }
 
-/// Reads one line after the other.
+/// The colours of a palette file, read line by line.
 std::vector<std::string> colours_in(const std::string& text, const std::string& path) {
   std::istringstream lines(text);
   std::vector<std::string> colours;
@@ -84,7 +84,7 @@ std::vector<std::string> colours_in(const std::string& text, const std::string& 
   return colours;
 }
 
-/// The first of equals.
+/// The colours without repetition.
 std::vector<std::string> distinct(const std::vector<std::string>& colours) {
   std::vector<std::string> result;
   for (const std::string& colour : colours) {
@@ -104,7 +104,7 @@ std::vector<std::string> colours_of_file(const std::string& path) {
   return colours;
 }
 
-/// `place`: who asks for it, for messages.
+/// `place` begins the messages: the key or option that asks for the palette.
 std::vector<std::string> load(const std::string& place, const std::vector<std::string>& palette) {
   if (is_colour_list(palette)) return distinct(palette);
   if (const auto found = built_in().find(palette[0]); found != built_in().end()) return found->second;

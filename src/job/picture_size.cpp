@@ -18,20 +18,20 @@ std::string found(const OutputSpec& output) {
   return "output.width_mm: found " + fixed(output.width_mm, 3) + " at an output.dpi of " + fixed(output.dpi, 3);
 }
 
-/// The key's value, in words, that gives so many px.
+/// The value of the key that gives this width in px, as text.
 std::string allowed(const OutputSpec& output, int width_px) {
   return output.width_mm == 0 ? std::to_string(width_px)
                               : fixed(std::floor(width_px * kMmPerInch / output.dpi * 10) / 10, 1) + " mm";
 }
 
-/// 0 x 0 where it has none. A canvas with a file may be less wide or high than the box that the job gives.
+/// The canvas' size on paper in mm; 0 x 0 where it has none. A canvas with a file may be smaller than the job's box.
 cv::Size2d canvas_size_mm(const CanvasSpec& spec, const Canvas& canvas) {
   if (spec.width_mm == 0) return {};
   const auto side = [&](int px, int box_px, double box_mm) { return px == box_px ? box_mm : px / px_per_mm(spec); };
   return {side(canvas.width_px, spec.width_px, spec.width_mm), side(canvas.height_px, spec.height_px, spec.height_mm)};
 }
 
-/// Else copies one below the other would not meet.
+/// Checks that the height is a whole number of px: otherwise copies one below the other would not meet.
 void check_whole_height(const OutputSpec& output, int width_px, const Canvas& canvas) {
   const long long rows = (long long)(width_px)*canvas.height_px;
   if (canvas.period.y_px == 0 || rows % canvas.width_px == 0) return;

@@ -8,12 +8,12 @@
 namespace tessera {
 namespace {
 
-// 300 trials for 1000 x 1000 px of pieces of 30 to 150 px: what the demo's job was tuned with.
+// 300 trials for a canvas of 1000 x 1000 px with pieces of 30 to 150 px, the numbers of the demo's job.
 constexpr double kGoodTrialsPerPiece = 300 * 30 * 150 / 1e6;
 // Coverage of that job: 88.2 % without trials, 90.3 % with 300, 91.1 % with 2,400.
 constexpr double kBestTrialsPerPiece = 8 * kGoodTrialsPerPiece;
 
-/// Of [pieces]; those of single shapes do not count. With fit = "all" drawn sizes are known when shapes are.
+/// The sizes of [pieces], without those of single shapes. With fit = "all", drawn sizes are known only from the shapes.
 Interval sizes_of(const Job& job) {
   const PieceSettings& pieces = job.settings.pieces;
   if (job.drawn_sizes && pieces.fit_all) return {pieces.min_scale_px, pieces.max_scale_px};
@@ -25,12 +25,13 @@ Interval sizes_of(const Job& job) {
   return sizes;
 }
 
-/// As if all had the geometric mean of the least and the greatest size and covered the rectangle or box.
+/// The number of pieces, if all had the geometric mean of the smallest and largest size and covered the rectangle or
+/// box.
 double expected_pieces(const CanvasSpec& canvas, const Interval& scale_px) {
   return double(canvas.width_px) * canvas.height_px / (double(scale_px.min) * scale_px.max);
 }
 
-/// To two significant digits: more would say that somebody knows them.
+/// Rounded to two significant digits: the estimate is no better.
 double rounded(double number) {
   double unit = 1;
   while (std::round(number / unit) >= 100) unit *= 10;

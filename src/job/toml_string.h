@@ -1,11 +1,11 @@
-// A text as a string of TOML, for who writes a job file.
+// A text as a TOML string, for writing job files.
 #pragma once
 
 #include <string>
 
 namespace tessera {
 
-/// The text, UTF-8, as a TOML string with its quotes.
+/// The UTF-8 text as a TOML string with its quotes.
 std::string toml_string(const std::string& text);
 
 }  // namespace tessera

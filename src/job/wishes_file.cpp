@@ -19,11 +19,11 @@ namespace {
 
 constexpr std::size_t kMostWishesBytes = std::size_t(1) << 20;
 constexpr std::size_t kMostShownBytes = 300;  // of a path
-constexpr std::size_t kMostCellBytes = 4096;  // few enough for whatever TOML they are
+constexpr std::size_t kMostCellBytes = 4096;  // few enough for any TOML value
 
 bool is_text(JobKind kind) { return kind == JobKind::texts || kind == JobKind::name || kind == JobKind::word; }
 
-/// A text stands in its cell as it is, a list of them as in TOML: ["owl*", "eagle"].
+/// The value of a cell. A text stands as it is, a list of texts as in TOML: ["owl*", "eagle"].
 toml::table value_of(const JobKey& column, const std::string& cell) {
   toml::table table = parse_value(cell);
   if (is_text(column.kind) && !table.get("value")->is_array()) return toml::table{{"value", cell}};
@@ -82,7 +82,7 @@ class WishesFile {
     return names;
   }
 
-  /// By its name, or by that in mm.
+  /// The column with this name, in px or in mm.
   const JobKey* column_of(const std::string& name) const {
     const JobKey* column = find_column(table_, name);
     return column ? column : length_in_mm(table_, name);
@@ -116,7 +116,7 @@ class WishesFile {
     }
   }
 
-  /// Spreadsheets write such rows behind the last one.
+  /// Whether all cells are empty: spreadsheets write such rows behind the last one.
   static bool says_nothing(const CsvRow& row) {
     return std::all_of(row.cells.begin(), row.cells.end(),
                        [](const std::string& cell) { return trimmed(cell).empty(); });
@@ -130,7 +130,7 @@ class WishesFile {
                      (more ? "; a list needs quotes, \"[20, 80]\", and a number has a point, 0.5, not a comma" : ""));
   }
 
-  /// An empty cell says nothing.
+  /// The row's values; an empty cell gives none.
   toml::table row_of(const CsvRow& row, const CsvRow& header, bool decimal_commas) const {
     toml::table values;
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
@@ -146,7 +146,7 @@ class WishesFile {
     return values;
   }
 
-  /// "0.5" of "0,5", as spreadsheets write a half in some languages; empty where the cell is no such number.
+  /// "0.5" from "0,5", as spreadsheets write a half in some languages; empty where the cell is no such number.
   std::string with_decimal_point(const std::string& column, const std::string& cell) const {
     const std::size_t comma = cell.find(',');
     if (is_text(column_of(column)->kind) || comma == cell.npos) return "";
@@ -155,7 +155,7 @@ class WishesFile {
     return with_point.find_first_not_of("+-.0123456789") == cell.npos ? with_point : "";
   }
 
-  /// Beside cells with commas between them a comma may also separate the numbers of a list.
+  /// Refuses a decimal comma in a table with commas between cells: there it could also separate the numbers of a list.
   [[noreturn]] void refuse_decimal_comma(const CsvRow& row, const std::string& column, const std::string& cell,
                                          const std::string& with_point) const {
     throw InputError(place(row) + ": [[shapes]] " + column + ": found \"" + printable(cell) +

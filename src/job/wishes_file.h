@@ -5,9 +5,9 @@
 
 namespace tessera {
 
-/// Puts the rows of Job::wishes before those of the job's [[shapes]], remembers their places, and empties the path:
-/// from then on they are the job's own, and its job.toml is whole without the file. Throws InputError that names file,
-/// line, column, what was found and what is allowed.
+/// Inserts the rows of the file Job::wishes before the job's own [[shapes]], notes their places in the file, and
+/// empties the path: job.toml of the result is then complete without the file. Throws InputError that names file, line,
+/// column, what was found and what is allowed.
 void add_wishes_of_file(Job& job);
 
 }  // namespace tessera

@@ -1,11 +1,11 @@
-// Affine maps of the plane, as SVG's matrix() has them: named target_from_source.
+// Affine maps of the plane, as in SVG's matrix(). Their names say target_from_source.
 #pragma once
 
 #include <opencv2/core.hpp>
 
 namespace tessera {
 
-/// First `second`, then `first`.
+/// The map that applies `second`, then `first`.
 inline cv::Matx23d joined(const cv::Matx23d& first, const cv::Matx23d& second) {
   cv::Matx23d result;
   for (int i = 0; i < 2; ++i) {
@@ -16,7 +16,7 @@ inline cv::Matx23d joined(const cv::Matx23d& first, const cv::Matx23d& second) {
   return result;
 }
 
-/// Of a map that has one.
+/// The inverse map; `m` must have one (its determinant is not 0).
 inline cv::Matx23d inverse(const cv::Matx23d& m) {
   const double k = 1 / (m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0));
   const double a = m(1, 1) * k, b = -m(0, 1) * k, c = -m(1, 0) * k, d = m(0, 0) * k;

@@ -10,7 +10,7 @@
 namespace tessera {
 namespace {
 
-/// Of an SVG that cannot be copied: its page may say any size.
+/// Picture size for an SVG that cannot be copied: the size that its page states may be anything.
 constexpr int kPictureOfSvg_px = 1024;
 
 std::optional<std::string> copied(std::span<const std::uint8_t> bytes, const std::string& path, const std::string& id,
@@ -18,7 +18,7 @@ std::optional<std::string> copied(std::span<const std::uint8_t> bytes, const std
   try {
     return drawers.import_svg(bytes, path, id);
   } catch (const InputError&) {
-    return std::nullopt;  // render says what is wrong, if anything is
+    return std::nullopt;  // Drawers::render reports the error, if there is one
   }
 }
 

@@ -1,4 +1,4 @@
-// A foreign drawing as part of an SVG document: vectors where it can be copied as such, else its pixels.
+// A foreign drawing as part of an SVG document: as vectors where it can be copied, else as pixels.
 #pragma once
 
 #include <cstdint>
@@ -11,12 +11,12 @@
 namespace tessera {
 
 struct EmbeddedDrawing {
-  std::string svg;  // an element
-  cv::Size2d size;  // of its page, in units of the element; the page's corner lies at (0, 0)
+  std::string svg;  // an SVG element
+  cv::Size2d size;  // of the drawing's page, in units of the element; the page's corner is at (0, 0)
 };
 
-/// An element with this id. An SVG is copied (svg_import.h); where that cannot be, and of an image, it is a picture of
-/// kMaxBitmapSide_px at most. Errors as Drawers::render.
+/// The drawing as an element with this id. An SVG is copied (svg_import.h); an SVG that cannot be copied, or an image,
+/// becomes a picture of at most kMaxBitmapSide_px. Throws the errors of Drawers::render.
 EmbeddedDrawing embedded_drawing(std::span<const std::uint8_t> bytes, const std::string& path, const std::string& id,
                                  Drawers& drawers);
 

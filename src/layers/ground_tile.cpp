@@ -21,34 +21,36 @@
 namespace tessera {
 namespace {
 
-constexpr const char* kGroundId = "ground-drawing";  // that of the pattern is "ground"
+constexpr const char* kGroundId = "ground-drawing";  // "ground" is the id of the pattern
 
 double whole_part_of(double period_px, double length_px) {
   return period_px / std::max(1., std::round(period_px / length_px));
 }
 
-/// Its upper left pixels that are whole: a page of an SVG may end within the last ones, and tiles would not meet.
+/// The pixels of the page that the drawing covers wholly. The page of an SVG may end within the last pixels, and tiles
+/// would not fit together.
 cv::Mat whole_px(const cv::Mat& page, cv::Size2d natural) {
   const double scale = std::max(page.cols, page.rows) / std::max(natural.width, natural.height);
   const auto whole = [&](double side, int px) { return std::clamp(int(std::floor(side * scale + 1e-6)), 1, px); };
   return page(cv::Rect(0, 0, whole(natural.width, page.cols), whole(natural.height, page.rows)));
 }
 
-/// A page of many pixels was reduced; a photo may have been turned.
+/// The size of the drawing as its file states it. The page may be smaller (many pixels are reduced), and a photo may
+/// have been turned.
 cv::Size2d size_in_file(std::span<const std::uint8_t> bytes, cv::Size page) {
   const cv::Size2d found = image_size_from_header(bytes).value_or(cv::Size2d(page));
   if (found.area() <= page.area()) return page;
   return (found.width > found.height) == (page.width > page.height) ? found : cv::Size2d(found.height, found.width);
 }
 
-/// As fine as the picture shows it.
+/// Longest side of the page that gives the tile as many pixels as the picture has there.
 int page_side_px(const OutputSpec& output, const Canvas& canvas, cv::Size2d tile_px) {
   const double picture_px = double(picture_width_px(output)) / canvas.width_px;
   const double side_px = std::ceil(picture_px * std::max(tile_px.width, tile_px.height));
   return int(std::clamp(side_px, 1., double(kMaxArtworkSide_px)));
 }
 
-/// One that is embedded need not be larger.
+/// The page, scaled down to the largest size of an embedded picture.
 cv::Mat embedded(const cv::Mat& page) {
   const double scale = double(kMaxBitmapSide_px) / std::max(page.cols, page.rows);
   if (scale >= 1) return page;

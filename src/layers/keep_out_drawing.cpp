@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kKeepOutId = "keep-out";
 
-/// Twice as fine as the picture, as the sprites of pieces are.
+/// Longest side of the page: twice as fine as the picture, like the sprites of pieces.
 int page_side_px(const OutputSpec& output, const Canvas& canvas, const cv::Rect2d& place_px) {
   const double picture_px = double(picture_width_px(output)) / canvas.width_px;
   const double side = 2 * picture_px * std::max(place_px.width, place_px.height);

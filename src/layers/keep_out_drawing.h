@@ -1,4 +1,4 @@
-// The drawing in canvas.keep_out as part of the pictures: letters, a logo.
+// The drawing of canvas.keep_out (letters, a logo) as part of the pictures.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -12,16 +12,17 @@
 namespace tessera {
 
 struct KeepOutDrawing {
-  cv::Rect2d place_px;  // of its page on the canvas, px of it
-  cv::Mat page;         // straight BGRA; empty: there is none
-  std::string svg;      // the same as an SVG element, its page svg_width wide in units of its own
+  cv::Rect2d place_px;  // of the drawing's page, in canvas px
+  cv::Mat page;         // straight BGRA; empty: no drawing
+  std::string svg;      // the same as an SVG element; its page is svg_width wide, in its own units
   double svg_width = 0;
-  /// Closed curves in canvas px, even-odd, where the page has a background, which is not drawn. Empty: it has none.
+  /// Closed curves in canvas px, even-odd, round what is drawn where the page has a background of its own. Empty: it
+  /// has no background.
   std::vector<std::vector<Vec2>> clip;
 };
 
-/// Of the file `path` (canvas.keep_out; empty: none), drawn fine enough for pictures of that output, up to the largest
-/// page that is drawn. Throws InputError where it cannot be drawn, and DrawingStopped.
+/// Draws the file `path` (canvas.keep_out; empty: none) with enough pixels for the pictures of that output, up to the
+/// largest page that a drawer draws. Throws InputError where it cannot be drawn, and DrawingStopped.
 KeepOutDrawing draw_keep_out(const std::string& path, const OutputSpec& output, const Canvas& canvas, Drawers& drawers);
 
 }  // namespace tessera

@@ -6,10 +6,10 @@
 
 namespace tessera {
 
-/// The longest side of pictures that are embedded; larger ones are scaled down.
+/// Longest side of an embedded picture; larger ones are scaled down.
 inline constexpr int kMaxBitmapSide_px = 2048;
 
-/// An <image> with this id, a unit a pixel, that holds the straight BGRA as PNG.
+/// An <image> element with this id that holds the straight BGRA picture as PNG. A pixel is one unit.
 std::string svg_image(const cv::Mat& bgra, const std::string& id);
 
 }  // namespace tessera

@@ -9,10 +9,10 @@
 namespace tessera {
 namespace {
 
-/// Cells of the picture on each side: deformed pieces go beyond the grid, where a smooth picture would fade.
+/// Cells that are added on each side: deformed pieces reach beyond the grid, where a smoothed picture would fade.
 constexpr int kRing = 2;
 
-/// Premultiplied, alpha from 0 to 1.
+/// The colour premultiplied, with alpha from 0 to 1.
 cv::Vec4f premultiplied(const cv::Vec4b& bgra) {
   const float alpha = float(bgra[3]) / 255;
   return {float(bgra[0]) * alpha, float(bgra[1]) * alpha, float(bgra[2]) * alpha, alpha};
@@ -20,7 +20,7 @@ cv::Vec4f premultiplied(const cv::Vec4b& bgra) {
 
 using Cells = std::array<cv::Vec4f, kColourCells>;
 
-/// At a point of the grid, a cell being a unit.
+/// The colour at a point of the grid; a cell is one unit.
 cv::Vec4f at(const Cells& cells, double x, double y) {
   const double u = std::clamp(x - 0.5, 0., kColourSide - 1.);
   const double v = std::clamp(y - 0.5, 0., kColourSide - 1.);

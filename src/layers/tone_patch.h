@@ -1,4 +1,4 @@
-// Colours that are laid over a piece, most of them hardly seen, so that it comes nearer to the picture beneath it.
+// Translucent colours that are laid over a piece, mostly faint, so that its colours come nearer to the picture beneath.
 #pragma once
 
 #include <array>
@@ -8,26 +8,27 @@
 
 namespace tessera {
 
-/// A grid of colours that change evenly from the middle of a cell to the next; beyond the outermost middles they stay.
+/// A grid of colours, interpolated linearly between the centres of cells; beyond the outermost centres they are
+/// constant.
 struct TonePatch {
   std::array<cv::Vec4b, kColourCells> bgra{};          // of the cells, row by row, straight alpha
-  cv::Matx23d canvas_from_cells = {1, 0, 0, 0, 1, 0};  // canvas px; a cell is a unit, the grid begins at (0, 0)
+  cv::Matx23d canvas_from_cells = {1, 0, 0, 0, 1, 0};  // canvas px; a cell is one unit, the grid begins at (0, 0)
 
-  /// Nothing would change.
+  /// Whether all cells are transparent.
   bool empty() const;
-  /// Of all cells, premultiplied.
+  /// The mean of all cells, premultiplied.
   cv::Vec4d mean() const;
 };
 
-/// The patch with a ring of the same colours round it, one px a cell: straight BGRA. Drawn smoothly it has no edge where
-/// a piece is.
+/// The patch as straight BGRA, one px a cell, with two more px of the edge's colours on each side. Drawn with smoothing
+/// it has no visible edge inside the piece.
 cv::Mat patch_picture(const TonePatch& patch);
 
-/// Canvas px from px of patch_picture.
+/// Maps px of patch_picture to canvas px.
 cv::Matx23d canvas_from_patch_picture(const TonePatch& patch);
 
-/// Lays it over a part of a picture: `bgra` is premultiplied, its upper left pixel is `origin`, and a canvas px has
-/// `picture_px`. What is transparent stays so.
+/// Lays the patch over a part of a picture. `bgra` is premultiplied, its upper left pixel is `origin`, and a canvas px
+/// is `picture_px` of its pixels wide. Transparent pixels stay transparent.
 void lay_patch(const TonePatch& patch, cv::Point origin, double picture_px, cv::Mat& bgra);
 
 }  // namespace tessera

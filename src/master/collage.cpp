@@ -153,7 +153,7 @@ Window Collage::place(const Candidate& candidate) {
   const Window changed = free_.stamp(shape, candidate.canvas_from_shape);
   changed_nodes_ = free_.grid().united(changed_nodes_, changed);
   retrace(changed);
-  drop_what_is_too_near_to(placements_.back());
+  drop_candidates_near(placements_.back());
   update_open_shapes();
   return piece_window(shape.outline, candidate.canvas_from_shape, free_.field().origin,
                       2 + kept_distance_px(settings_.pieces));
@@ -222,7 +222,7 @@ bool Collage::keeps_apart(const Candidate& candidate) {
   return apart_.may_stand(candidate.shape, candidate.canvas_from_shape, candidate.radius);
 }
 
-void Collage::drop_what_is_too_near_to(const Placement& placement) {
+void Collage::drop_candidates_near(const Placement& placement) {
   if (!apart_.concerns(placement.shape)) return;
   const auto may_stay = [&](const Candidate& c) {
     return !apart_.are_like(c.shape, placement.shape) || keeps_apart(c);

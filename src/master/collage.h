@@ -123,14 +123,14 @@ class Collage {
   const MatchingContext& context() const { return open_shapes_.context(); }
   float score(const Candidate& candidate) const;
   ExactAreas check_exactly(Candidate& candidate);
-  enum class Settled { unfit, touches_little, fit };
+  enum class Settled { unfit, touches_too_little, fit };
   Settled settle(Candidate& candidate);
   Window stamp_window(const Placement& placement);
   Window restamp(const std::vector<Placement>& changed);
   void update_open_shapes();
   bool keeps_apart(const Candidate& candidate);
   std::vector<ShapeId> shut_out_shapes() const;
-  void drop_what_is_too_near_to(const Placement& placement);
+  void drop_candidates_near(const Placement& placement);
   std::vector<SampleId> pooled_near(const Window& changed) const;
   template <class Keep>
   void review(SampleId id, Keep keep);

@@ -32,7 +32,7 @@ std::vector<Pool::Ranked> Collage::finalists() {
       chosen.push_back(ranked);
       looks.push_back(&c);
     }
-    return ++examined < kFinalistsLookedAt && chosen.size() < kFinalists;
+    return ++examined < kFinalistsExamined && chosen.size() < kFinalists;
   });
   return chosen;
 }
@@ -64,7 +64,7 @@ Collage::Settled Collage::settle(Candidate& candidate) {
   const bool shows_overlap =
       !overlaps_little(candidate) || !overlaps_little(candidate, areas, settings_.pieces.padding_px);
   if (shows_overlap || !keeps_apart(candidate)) return Settled::unfit;
-  return touches(candidate) ? Settled::fit : Settled::touches_little;
+  return touches(candidate) ? Settled::fit : Settled::touches_too_little;
 }
 
 const HullRoom& Collage::room_of(ShapeId shape) {
@@ -122,7 +122,7 @@ bool Collage::choose_in_gap(Candidate& best, const Window& window, const StopChe
         candidate.radius = model.radius;
         const Settled settled = settle(candidate);
         const float matched = candidate.terms.matched_px / (candidate.perimeter * candidate.canvas_from_shape.scale());
-        if (settled == Settled::fit || (settled == Settled::touches_little && matched > most_matched)) {
+        if (settled == Settled::fit || (settled == Settled::touches_too_little && matched > most_matched)) {
           most_matched = matched;
           best = candidate;
         }

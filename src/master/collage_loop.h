@@ -17,9 +17,9 @@ namespace tessera::master {
 struct CollageResult {
   std::vector<Placement> placements;
   RunStatistics statistics;
-  bool unfinished = false;        // the observer asked to stop or the matcher threw Interrupted, before all was done
-  RunStatistics own_work;         // times, rounds and target samples of this call alone, trials included
-  bool gave_up_question = false;  // the matcher threw Interrupted: it must not be asked again
+  bool unfinished = false;           // the observer asked to stop or the matcher threw Interrupted, before all was done
+  RunStatistics own_work;            // times, rounds and target samples of this call alone, trials included
+  bool matcher_interrupted = false;  // the matcher threw Interrupted: it must not be asked again
 };
 
 /// The state from which the loop starts, and the keeper of its checkpoints.

@@ -88,7 +88,7 @@ std::vector<std::size_t> Improving::pieces_near(Vec2 gap_px) const {
     const Vec2 gap = collage_.free().grid().period().nearest(gap_px, pose.translation());
     nearest.emplace_back(norm(pose.translation() - gap) - kDiscRadius * pose.scale(), i);
   }
-  const std::size_t count = std::min<std::size_t>(nearest.size(), kRuinedLookedAt);
+  const std::size_t count = std::min<std::size_t>(nearest.size(), kRuinedExamined);
   std::partial_sort(nearest.begin(), nearest.begin() + std::ptrdiff_t(count), nearest.end());
   std::vector<std::size_t> result;
   for (std::size_t k = 0; k < count; ++k) result.push_back(nearest[k].second);
@@ -173,8 +173,8 @@ Trial Improving::try_once(std::uint32_t trial, const StopCheck& check_stop, std:
   return try_with(change, check_stop);
 }
 
-Trial Improving::come_to_rest(const std::vector<Placement>& placements, std::uint32_t trial,
-                              const StopCheck& check_stop) {
+Trial Improving::relax_replaced_pieces(const std::vector<Placement>& placements, std::uint32_t trial,
+                                       const StopCheck& check_stop) {
   return try_with([&] { relax_all(placements, kSettleCollage, trial, check_stop); }, check_stop);
 }
 

@@ -31,7 +31,8 @@ class Improving {
 
   /// A trial that replaces the placements by these, which may overlap, and relaxes them until their outlines are clear of
   /// each other.
-  Trial come_to_rest(const std::vector<Placement>& placements, std::uint32_t trial, const StopCheck& check_stop);
+  Trial relax_replaced_pieces(const std::vector<Placement>& placements, std::uint32_t trial,
+                              const StopCheck& check_stop);
 
  private:
   std::vector<std::size_t> pieces_near(Vec2 gap_px) const;

@@ -46,7 +46,7 @@ void ImprovingPhase::step() {
   if (state_.replaced < all) {
     replace(all);
   } else {
-    come_to_rest();
+    relax_replaced_pieces();
   }
 }
 
@@ -83,9 +83,9 @@ void ImprovingPhase::replace(std::uint64_t all) {
 }
 
 /// Relaxes the replaced pieces until they are clear of each other, and keeps them or puts the former pieces back.
-void ImprovingPhase::come_to_rest() {
-  const Trial trial =
-      improving_.come_to_rest(state_.moving, std::uint32_t(state_.trials), [this] { parts_.end.check_stop(); });
+void ImprovingPhase::relax_replaced_pieces() {
+  const Trial trial = improving_.relax_replaced_pieces(state_.moving, std::uint32_t(state_.trials),
+                                                       [this] { parts_.end.check_stop(); });
   state_.replace_in({});
   count(trial);
 }

@@ -47,7 +47,7 @@ class ImprovingPhase {
   void begin_replacing();
   std::uint64_t replacements();
   void replace(std::uint64_t all);
-  void come_to_rest();
+  void relax_replaced_pieces();
   void count(Trial trial);
   bool may_improve() const;
   bool reached_limit();

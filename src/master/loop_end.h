@@ -46,7 +46,7 @@ class LoopEnd {
   bool is_over() const { return limit_ || interruption_; }
   bool is_interrupted() const { return interruption_.has_value(); }
   /// Whether the matcher, and not check_stop(), threw Interrupted. The matcher must not be asked again then.
-  bool gave_up_question() const { return is_interrupted() && !asked_to_stop_; }
+  bool matcher_interrupted() const { return is_interrupted() && !asked_to_stop_; }
   StopReason reason() const { return interruption_.value_or(limit_.value_or(full_)); }
 
  private:

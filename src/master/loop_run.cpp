@@ -94,7 +94,7 @@ CollageResult LoopRun::finish() {
   whole.stopped_by = end_.reason();
   if (keeper_) keeper_->keep(checkpoint());
   return {collage().placements(), whole, end_.is_interrupted(), statistics_.of_this_call(end_.own_s()),
-          end_.gave_up_question()};
+          end_.matcher_interrupted()};
 }
 
 }  // namespace tessera::master

@@ -4,7 +4,7 @@ namespace tessera::master {
 
 RunStatistics LoopStatistics::of_run(const LoopState& state) const {
   RunStatistics run = filling;
-  tell(run, state);
+  copy_to_statistics(run, state);
   return run;
 }
 

@@ -10,15 +10,16 @@ namespace tessera::master {
 
 std::int64_t OffColour::loss_256ths_px2(const std::vector<Placement>& placements) {
   if (!wish_) return 0;
-  std::map<Lying, std::int64_t> losses;
+  std::map<PosedShapeKey, std::int64_t> losses;
   std::int64_t sum = 0;
   for (const Placement& p : placements) {
     const auto bits = [](float value) { return std::bit_cast<std::uint32_t>(value); };
     const Similarity& pose = p.canvas_from_shape;
-    const Lying lying = {std::uint32_t(index_of(p.shape)), bits(pose.a), bits(pose.b), bits(pose.tx), bits(pose.ty)};
-    const auto known = losses_.find(lying);
+    const PosedShapeKey key = {std::uint32_t(index_of(p.shape)), bits(pose.a), bits(pose.b), bits(pose.tx),
+                               bits(pose.ty)};
+    const auto known = losses_.find(key);
     const std::int64_t loss = known != losses_.end() ? known->second : loss_of(p);
-    losses.emplace(lying, loss);
+    losses.emplace(key, loss);
     sum += loss;
   }
   losses_ = std::move(losses);

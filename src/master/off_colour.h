@@ -22,12 +22,12 @@ class OffColour {
   std::int64_t loss_256ths_px2(const std::vector<Placement>& placements);
 
  private:
-  using Lying = std::array<std::uint32_t, 5>;  // shape and the bits of its pose
+  using PosedShapeKey = std::array<std::uint32_t, 5>;  // shape and the bits of its pose
   std::int64_t loss_of(const Placement& placement) const;
 
   ColourWish wish_;
   ShapeSource& shapes_;
-  std::map<Lying, std::int64_t> losses_;  // of the pieces of the last call, most of which stay
+  std::map<PosedShapeKey, std::int64_t> losses_;  // of the pieces of the last call, most of which stay
 };
 
 }  // namespace tessera::master

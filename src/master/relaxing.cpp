@@ -67,7 +67,7 @@ std::vector<Placement> Relaxing::relaxed(const std::vector<Placement>& placement
   std::vector<Placement> result = placements;
   for (const std::size_t i : moving) result[i].canvas_from_shape = pieces[i].canvas_from_shape;
   for (auto i = lost.rbegin(); i != lost.rend(); ++i) result.erase(result.begin() + std::ptrdiff_t(*i));
-  return without_too_near(result, given, settings_, shapes_, free_.grid().period());
+  return without_pieces_near_like(result, given, settings_, shapes_, free_.grid().period());
 }
 
 }  // namespace tessera::master

@@ -77,7 +77,7 @@ std::vector<Placement> Replacing::batch(const std::vector<Placement>& placements
   ReplacementProgress after = progress;
   plan(cuts, after);
   const std::vector<IncomingShape> incoming = incoming_shapes(stances_, shapes_, key);
-  const std::vector<ReplacementOutcome> outcomes = asked(cuts, all, incoming, check_stop);
+  const std::vector<ReplacementOutcome> outcomes = run_windows(cuts, all, incoming, check_stop);
   progress = after;
   return joined(placements, cuts, outcomes);
 }
@@ -105,9 +105,9 @@ void Replacing::plan(std::vector<CutWindow>& cuts, ReplacementProgress& progress
 
 /// Asks for a few windows at a time for each core that works on them, so that no question is long or holds the memory of
 /// all windows.
-std::vector<ReplacementOutcome> Replacing::asked(std::vector<CutWindow>& cuts, const std::vector<PosedPiece>& all,
-                                                 const std::vector<IncomingShape>& incoming,
-                                                 const StopCheck& check_stop) {
+std::vector<ReplacementOutcome> Replacing::run_windows(std::vector<CutWindow>& cuts, const std::vector<PosedPiece>& all,
+                                                       const std::vector<IncomingShape>& incoming,
+                                                       const StopCheck& check_stop) {
   const std::map<ShapeId, double> all_px2 = covered_px2(all);
   const std::size_t most = kWindowsAtATime * std::size_t(replacer_.breadth());
   std::vector<ReplacementOutcome> outcomes;
@@ -117,7 +117,7 @@ std::vector<ReplacementOutcome> Replacing::asked(std::vector<CutWindow>& cuts, c
       check_stop();
       ReplacementWindow window = std::move(cuts[i].window);
       windows_.complete(window);
-      window.incoming = let_into(window.box, incoming, settings_.wishes.not_back, period_, shapes_);
+      window.incoming = shapes_for_window(window.box, incoming, settings_.wishes.not_back, period_, shapes_);
       window.drawn = drawn_in(window, all_px2);
       windows.push_back(std::move(window));
     }

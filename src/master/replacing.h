@@ -51,8 +51,8 @@ class Replacing {
 
  private:
   void plan(std::vector<CutWindow>& cuts, ReplacementProgress& progress) const;
-  std::vector<ReplacementOutcome> asked(std::vector<CutWindow>& cuts, const std::vector<PosedPiece>& all,
-                                        const std::vector<IncomingShape>& incoming, const StopCheck& check_stop);
+  std::vector<ReplacementOutcome> run_windows(std::vector<CutWindow>& cuts, const std::vector<PosedPiece>& all,
+                                              const std::vector<IncomingShape>& incoming, const StopCheck& check_stop);
   std::vector<Placement> joined(const std::vector<Placement>& placements, const std::vector<CutWindow>& cuts,
                                 const std::vector<ReplacementOutcome>& outcomes) const;
 

@@ -17,68 +17,70 @@
 namespace tessera {
 namespace {
 
-// Measured with release builds on two cores of a Xeon (2.0 GHz, PoCL 3.1, hardly any other work beside it): libraries
-// of 120 to 10,000 shapes, canvases of 500 to 1500 px, pieces of 14-90, 20-160 and 30-240 px, one process, 12 runs. The
-// ranges say how far the constants of single runs lie apart.
+// The constants were measured with release builds on two cores of a Xeon (2.0 GHz, PoCL 3.1, hardly any other work
+// beside it): libraries of 120 to 10,000 shapes, canvases of 500 to 1500 px, pieces of 14-90, 20-160 and 30-240 px, one
+// process, 12 runs. A range says how far single runs differ.
 
-// Pieces: canvas area by pieces, in products of the smallest and the largest scale: 1.4 (5 shapes) to 2.9 (815).
+// Canvas area for each piece, divided by the product of smallest and largest scale: 1.4 (5 shapes) to 2.9 (815 shapes).
 constexpr double kAreaOfAPiece = 1.8;
-// card.json, target_samples by pieces: 62 to 82; 104 on 3000 px.
+// Target samples for each piece (card.json, target_samples): 62 to 82; 104 on a canvas of 3000 px.
 constexpr double kSamplesOfAPiece = 80;
-// The most samples that were open at a time, by the pieces of the whole collage: 10.3 to 11.6 (four runs).
+// Largest number of open samples at a time, divided by the pieces of the whole collage: 10.3 to 11.6 (four runs).
 constexpr double kOpenSamplesOfAPiece = 11;
 
-// prune_s by samples, `tessera bench library`: 57, 113 and 203 us with 120, 1,000 and 10,000 shapes, by the cube root
-// of the library's PADs, as the best pairs are nearer in a denser library; 0.86 to 1.05 times what it says.
+// prune_s for each sample (`tessera bench library`): 57, 113 and 203 us with 120, 1,000 and 10,000 shapes. It grows
+// with the cube root of the library's PADs, as the best pairs are nearer in a denser library. Measured: 0.86 to 1.05
+// times the formula.
 constexpr double kPairsOfCubeRoot_s = 1.6e-6;
-// dock_s by samples: 100, 130 and 133 us, by the square root of shapes; 0.9 to 1.2 times what it says.
+// dock_s for each sample: 100, 130 and 133 us; it grows with the square root of the number of shapes. Measured: 0.9 to
+// 1.2 times the formula.
 constexpr double kDocking_s = 95e-6;
 constexpr double kDockingOfRoot_s = 0.5e-6;
-// objective_s + merge_s: 1.9 to 4.2 ms a piece.
+// objective_s + merge_s for each piece: 1.9 to 4.2 ms.
 constexpr double kMasterOfAPiece_s = 2.5e-3;
-// Attempts at sizes with fit = "all": 1 to 5 of the twelve that there may be (seven jobs).
+// Attempts at sizes with fit = "all": 1 to 5 of at most twelve (seven jobs).
 constexpr double kAttempts = 3;
-// improve_s by trials: 19 ms (185 shapes) and 30 ms (1,138).
+// improve_s for each trial: 19 ms (185 shapes) and 30 ms (1,138 shapes).
 constexpr double kSamplesOfATrial = 60;
 constexpr double kMasterOfATrial_s = 7e-3;
-// 2,000 of them, 60 to 120 px: 18 s on one core.
+// Time of one replacement trial: 2,000 trials with pieces of 60 to 120 px took 18 s on one core.
 constexpr double kReplacement_s = 9e-3;
-// From the start to the first round and from the last to the files: kernels (0.1 s, or 1 to 8 when they are compiled
-// for the first time), card, pictures (1 s for one of 2000 px); and a worker's part of the library.
+// Time before the first round and after the last one: kernels (0.1 s, or 1 to 8 s when they are compiled for the first
+// time), card, pictures (1 s for one of 2000 px); and a worker's part of the library.
 constexpr double kOverhead_s = 2;
 constexpr double kLoadingAShape_s = 0.45e-3;
 constexpr double kWritingAPiece_s = 5e-3;
 
-// Peak resident memory of the ranks of 3-rank runs and of single processes, /proc's maximum, from before freed memory
-// was kept; so that is added.
+// Peak resident memory of the ranks of 3-rank runs and of single processes (the maximum in /proc). Freed memory was not
+// kept in these runs, so kKeptFreed_bytes is added.
 constexpr double kMasterProcess_bytes = 95e6 + kKeptFreed_bytes;
 constexpr double kWorkerProcess_bytes = 155e6 + kKeptFreed_bytes;
 constexpr double kBothProcess_bytes = 175e6 + kKeptFreed_bytes;
-// Master, while quality is counted: 60 bytes a canvas px at 1 and 4 Mpx; beyond, 18 more for each (16 Mpx), as it is
-// counted coarser there.
+// Master, while quality is measured: 60 bytes for each canvas px at 1 and 4 Mpx; beyond, 18 for each further px (16
+// Mpx), as the measurement is coarser there.
 constexpr double kCountedNode_bytes = 60;
 constexpr double kCoarseNode_bytes = 18;
 constexpr double kFineCanvas_px2 = 4e6;
-// Master, while the picture is drawn: as before at 4 Mpx with 232 drawings of openclipart, and from 14 Mpx on what
-// PictureLimits allows (png_output.h) with the bands and copies beside it; and the canvas' fields.
+// Master, while the picture is drawn: bytes for each picture px (at 4 Mpx with 232 drawings of openclipart). From 14
+// Mpx on it is what PictureLimits allows (picture_drawing.h) with the bands and copies. The canvas' fields are added.
 constexpr double kPicture_bytes = 60;
 constexpr double kMostPicture_bytes = 850e6;
 constexpr double kDrawnNode_bytes = 5;
-// Worker, by canvas px: the field on the host and on the device.
+// Worker, for each canvas px: the field on the host and on the device.
 constexpr double kFieldNode_bytes = 10;
-// Whole shapes: the latest that the master keeps, and those on their way to a worker's device, so many at most.
+// Whole shapes: the master keeps the last kKeptShapes; at most kPassingShapes are on their way to a worker's device.
 constexpr double kWholeShape_bytes = 80e3;
 constexpr double kKeptShapes = 1024;
 constexpr double kPassingShapes = 512;
 
-// The checkpoint's format, not a measurement: bytes of a piece, of an open target sample with as many candidates as the
-// pool keeps of it, of a sample that was matched; the empty file.
+// These follow from the checkpoint's format: bytes of a piece, of an open target sample with as many candidates as the
+// pool keeps for it, of a sample that was matched, and of the empty file.
 constexpr double kCheckpointPiece_bytes = 28;
 constexpr double kCheckpointSample_bytes = 69 + 65. * kPoolPerSample;
 constexpr double kCheckpointPass_bytes = 8;
 constexpr double kCheckpoint_bytes = 50e3;
 
-/// Up to `edge` at one price, beyond it at another.
+/// The cost of an amount: one price up to `edge`, another price beyond it.
 double priced(double amount, double edge, double price, double price_beyond) {
   return price * std::min(amount, edge) + price_beyond * std::max(0., amount - edge);
 }
@@ -91,14 +93,14 @@ std::vector<std::uint32_t> drawings_of(const PlanInput& input) {
   return drawings;
 }
 
-/// With fit = "all", where sizes follow from them.
+/// Pieces that fit = "all" asks for; the sizes follow from their number.
 double wanted_pieces(const PlanInput& input) {
   double pieces = 0;
   for (const MissingPieces& missing : missing_pieces(input.settings, drawings_of(input), {})) pieces += missing.wanted;
   return pieces;
 }
 
-/// Where nothing in [stop] limits their number.
+/// Pieces of a filled canvas, as if [stop] had no limits.
 double pieces_when_filled(const PlanInput& input, double coverage) {
   const PieceSettings& pieces = input.settings.pieces;
   if (pieces.fit_all) return coverage * wanted_pieces(input);
@@ -112,7 +114,8 @@ double expected_pieces(const PlanInput& input) {
   return stop.pieces > 0 ? std::min(pieces, double(stop.pieces)) : pieces;
 }
 
-/// A device that is the host itself holds its part of the library, and the lists of pairs, in the worker's memory.
+/// Adds the memory. A device that is the host itself (a CPU) keeps its part of the library and the lists of pairs in
+/// the worker's memory.
 void add_memory(const PlanInput& input, const MatchingContext& context, PlanEstimate& plan) {
   const double shapes = double(plan.shapes_per_worker);
   const worker::ShardBytes shard = worker::shard_bytes(context, plan.shapes_per_worker, input.reads);
@@ -128,24 +131,25 @@ void add_memory(const PlanInput& input, const MatchingContext& context, PlanEsti
   const double counting = priced(input.canvas_nodes, kFineCanvas_px2, kCountedNode_bytes, kCoarseNode_bytes);
   const double drawing =
       kDrawnNode_bytes * input.canvas_nodes + std::min(kPicture_bytes * input.picture_px2, kMostPicture_bytes);
-  const double master = kept + std::max(counting, drawing);  // counted and drawn one after the other
+  const double master = kept + std::max(counting, drawing);  // measuring and drawing do not overlap
   plan.worker_bytes = kWorkerProcess_bytes + field + library;
   plan.master_bytes = kMasterProcess_bytes + master;
   if (input.ranks == 1) plan.worker_bytes = plan.master_bytes = kBothProcess_bytes + field + library + master;
   plan.node_bytes = plan.master_bytes + (plan.ranks_per_node - 1) * plan.worker_bytes;
 }
 
-/// With limits in seconds the times add up to no more than these.
+/// The time within a limit in seconds; 0: no limit.
 double limited(double seconds, double limit_s) { return limit_s > 0 ? std::min(seconds, limit_s) : seconds; }
 
-/// Of so many trials: each rank with its cores, but no more of them than there are windows.
+/// Time of so many trials. Each rank works with its cores, but at most one worker works for each window.
 double replacing_s(const PlanInput& input, const PlanEstimate& plan, double trials) {
   const double window_px = double(least_window_px(input.settings.pieces));
   const double windows = std::max(1., input.canvas_px2 / (window_px * window_px));
   return trials * double(master::kReplacementsPerTrial) * kReplacement_s / std::min(double(plan.workers), windows);
 }
 
-/// A limit that ends the filling leaves nothing to improve; a number of pieces that is not reached is none.
+/// Number of improvement trials. A limit that ends the filling leaves nothing to improve; a number of pieces that is
+/// not reached is no limit.
 double expected_trials(const PlanInput& input, double trials_a_second) {
   const ImproveSettings& improve = input.settings.improve;
   StopSettings stop = input.settings.stop;

@@ -1,4 +1,4 @@
-// What the estimates take, from the problem that the ranks of a run would go by.
+// The input of the estimates, taken from the problem that the ranks of a run would share.
 #pragma once
 
 #include "plan/plan_estimate.h"

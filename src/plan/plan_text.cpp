@@ -15,7 +15,7 @@ constexpr double kMemoryMargin = 1.25;
 constexpr double kTimeMargin = 3;
 constexpr double kTimeStep_s = 300;
 constexpr double kMemoryStep_bytes = 100e6;
-constexpr int kWarning_s = 120;  // before the time limit, as in slurm/*.sbatch
+constexpr int kWarning_s = 120;  // Slurm's signal this long before the time limit, as in slurm/*.sbatch
 
 std::string line(const std::string& label, const std::string& value) {
   constexpr std::size_t kLabelWidth = 22;
@@ -37,7 +37,7 @@ TimeUnit unit_of(double seconds) {
   return seconds < 7200 ? TimeUnit{60, " min", 0} : TimeUnit{3600, " h", 1};
 }
 
-/// The parts have the unit of their sum, and a digit more.
+/// The total and its parts in the same unit; the parts have one digit more.
 std::string time_text(const PlanEstimate& plan) {
   const TimeUnit unit = unit_of(plan.total_s);
   const auto part = [&](double seconds) { return fixed(seconds / unit.seconds, unit.decimals + 1) + unit.name; };
@@ -82,13 +82,13 @@ std::string plan_text(const PlanInput& input, const PlanEstimate& plan) {
          line("pieces", "about " + fixed(plan.pieces, 0)) + memory_text(input, plan) + line("time", time_text(plan)) +
          (input.settings.pieces.fit_all ? line("", "for a few attempts at sizes (pieces.fit), of 12 at most") : "") +
          line("checkpoint", "about " + megabytes(plan.checkpoint_bytes)) +
-         "\nFrom formulas with figures of one machine, 120 to 10,000 shapes and 30 to 500 pieces; a worker has two CPU "
-         "cores of\n2 GHz. Half or twice the time is likely; the network is not in it, nor what a GPU changes. In 12 "
-         "runs on a "
-         "quiet\nmachine the memory was 0.8 to 1.0 and the time 0.5 to 0.7 times the estimate. Beside that each "
-         "process "
-         "may keep " +
-         megabytes(double(kKeptFreed_bytes)) + "\nof freed memory, which are counted.\n";
+         "\nThe formulas were measured on one machine, with 120 to 10,000 shapes and 30 to 500 pieces; a worker has "
+         "two\n"
+         "CPU cores of 2 GHz. The run may well take half or twice the time; network and GPUs are not considered. In "
+         "12\n"
+         "runs on a quiet machine the memory was 0.8 to 1.0 times and the time 0.5 to 0.7 times the estimate. The\n"
+         "memory includes " +
+         megabytes(double(kKeptFreed_bytes)) + " of freed memory that each process may keep.\n";
 }
 
 std::string idle_workers_warning(const PlanInput& input, const PlanEstimate& plan) {

@@ -1,4 +1,4 @@
-// What a command line asks for.
+// The command that a command line asks for.
 #pragma once
 
 #include <functional>
@@ -9,12 +9,12 @@
 
 namespace tessera {
 
-/// What the chosen sub-command runs: one of the two. Both return the exit code and throw InputError and
+/// The chosen sub-command: exactly one of the two functions is set. Both return the exit code and throw InputError and
 /// EnvironmentError.
 struct Command {
-  std::function<int()> run = {};  // on rank 0 alone
+  std::function<int()> run = {};  // runs on rank 0 only
   std::function<int(comm::Communicator&)> run_on_all_ranks = {};
-  /// The value of --time-limit, where it is given: MPI's start must keep to it before the command runs.
+  /// The value of --time-limit, where it is given: the start of MPI must finish within it, before the command runs.
   std::optional<std::string> time_limit = {};
 };
 

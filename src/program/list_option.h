@@ -1,5 +1,5 @@
-// Options whose argument is a list with commas: --size 1200,900. CLI11's own lists go on with the arguments that
-// follow, the next option or the input file among them; these take one argument.
+// Options whose argument is a list with commas: --size 1200,900. A list of CLI11 would also take the arguments that
+// follow, such as the next option or the input file; these options take one argument.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -16,12 +16,12 @@
 namespace tessera {
 
 struct ListOption {
-  std::string type_name;      // as help shows it, and what is allowed: "W,H"
-  std::size_t count = 0;      // of values; 0: one or more, and the option may be repeated
-  CLI::Validator value = {};  // of each
+  std::string type_name;      // shown in help and errors as what is allowed: "W,H"
+  std::size_t count = 0;      // number of values; 0: one or more, and the option may be repeated
+  CLI::Validator value = {};  // checks each value
 };
 
-/// Throws CLI::ValidationError where `text` is no such list.
+/// Appends the values of `text`. Throws CLI::ValidationError where `text` is not such a list.
 template <class Value>
 void append_list(const std::string& option, const std::string& text, const ListOption& kind,
                  std::vector<Value>& values) {
@@ -37,7 +37,7 @@ void append_list(const std::string& option, const std::string& text, const ListO
   }
 }
 
-/// `take` gets the values where the option is given.
+/// Adds the option; `take` receives the values where the option is given.
 template <class Value>
 CLI::Option* add_list_option(CLI::App& app, const std::string& name, std::function<void(std::vector<Value>)> take,
                              const std::string& meaning, const ListOption& kind) {

@@ -14,7 +14,7 @@
 namespace tessera {
 namespace {
 
-/// "tessera library build", as far as it was understood.
+/// The command line as far as it was understood: "tessera library build".
 std::string understood_command(const CLI::App& app) {
   std::string text = app.get_name();
   for (const CLI::App* sub : app.get_subcommands()) text += " " + understood_command(*sub);
@@ -30,7 +30,8 @@ std::vector<const CLI::App*> with_all_below(const CLI::App& app) {
   return all;
 }
 
-/// CLI11 takes whatever follows "--out" for its value, be it the next option. What is wrong then; empty where nothing is.
+/// Finds an option that was taken for a value: CLI11 takes whatever follows "--out", even the next option. The message,
+/// or empty where nothing is wrong.
 std::string swallowed_option(const CLI::App& app, const std::vector<std::string>& words) {
   const std::vector<const CLI::App*> commands = with_all_below(app);
   const auto is_option = [&](const std::string& text) {
@@ -45,14 +46,14 @@ std::string swallowed_option(const CLI::App& app, const std::vector<std::string>
       const auto swallowed = std::find_if(values.begin(), values.end(), is_option);
       if (swallowed == values.end()) continue;
       const std::string name = option->get_name();
-      return name + ": found the option " + *swallowed + ", allowed: a value; one that begins so: " + name + "=" +
-             *swallowed;
+      return name + ": found the option " + *swallowed +
+             ", allowed: a value; for a value that begins like an option: " + name + "=" + *swallowed;
     }
   }
   return "";
 }
 
-/// Where a value is no number CLI11 says neither what is wrong with it nor what is allowed.
+/// A better message where a value is not a number: CLI11 says neither what is wrong nor what is allowed.
 std::string conversion_problem(const std::string& problem) {
   constexpr std::string_view kBeginning = "Could not convert: ", kBetween = " = ";
   const std::size_t between = problem.find(kBetween);
@@ -64,7 +65,7 @@ std::string conversion_problem(const std::string& problem) {
   return option + ": found " + value + ", allowed: a " + (is_number ? "whole number that is not too large" : "number");
 }
 
-/// `words`: of the command line.
+/// The message for an error of CLI11. `words`: the command line.
 std::string parse_problem(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words) {
   if (const std::string problem = swallowed_option(app, words); !problem.empty()) return problem;
   const std::vector<std::string> not_understood = app.remaining(true);
@@ -72,7 +73,7 @@ std::string parse_problem(const CLI::App& app, const CLI::ParseError& error, con
   return lacks_command ? "unknown command or option " + not_understood.front() : conversion_problem(error.what());
 }
 
-/// That of the sub-command that was given, where there is one.
+/// The --time-limit of the given sub-command, if any.
 std::optional<std::string> given_time_limit(const CLI::App& app) {
   for (const CLI::App* sub : app.get_subcommands()) {
     const CLI::Option* limit = sub->get_option_no_throw("--time-limit");
@@ -81,7 +82,8 @@ std::optional<std::string> given_time_limit(const CLI::App& app) {
   return std::nullopt;
 }
 
-/// For CLI11, last first. It would take what follows "--time-limit=" for the value, be it the job file.
+/// The arguments for CLI11, last first. After an empty "--time-limit=" CLI11 would take the next argument, perhaps the
+/// job file, for the value.
 std::vector<std::string> reversed_arguments(int argc, char** argv) {
   constexpr std::string_view kEmptyLimit = "--time-limit=";
   std::vector<std::string> arguments;
@@ -101,7 +103,7 @@ Command parsed_command(CLI::App& app, Command& selected, int argc, char** argv) 
     if (const std::string problem = swallowed_option(app, words); !problem.empty()) throw CLI::ParseError(problem, 1);
     selected.time_limit = given_time_limit(app);
     return selected;
-  } catch (const CLI::ParseError& error) {  // CLI11 takes --help and --version for errors, too
+  } catch (const CLI::ParseError& error) {  // CLI11 reports --help and --version as errors, too
     if (error.get_exit_code() != 0)
       throw InputError(parse_problem(app, error, words) + " (see " + understood_command(app) + " --help)");
     std::ostringstream help;

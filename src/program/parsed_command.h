@@ -7,8 +7,8 @@
 
 namespace tessera {
 
-/// Parses the command line by `app`, whose sub-commands fill `selected` when they are given. The command prints the help
-/// or the version where these are asked for. Throws InputError where the command line has a mistake.
+/// Parses the command line with `app`, whose sub-commands fill `selected`. Where help or the version is asked for, the
+/// returned command prints it. Throws InputError where the command line has a mistake.
 Command parsed_command(CLI::App& app, Command& selected, int argc, char** argv);
 
 }  // namespace tessera

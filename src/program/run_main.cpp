@@ -17,9 +17,9 @@
 #include "comm/stop_signals.h"
 #include "core/base/error.h"
 #include "core/base/kept_memory.h"
-#include "files/foreign_end.h"
 #include "files/lack_of_memory.h"
 #include "files/leftover_file.h"
+#include "files/library_abort.h"
 #include "run/progress/time_limit.h"
 #include "terminal/exit_codes.h"
 #include "terminal/terminal.h"
@@ -27,7 +27,7 @@
 namespace tessera {
 namespace {
 
-/// Mistakes in the command line become a command that reports them when it is run.
+/// The parsed command. Where the command line has a mistake: a command that reports it when it runs.
 Command command_or_failure(const std::function<Command()>& parse) {
   try {
     return parse();
@@ -43,18 +43,19 @@ int run_command(const Command& command, comm::Communicator& ranks) {
   return command.run_on_all_ranks(ranks);
 }
 
-/// By Open MPI's mpirun, or by srun --mpi=pmix. Without, MPI is left alone: it takes a third of a second to start.
+/// Whether Open MPI's mpirun or srun --mpi=pmix started this process. Otherwise MPI is not started: that takes a third
+/// of a second.
 bool started_by_launcher() { return std::getenv("OMPI_COMM_WORLD_SIZE") || std::getenv("PMIX_RANK"); }
 
 /// Vectors of some MB come and go in every round, and of some dozen while a library is loaded. Given back to the system
 /// in between, their pages are cleared each time: loading takes a third less without (docs/decisions/2026-11-25-models-in-the-library-file.md).
 void keep_freed_memory() {
-  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the largest that there is
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the largest value allowed
   mallopt(M_TRIM_THRESHOLD, int(kKeptFreed_bytes));
 }
 
-/// The exit code of a command that is over and has printed all it had to say. Where that was lost, the command has
-/// failed; but for one that was interrupted, which is to be called again all the same.
+/// The exit code of a finished command. Where a part of its output was lost, the command has failed; an interrupted
+/// command keeps its exit code, as it must be called again anyway.
 int printed_exit_code(int exit_code) {
   try {
     check_printed();
@@ -65,12 +66,11 @@ int printed_exit_code(int exit_code) {
   return exit_code;
 }
 
-/// Reading of stdout and stderr may end while there is work left, which goes on: writing to them is an error then, not
-/// the end of the process.
+/// Makes writing to a closed stdout or stderr an error instead of the end of the process: the work goes on.
 void ignore_closed_pipes() { std::signal(SIGPIPE, SIG_IGN); }
 
-/// The ranks of a job find each other within its time limit, or they never do. Four ranks on a busy machine take some
-/// seconds, however short the limit.
+/// Time for which the ranks of a job wait for each other at the start: as long as the time limit, at least 10 s. Four
+/// ranks on a busy machine take some seconds.
 comm::MpiPatience patience_of(const Command& command) {
   constexpr double kLeastStart_s = 10;
   comm::MpiPatience patience;
@@ -78,7 +78,7 @@ comm::MpiPatience patience_of(const Command& command) {
     const double limit_s =
         time_limit_s(command.time_limit, std::getenv("SLURM_JOB_END_TIME"), double(std::time(nullptr)), 0);
     patience.start_s = std::clamp(limit_s, kLeastStart_s, patience.start_s);
-  } catch (const InputError&) {  // the command says what is wrong with the limit
+  } catch (const InputError&) {  // the command reports what is wrong with the limit
   }
   return patience;
 }
@@ -88,8 +88,8 @@ int run(int argc, char** argv, const std::function<Command()>& parse) {
   ignore_closed_pipes();
   keep_freed_memory();
   comm::end_at_once_when_signalled(remove_leftover_files);
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of its writer, who then cleans up
-  std::signal(SIGCHLD, SIG_DFL);  // whoever started us may have ignored it: then nobody learns how a child ended
+  std::signal(SIGXFSZ, SIG_IGN);  // a file at its size limit is an error of its writer, which then cleans up
+  std::signal(SIGCHLD, SIG_DFL);  // the parent may have ignored it: then nobody learns how a child ended
   const Command command = command_or_failure(parse);
   const comm::RankProgram program{
       .run =
@@ -98,7 +98,7 @@ int run(int argc, char** argv, const std::function<Command()>& parse) {
           },
       .report_error = print_message};
   if (started_by_launcher()) return comm::run_mpi_job(argc, argv, program, patience_of(command));
-  const ForeignEnd end;  // Open MPI, where it is used, has a handler of its own
+  const LibraryAbortHandler end;  // reports where a library aborts; Open MPI has a handler of its own
   comm::InProcessNetwork alone(1);
   return comm::run_rank(*alone.connect(0), program).exit_code;
 }
@@ -108,7 +108,7 @@ int run(int argc, char** argv, const std::function<Command()>& parse) {
 int run_main(int argc, char** argv, const std::function<Command()>& parse) {
   const int exit_code = run(argc, argv, parse);
   if (exit_code != kUnfinishedExitCode) return exit_code;
-  // A question that was given up may still be compiled by a thread of PoCL's, which crashes where LLVM is taken down.
+  // A thread of PoCL may still compile for a request that was given up. It would crash while LLVM is torn down.
   std::fflush(nullptr);
   std::_Exit(exit_code);
 }

@@ -1,4 +1,4 @@
-// What the programs with sub-commands have in common: errors, signals, exit codes, and ranks that end together.
+// The common part of programs with sub-commands: errors, signals, exit codes, and ranks that end together.
 #pragma once
 
 #include <functional>
@@ -7,8 +7,8 @@
 
 namespace tessera {
 
-/// What main returns: runs the command that `parse` finds in the command line as one rank of a job, which reports errors
-/// once and ends all ranks together. What `parse` throws is reported so, too. Exit codes: terminal/exit_codes.h.
+/// The body of main. Runs the command that `parse` finds in the command line, as one rank of a job. Returns the exit
+/// code (terminal/exit_codes.h). An error, also one that `parse` throws, is reported once and ends all ranks.
 int run_main(int argc, char** argv, const std::function<Command()>& parse);
 
 }  // namespace tessera

@@ -193,7 +193,7 @@ void deform_pieces(CollageReport& report, const CollageSettings& settings) {
   give_shapes(report, std::move(outlines), std::move(warps), figures);
 }
 
-void take_up_deformed_pieces(const std::string& dir, CollageReport& report, const StopCheck& check_stop) {
+void restore_deformed_pieces(const std::string& dir, CollageReport& report, const StopCheck& check_stop) {
   const std::vector<Outline> written = written_outlines(dir);
   const std::size_t count = report.placements.size();
   if (written.size() != count) {

@@ -16,6 +16,6 @@ void deform_pieces(CollageReport& report, const CollageSettings& settings);
 
 /// Restores the deformed pieces from pieces.geojson in `dir`. Its polygons must be those of the placements' shapes, point
 /// by point, or InputError is thrown. Calls `check_stop`, which may throw, before each piece, from any thread.
-void take_up_deformed_pieces(const std::string& dir, CollageReport& report, const StopCheck& check_stop = never_stop);
+void restore_deformed_pieces(const std::string& dir, CollageReport& report, const StopCheck& check_stop = never_stop);
 
 }  // namespace tessera

@@ -378,7 +378,7 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
   const bool pixels = request.png || request.tiff;
   std::optional<AfarMeasure> measure;
   if (is_result && pixels && !job.colour.image.empty()) measure.emplace(afar_measure(result, report, observer));
-  if (whole.manifest.deformed) take_up_deformed_pieces(dir, report, [&] { stop.check(); });
+  if (whole.manifest.deformed) restore_deformed_pieces(dir, report, [&] { stop.check(); });
   ResultPictures pictures({folder, is_result}, report, whole.manifest, drawers, stop, observer);
   if (request.svg) pictures.svg();
   if (pixels) pictures.pixels(request.png, request.tiff, measure ? &*measure : nullptr);

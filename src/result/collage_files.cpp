@@ -34,7 +34,7 @@ void remove_file(const std::string& path) {
 }
 
 /// Removes the manifest and the pictures of the run before, so that its result is none any more.
-void withdraw(const std::string& dir) {
+void remove_earlier_result(const std::string& dir) {
   remove_file(in_directory(dir, kManifestName));
   remove_file(in_directory(dir, kShownPictureName));
   for (const char* picture : kPictureNames) {
@@ -115,7 +115,7 @@ void check_nothing_foreign_is_replaced(const std::string& dir, const std::string
 
 std::string publish_result(const std::string& dir, const CollageReport& report, const ResultSource& source,
                            bool finished) {
-  withdraw(dir);
+  remove_earlier_result(dir);
   const std::string pieces = geojson_text(report);
   write_file_atomically(in_directory(dir, "pieces.geojson"), pieces);
   write_file_atomically(in_directory(dir, "job.toml"), source.origin.job);

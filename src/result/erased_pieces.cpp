@@ -91,7 +91,7 @@ class Pages {
 };
 
 /// Whether `page` mostly shows the same as the picture. If so, only what differs is left in `shown`.
-bool leave_what_was_painted(const cv::Mat& page, const cv::Mat& picture, Grid<float>& shown) {
+bool keep_painted_differences(const cv::Mat& page, const cv::Mat& picture, Grid<float>& shown) {
   if (picture.size() != page.size()) return false;
   const cv::Mat differs = clearly_different(page, picture);
   cv::Mat coverage(shown.height(), shown.width(), CV_32F, shown.row(0));
@@ -131,7 +131,7 @@ ErasingMask erasing_mask(const std::string& file, const std::string& option, con
   check_aspect(page, where, canvas);
   bool is_photo = false;
   Grid<float> shown = pages.shown(bytes, file, is_photo);
-  if (!leave_what_was_painted(page.bgra, pages.picture(picture), shown) && is_photo) {
+  if (!keep_painted_differences(page.bgra, pages.picture(picture), shown) && is_photo) {
     throw InputError(
         where + ": an opaque picture without a plain background that is no copy of collage.png; needed: " + kNeeded);
   }

@@ -29,7 +29,7 @@ bool is_good(const std::string& path, const CheckpointOrigin& origin) {
 }
 
 /// What the user can do about a checkpoint that cannot be used.
-std::string ways_out(const CheckpointFolder& folder, Start start, const CheckpointOrigin& origin) {
+std::string recovery_text(const CheckpointFolder& folder, Start start, const CheckpointOrigin& origin) {
   std::string text;
   if (start == Start::resume && is_good(folder.previous(), origin)) {
     text = "; " + folder.previous() + " is good: --resume=previous goes on from it";
@@ -63,7 +63,7 @@ void require_nothing(const CheckpointFolder& folder, const CheckpointOrigin& ori
   try {
     read_matching(path, origin);
   } catch (const InputError& error) {
-    throw InputError(error.what() + ways_out(folder, latest ? Start::resume : Start::resume_previous, origin));
+    throw InputError(error.what() + recovery_text(folder, latest ? Start::resume : Start::resume_previous, origin));
   }
   throw InputError(path + ": unfinished work; " + (latest ? "--resume" : "--resume=previous") + " goes on with it, " +
                    kStartAgain);
@@ -93,7 +93,7 @@ std::optional<CheckpointState> starting_state(const CheckpointFolder& folder, St
   try {
     return read_matching(start == Start::resume ? folder.latest() : folder.previous(), origin);
   } catch (const InputError& error) {
-    throw InputError(error.what() + ways_out(folder, start, origin));
+    throw InputError(error.what() + recovery_text(folder, start, origin));
   }
 }
 

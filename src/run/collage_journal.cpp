@@ -14,7 +14,7 @@ CollageJournal::CollageJournal(const std::string& folder, RunRecord record) : lo
   if (!log_.problem().empty()) warn("no run log: " + log_.problem());
 }
 
-void CollageJournal::ranks_are(std::vector<RankSite> sites) {
+void CollageJournal::set_rank_sites(std::vector<RankSite> sites) {
   record_.ranks = std::move(sites);
   for (std::size_t rank = 0; rank < record_.ranks.size(); ++rank) {
     const RankSite& site = record_.ranks[rank];

@@ -19,7 +19,7 @@ class CollageJournal {
   CollageJournal(const std::string& folder, RunRecord record);
 
   /// Notes where all ranks run; the master comes first.
-  void ranks_are(std::vector<RankSite> sites);
+  void set_rank_sites(std::vector<RankSite> sites);
   void resumed(const CheckpointState& from);
   /// Writes a warning to run.log and to stderr. Does nothing where it is empty.
   void warn(const std::string& warning);

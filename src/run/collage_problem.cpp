@@ -47,7 +47,7 @@ void keep_removed_from_coming_back(const ShapeLibrary& library, const Canvas& ca
     const Outline& outline = outlines.at(piece.shape);
     pieces.push_back({piece.shape, one_region ? 0 : region_below(canvas, outline, piece.canvas_from_shape)});
   }
-  const std::vector<bool> others = others_may_come_in(pieces, job.settings, library.variant_of(), library.drawings());
+  const std::vector<bool> others = may_be_replaced(pieces, job.settings, library.variant_of(), library.drawings());
   for (std::size_t i = 0; i < removed.size(); ++i) {
     if (others[i]) job.settings.wishes.not_back.push_back({removed[i].shape, removed[i].canvas_from_shape});
   }
@@ -62,11 +62,11 @@ PieceSettings sized_pieces(const Job& job, double size_factor) {
 double limit_to_room(const ShapeLibrary& library, const Job& job, double size_factor, Canvas& canvas) {
   if (job.start.removed.empty()) return 1;
   const std::map<ShapeId, Outline> outlines = outlines_of(job.start.removed, library);
-  std::vector<PieceThatLay> lay;
+  std::vector<RemovedPiece> lay;
   for (const GivenPiece& piece : job.start.removed) {
     lay.push_back({&outlines.at(piece.shape), piece.canvas_from_shape});
   }
-  fill_only_where_they_lay(lay, sized_pieces(job, size_factor).min_scale_px, canvas);
+  limit_regions_to_room(lay, sized_pieces(job, size_factor).min_scale_px, canvas);
   double area_px2 = 0;
   for (const CanvasRegion& region : canvas.regions) area_px2 += region.area_px2;
   return std::min(1., area_px2 / canvas.area_px2);

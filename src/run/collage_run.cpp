@@ -61,7 +61,7 @@ struct LoopOutcome {
 
 /// The times of all ranks. Empty where mpirun is ending the job or a question was given up: workers may be gone or busy.
 RankStatistics times_of(comm::LoopClock& clock, const master::CollageResult& result) {
-  if (comm::stop_signalled() || result.gave_up_question) return {};
+  if (comm::stop_signalled() || result.matcher_interrupted) return {};
   try {
     return clock.stop(result.own_work);
   } catch (const Interrupted&) {
@@ -83,20 +83,21 @@ RunRecord record_of(const CollageInput& input) {
 
 /// Seconds that leaving takes. This rank waits two seconds for a rank that does not report its end (rank_program.cpp); then
 /// mpirun kills that rank, which takes two more.
-double leaving_s(const comm::Communicator& ranks) { return ranks.size() > 1 ? 4 : 0; }
+double shutdown_s(const comm::Communicator& ranks) { return ranks.size() > 1 ? 4 : 0; }
 
 void note_beginning(const MasterRun& run) {
   warn_of_problem(run.arguments, run.input, *run.journal);
-  run.journal->warn(short_limit_warning(run.limit.seconds(), leaving_s(run.ranks)));
+  run.journal->warn(short_limit_warning(run.limit.seconds(), shutdown_s(run.ranks)));
   if (run.input.from) run.journal->resumed(*run.input.from);
 }
 
 /// Makes all waits of this rank obey signals, the time limit and the watch over the workers.
 StopQuestion watch_waits(const MasterRun& run) {
   comm::install_stop_handlers();
-  const StopQuestion shall_stop = [limit = run.limit, leaving_s = leaving_s(run.ranks)]() -> std::optional<StopReason> {
+  const StopQuestion shall_stop = [limit = run.limit,
+                                   shutdown_s = shutdown_s(run.ranks)]() -> std::optional<StopReason> {
     if (comm::stop_signalled()) return StopReason::signal;
-    return limit.round_over(leaving_s) ? std::optional(StopReason::time_limit) : std::nullopt;
+    return limit.must_end_round(shutdown_s) ? std::optional(StopReason::time_limit) : std::nullopt;
   };
   run.ranks.interrupt_waits_when(shall_stop);
   run.ranks.watch_workers(run.input.problem.job().comm.silence_s, [journal = run.journal](const std::string& line) {
@@ -154,7 +155,7 @@ CollageEnd compute(const MasterRun& run) {
   announce_problem(run.ranks, program_identity(), input.problem, input.origin.library_digest);
   LibraryShapes shapes(input.problem.library());
   LoopMatchers matchers = signal_safe_matchers(run, shapes, shall_stop);
-  run.journal->ranks_are(comm::gather_sites(run.ranks, matchers.site));
+  run.journal->set_rank_sites(comm::gather_sites(run.ranks, matchers.site));
   if (input.start == Start::restart) input.checkpoints.remove();
   CollageCheckpoints checkpoints(input.checkpoints, input.origin, input.problem.job().checkpoint.every_s);
   const LoopOutcome loop = run_loop(run, matchers, shapes, checkpoints);
@@ -171,9 +172,9 @@ bool draw_pictures(const CollageArguments& arguments, const CollageInput& input,
   try {
     const bool drawn = draw(input.folder, pictures, arguments.quiet, [&]() -> std::optional<StopReason> {
       if (comm::stop_signalled()) return StopReason::signal;
-      return limit.drawing_over(leaving_s(ranks)) ? std::optional(StopReason::time_limit) : std::nullopt;
+      return limit.must_end_drawing(shutdown_s(ranks)) ? std::optional(StopReason::time_limit) : std::nullopt;
     });
-    if (!drawn) ranks.hurry();
+    if (!drawn) ranks.end_soon();
     return drawn;
   } catch (const EnvironmentError& error) {
     throw EnvironmentError(std::string(error.what()) + "; the collage is finished, tessera draw " + input.folder +
@@ -183,7 +184,7 @@ bool draw_pictures(const CollageArguments& arguments, const CollageInput& input,
 
 CollageEnd lead(const CollageArguments& arguments, comm::Communicator& ranks) {
   const TimeLimit limit(time_limit_s(arguments.time_limit, std::getenv("SLURM_JOB_END_TIME"),
-                                     double(std::time(nullptr)), leaving_s(ranks)));
+                                     double(std::time(nullptr)), shutdown_s(ranks)));
   const CollageInput input(arguments);
   CollageEnd end = CollageEnd::finished;
   if (input.finished) {

@@ -27,7 +27,7 @@ worker::DeviceShare share_of_node(const comm::Communicator& ranks, const Job& jo
 
 void run_collage_worker(comm::Communicator& ranks) {
   Job masters = receive_job(ranks, program_identity());
-  const comm::Heart heart(ranks, masters.comm.silence_s);
+  const comm::HeartbeatSender heart(ranks, masters.comm.silence_s);
   const CollageProblem problem = receive_problem(ranks, std::move(masters));
   const worker::DeviceShare share = share_of_node(ranks, problem.job());
   share_cores(share.workers);
@@ -35,7 +35,7 @@ void run_collage_worker(comm::Communicator& ranks) {
   comm::first_worker_of_node_first(ranks, [&] { compile_kernels(problem); });
   LibraryShapes shapes(problem.library());
   const ShapeRange part = even_range(problem.library().size(), ranks.rank() - 1, ranks.size() - 1);
-  LoopMatchers own = own_matchers(problem, shapes, part, share, [&ranks] { ranks.look(); });
+  LoopMatchers own = own_matchers(problem, shapes, part, share, [&ranks] { ranks.check_arrivals(); });
   comm::tell_site(ranks, own.site);
   comm::serve(ranks, std::move(own.matcher), std::move(own.replacer));
 }

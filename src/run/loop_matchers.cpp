@@ -11,7 +11,7 @@
 #include "core/matching/model_source.h"
 #include "core/ranks/partition.h"
 #include "core/replacing/own_replacer.h"
-#include "files/foreign_end.h"
+#include "files/library_abort.h"
 #include "library/storage/shape_models.h"
 #include "worker/device_group.h"
 
@@ -24,7 +24,8 @@ MatchingContext context_of(const CollageProblem& problem) {
 
 /// What matching needs of a device. The size of the canvas is the job's, whatever the canvas file shows.
 worker::DeviceNeeds needs_of(const Job& job, const ModelSource& models) {
-  return {.reads_models = models.reads_singly(), .field_nodes = double(job.canvas.width_px) * job.canvas.height_px};
+  return {.reads_models = models.supports_random_access(),
+          .field_nodes = double(job.canvas.width_px) * job.canvas.height_px};
 }
 
 std::string host_name() {
@@ -53,7 +54,7 @@ LoopMatchers own_matchers(const CollageProblem& problem, ShapeSource& shapes, co
   const auto models = models_of(problem.library(), context);
   const std::vector<worker::DevicePart> parts =
       worker::device_parts(job.devices, context, part, needs_of(job, *models), share, check_stop);
-  take_abort_again();  // on a rank without workers; under MPI no ForeignEnd lives, and nothing is taken
+  set_abort_handler_again();  // on a rank without workers; under MPI no LibraryAbortHandler lives, and nothing is taken
   return {.matcher = worker::make_device_matcher(parts, context, models, check_stop),
           .replacer = std::make_unique<OwnReplacer>(shapes, rank_pool(), check_stop),
           .site = {host_name(), worker::describe(parts)}};

@@ -24,7 +24,7 @@ namespace tessera::comm {
 
 template <class T>
 requires kIsOneOf<T, Texel>
-inline constexpr bool kSentAsItLies<T> = true;
+inline constexpr bool kSentAsBytes<T> = true;
 
 /// The finest level; the other levels follow from it.
 inline Grid<Texel> finest_level(const ColourTarget& colour) {

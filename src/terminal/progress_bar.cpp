@@ -13,7 +13,7 @@ namespace {
 constexpr std::chrono::milliseconds kRedraw{100};
 constexpr std::chrono::seconds kPlainLine{10};
 constexpr int kMostCells = 30;
-constexpr int kLeastCells = 8;  // a shorter bar tells less than none
+constexpr int kLeastCells = 8;  // a shorter bar is not shown
 
 int terminal_width() {
   winsize size{};
@@ -28,7 +28,7 @@ std::string minutes(double seconds) {
   return text;
 }
 
-/// With what goes round it in at most `columns`; nothing where that is too little.
+/// The bar with its brackets in at most `columns` columns; empty where these are too few.
 std::string bar(double fraction, int columns) {
   const int cells = std::min(columns - int(std::string("  []").size()), kMostCells);
   if (cells < kLeastCells) return "";

@@ -11,18 +11,18 @@ namespace tessera {
 
 class ProgressBar {
  public:
-  /// `total`: what `done` reaches at the end; any unit.
+  /// `total` is the value of `done` at the end, in any unit.
   ProgressBar(std::string label, std::size_t total);
   ~ProgressBar();  // finish()
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// Cheap: prints only when it is time to. `note` stands behind the bar, e.g. "120 shapes". The time left follows from
-  /// what is done.
+  /// Shows the progress; cheap, as it prints only from time to time. `note` is shown behind the bar, e.g. "120 shapes".
+  /// The time left is computed from `done`.
   void update(std::size_t done, const std::string& note = {});
-  /// With the time left as somebody knows better; nothing: nobody knows.
+  /// Shows the progress with a time left that the caller knows; nullopt: unknown.
   void update(std::size_t done, const std::string& note, std::optional<double> left_s);
-  /// Leaves the last state of the bar standing; what is printed next begins on a line of its own.
+  /// Leaves the last state of the bar on the terminal; the next output begins on a new line.
   void finish();
 
  private:
@@ -42,13 +42,13 @@ class ProgressBar {
   Clock::time_point last_;
 };
 
-/// "label  [####....]  42 %  note  0:31 left" in `width` columns: the bar takes what the words leave, and goes where
-/// that is little; what is too long even then is cut. Without a bar ("label: 42 %, note, 0:31 left")
-/// where width is 0.
+/// "label  [####....]  42 %  note  0:31 left" in `width` columns. The bar gets the columns that the words leave, and is
+/// left out where these are few; a text that is still too long is cut. Where `width` is 0: a line without a bar,
+/// "label: 42 %, note, 0:31 left".
 std::string progress_text(const std::string& label, std::size_t done, std::size_t total, const std::string& note,
                           std::optional<double> left_s, int width);
 
-/// At the pace so far. Nothing before anything is done, and when all is.
+/// The time left at the pace so far. Nullopt before anything is done and when all is done.
 std::optional<double> time_left_s(std::size_t done, std::size_t total, double elapsed_s);
 
 }  // namespace tessera

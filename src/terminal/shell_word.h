@@ -5,12 +5,12 @@
 
 namespace tessera {
 
-/// The text as a word of a command that bash reads back as it was, in quotes where it must be. Bytes that are not to be
+/// The text as a word of a command that bash reads back unchanged, in quotes where needed. Bytes that must not be
 /// printed (printable_utf8) are escaped: $'a\033'.
 std::string shell_word(const std::string& text);
 
 /// The text for a table that people read: unchanged where all of it can be printed and it does not look like an escaped
-/// word; else what shell_word makes of it.
+/// word; otherwise shell_word(text).
 std::string shell_cell(const std::string& text);
 
 }  // namespace tessera

@@ -17,7 +17,7 @@
 namespace tessera {
 namespace {
 
-/// As vsnprintf, as long as it comes.
+/// The text that vsnprintf makes, of any length.
 std::string formatted(const char* format, va_list arguments) {
   va_list again;
   va_copy(again, arguments);
@@ -28,7 +28,7 @@ std::string formatted(const char* format, va_list arguments) {
   return text.data();
 }
 
-/// Why printing failed first; 0 where it did not, or nobody was told.
+/// errno of the first failure to print; 0 while there was none.
 int first_error = 0;
 
 void note_failure(int result) {
@@ -37,7 +37,7 @@ void note_failure(int result) {
 
 void put(const std::string& text) { note_failure(std::fputs(text.c_str(), stdout)); }
 
-/// Whether stdout is a pipe or a socket that nobody reads any more.
+/// Whether stdout is a pipe or a socket whose reader has ended.
 bool reader_has_left() {
   pollfd out{STDOUT_FILENO, POLLOUT, 0};
   return ::poll(&out, 1, 0) == 1 && (out.revents & (POLLERR | POLLHUP)) != 0;
@@ -74,7 +74,8 @@ bool printing_works() { return std::ferror(stdout) == 0; }
 void occupy_standard_descriptors() {
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(descriptor, F_GETFD) != -1 || errno != EBADF) continue;
-    // It gets the lowest number that is free: this one. Opened for the other direction, it refuses what is asked of it.
+    // open() gets the lowest free number: this descriptor. It is opened for the other direction, so every use of it
+    // fails.
     static_cast<void>(::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY));
   }
 }
@@ -85,7 +86,7 @@ void check_printed() {
   const std::string why = first_error == 0       ? ""
                           : first_error == EBADF ? ": it is closed"
                                                  : std::string(": ") + std::strerror(first_error);
-  throw EnvironmentError("standard output cannot be written" + why + "; some of what was printed is lost");
+  throw EnvironmentError("standard output cannot be written" + why + "; a part of the output is lost");
 }
 
 }  // namespace tessera

@@ -1,5 +1,5 @@
-// What tessera prints. All of it goes through this file, as names of files, drawings and results may hold anything, and
-// a terminal obeys the control characters that it is shown.
+// Output of tessera. All of it goes through this file: names of files, drawings and results may hold any bytes, and a
+// terminal obeys control characters.
 #pragma once
 
 #include <string>
@@ -7,38 +7,37 @@
 
 namespace tessera {
 
-/// Prints one line on stdout: the format and arguments of printf, without the line end. What no line of text has
-/// (printable_utf8 in text/utf8_text.h) is printed as '_', tabs and line ends within a name among it.
+/// Prints one line on stdout; format and arguments as printf, without the line end. Characters that do not belong into
+/// a line of text (printable_utf8 in text/utf8_text.h), such as tabs and line ends within a name, are printed as '_'.
 [[gnu::format(printf, 1, 2)]] void print_line(const char* format, ...);
 
-/// Prints one line on stdout for scripts: the cells with tabs between them. What is not to be printed is in a cell that
-/// bash reads back (shell_cell in shell_word.h): a path may be any bytes.
+/// Prints one line on stdout for scripts: the cells with tabs between them. A cell that cannot be printed as it is,
+/// e.g. a path of any bytes, is written so that bash reads it back (shell_cell in shell_word.h).
 void print_cells(const std::vector<std::string>& cells);
 
-/// Prints lines on stdout, each with its line end. The names in `lines` have none of their own: whoever makes a text of
-/// several lines escapes them (TextTable and card_line do).
+/// Prints lines on stdout, each with its line end. Names in `lines` must hold no line ends: who makes a text of several
+/// lines escapes them (TextTable and card_line do).
 void print_lines(const std::string& lines);
 
-/// Prints what is held back of stdout: before a long wait.
+/// Prints the buffered output of stdout; to be called before a long wait.
 void print_now();
 
-/// False once something printed on stdout was lost, as where the reader has left: a long list may end there.
+/// False once output to stdout was lost, e.g. because its reader has ended: a long list may stop there.
 bool printing_works();
 
-/// Prints "tessera: TEXT" on stderr, in one line whatever the text holds.
+/// Prints "tessera: TEXT" on stderr as one line, whatever the text holds.
 void print_message(const std::string& text);
 
-/// Prints "tessera: warning: TEXT" on stderr in the same way; nothing where `warning` is empty.
+/// Prints "tessera: warning: TEXT" on stderr in the same way; prints nothing where `warning` is empty.
 void print_warning(const std::string& warning);
 
-/// Gives stdin, stdout and stderr descriptors that were closed when the process began (tessera ... >&-) to a file that
-/// can be neither read nor written. Else the first file that is opened would get the number, and be printed into. To be
+/// Opens a file that can be neither read nor written for each of stdin, stdout and stderr that was closed at the start
+/// (tessera ... >&-). Otherwise the next opened file would get the number, and output would be printed into it. Must be
 /// called before anything is opened.
 void occupy_standard_descriptors();
 
-/// Prints what is still held back of stdout. Throws EnvironmentError where any of what was printed was lost: the disk
-/// is full, or stdout was closed. A reader that left early (tessera ... | head -1) has what it wanted: that is no
-/// error.
+/// Prints the buffered output of stdout. Throws EnvironmentError where any output was lost: the disk is full, or stdout
+/// was closed. A reader that ended early (tessera ... | head -1) has what it wanted: that is no error.
 void check_printed();
 
 }  // namespace tessera

@@ -73,7 +73,7 @@ class CsvReader {
   std::size_t line_ = 1;
 };
 
-/// Whether what begins there would begin a formula, in the wide letters of East Asian keyboards too.
+/// Whether this text would begin a formula, also with the wide signs of East Asian keyboards.
 bool begins_formula(std::string_view text) {
   for (const std::string_view sign : {"=", "+", "-", "@", "＝", "＋", "－", "＠"}) {
     if (text.starts_with(sign)) return true;

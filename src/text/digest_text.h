@@ -6,10 +6,10 @@
 
 namespace tessera {
 
-/// 16 hexadecimal digits.
+/// The digest as 16 hexadecimal digits.
 std::string digest_text(std::uint64_t digest);
 
-/// The digest that these hexadecimal digits say. Throws InputError for any other text.
+/// The digest of 16 hexadecimal digits. Throws InputError for any other text.
 std::uint64_t digest_of_text(const std::string& text);
 
 }  // namespace tessera

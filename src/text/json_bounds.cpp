@@ -70,7 +70,7 @@ void JsonScan::open(bool is_object) {
   levels_.push_back({is_object});
 }
 
-/// A value stands behind each comma, and at the beginning of each list and object.
+/// Counts a value: one stands behind each comma, and at the beginning of each list and object.
 void JsonScan::count_value() {
   if (++values_ > bounds_.values) fail(bounds_.values, "values");
 }

@@ -1,5 +1,5 @@
-// How much a foreign JSON text may have, told from its characters before a parser sees them: a parser would make some
-// hundred bytes of memory out of two of the file.
+// Limits for a foreign JSON text, checked on its characters before a parser sees them: two bytes of the file can take
+// some hundred bytes of memory in a parser.
 #pragma once
 
 #include <cstddef>
@@ -13,13 +13,13 @@ namespace tessera {
 struct JsonBounds {
   static constexpr std::size_t kAny = std::numeric_limits<std::size_t>::max();
 
-  std::size_t values = kAny;                       // in all: a tree takes 200 bytes for each, or less
-  std::size_t levels = kAny;                       // of lists and objects in each other
-  std::size_t members = kAny;                      // of one object: an ordered tree compares each two
-  std::size_t token_bytes = std::size_t(1) << 20;  // of a text or a number
+  std::size_t values = kAny;                       // in total: a tree takes 200 bytes for each, or less
+  std::size_t levels = kAny;                       // depth of lists and objects in each other
+  std::size_t members = kAny;                      // of one object: an ordered tree compares each with each
+  std::size_t token_bytes = std::size_t(1) << 20;  // of one text or number
 };
 
-/// Looks at a text in parts.
+/// Checks a text that comes in parts.
 class JsonScan {
  public:
   explicit JsonScan(const JsonBounds& bounds) : bounds_(bounds) {}
@@ -28,7 +28,7 @@ class JsonScan {
   void take(std::span<const char> part);
 
  private:
-  /// A list or an object that is open.
+  /// A list or an object that is not closed yet.
   struct Level {
     bool is_object = false;
     std::size_t members = 1;
@@ -47,7 +47,7 @@ class JsonScan {
   bool escaped_ = false;
 };
 
-/// A whole text. Throws as JsonScan.
+/// Checks a whole text. Throws as JsonScan does.
 void check_json(std::string_view text, const JsonBounds& bounds);
 
 }  // namespace tessera

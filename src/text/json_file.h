@@ -1,4 +1,4 @@
-// A JSON file of any size, read as a parser asks for it: for parsers that keep little of what they read.
+// A JSON file of any size that is read while a parser asks for it: for parsers that keep little of what they read.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,15 @@
 
 namespace tessera {
 
-/// No text or number of the file may be longer than JsonBounds::token_bytes.
+/// The file as a stream. A text or number of it that is longer than JsonBounds::token_bytes is an error.
 class JsonFile : private std::streambuf {
  public:
   explicit JsonFile(FileBlocks blocks) : blocks_(std::move(blocks)) {}
 
-  /// For nlohmann's parse and sax_parse. What is wrong with the file comes out of them as InputError: with the file's
-  /// name where the system cannot read it, without where it has too much.
+  /// The stream for nlohmann's parse and sax_parse. Errors leave the parser as InputError: with the file's name where
+  /// the system cannot read the file, without the name where a limit is exceeded.
   std::istream& stream() { return stream_; }
-  /// Of the whole file, as Digest::add_all makes it of its bytes. To be asked after it was read.
+  /// The digest of the whole file, equal to Digest::add_all of its bytes. Valid only after the file was read.
   std::uint64_t digest() const { return blocks_.digest(); }
 
  private:

@@ -14,7 +14,7 @@ std::string escaped_byte(unsigned char byte) {
   return text;
 }
 
-/// Of valid UTF-8, without the quotes.
+/// Valid UTF-8, escaped, without the quotes.
 std::string escaped(const std::string& text) {
   const std::string quoted = nlohmann::json(text).dump(-1, ' ', true);
   return quoted.substr(1, quoted.size() - 2);

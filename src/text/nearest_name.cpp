@@ -21,10 +21,10 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 }
 
 std::string nearest_name(const std::string& name, const std::vector<std::string>& names) {
-  constexpr std::size_t kLongestMisprint = 100;  // keys are short; a hostile name is not compared
+  constexpr std::size_t kLongestMisprint = 100;  // keys are short; a long hostile name is not compared
   if (name.size() > kLongestMisprint) return {};
   std::string nearest;
-  std::size_t best = name.size() / 2 + 1;  // more than half of the letters wrong is no misprint
+  std::size_t best = name.size() / 2 + 1;  // a name with more than half of its letters wrong is no misprint
   for (const auto& candidate : names) {
     const std::size_t distance = edit_distance(name, candidate);
     if (distance >= best) continue;

@@ -1,17 +1,17 @@
-// Where a piece lies as files say it: in px and degrees.
+// The pose of a piece as files state it: in px and degrees.
 #pragma once
 
 #include "core/geometry/similarity.h"
 
 namespace tessera {
 
-/// Of lengths, and of a turn's degrees.
+/// Decimals of lengths in px and of rotations in degrees.
 inline constexpr int kPixelDecimals = 3;
 
-/// canvas_from_shape of a piece of that size, turned clockwise on the picture, with its centre at (x, y).
+/// canvas_from_shape of a piece with this size, rotation (clockwise on the picture) and centre (x, y).
 Similarity pose_of(double scale_px, double rotation_deg, double x_px, double y_px);
 
-/// Clockwise on the picture, in (-180, 180].
+/// The rotation in degrees, clockwise on the picture, in (-180, 180].
 double rotation_deg(const Similarity& canvas_from_shape);
 
 }  // namespace tessera

@@ -1,4 +1,5 @@
-// Text files of people, who have other editors and spreadsheets than we: all become UTF-8, or are refused by name.
+// Text files of people with various editors and spreadsheets: converted to UTF-8, or refused with the name of their
+// encoding.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +8,8 @@
 
 namespace tessera {
 
-/// The text in UTF-8, without a byte order mark. UTF-16 is told by its mark. Throws InputError, which begins with `shown`
-/// and the line, where the text is in another encoding, and says how to save it.
+/// The text in UTF-8, without a byte order mark. UTF-16 is recognised by its byte order mark. For any other encoding it
+/// throws InputError, which begins with `shown` and the line and says how to save the file.
 std::string utf8_text(std::span<const std::uint8_t> bytes, const std::string& shown);
 
 }  // namespace tessera

@@ -1,4 +1,4 @@
-// Tables for people, in plain text.
+// Tables in plain text, for people to read.
 #pragma once
 
 #include <string>
@@ -7,8 +7,9 @@
 
 namespace tessera {
 
-/// Columns are as wide as their widest cell; the first is aligned to the left, the others to the right where they hold
-/// numbers, to the left where they hold words. Cells may hold names from files: they are escaped (printable_utf8).
+/// A table whose columns are as wide as their widest cell. The first column is aligned to the left. The others are aligned to
+/// the right if they hold numbers, to the left if they hold words. Cells may hold names from files: they are escaped
+/// (printable_utf8).
 class TextTable {
  public:
   enum class Cells { numbers, words };

@@ -15,9 +15,10 @@ struct Range {
   std::uint32_t last;
 };
 
-/// Ascending: Unicode's control and format characters (categories Cc and Cf), its line and paragraph separators, and
-/// others that are not seen (Default_Ignorable_Code_Point), but for the variation selectors, which only choose between
-/// two forms of a character. Among them is what embeds, overrides or isolates a direction of writing.
+/// Ranges of invisible characters, ascending: Unicode's control and format characters (categories Cc and Cf), its line
+/// and paragraph separators, and others that are not seen (Default_Ignorable_Code_Point). Variation selectors are left
+/// out: they only choose between two forms of a character. The characters that change the direction of writing are
+/// among the ranges.
 constexpr Range kUnseen[] = {
     {0x00, 0x1f},       {0x7f, 0x9f},       {0xad, 0xad},       {0x34f, 0x34f},     {0x600, 0x605},
     {0x61c, 0x61c},     {0x6dd, 0x6dd},     {0x70f, 0x70f},     {0x890, 0x891},     {0x8e2, 0x8e2},
@@ -27,7 +28,8 @@ constexpr Range kUnseen[] = {
     {0x1d173, 0x1d17a}, {0xe0000, 0xe0fff},
 };
 
-/// Of every plane the last two are no characters; the first plane's may not stand in XML.
+/// Whether the code is a Unicode noncharacter: the last two codes of every plane. Those of the first plane may not
+/// stand in XML.
 bool is_no_character(std::uint32_t code) { return (code & 0xfffe) == 0xfffe; }
 
 bool is_unseen(std::uint32_t code) {
@@ -36,11 +38,11 @@ bool is_unseen(std::uint32_t code) {
 }
 
 struct Character {
-  std::size_t bytes;  // 0: this is none
+  std::size_t bytes;  // 0: no valid character
   std::uint32_t code;
 };
 
-/// The character that begins there.
+/// The character that begins at `at`.
 Character character_at(const std::string& text, std::size_t at) {
   constexpr Character kNone{0, 0};
   const auto lead = static_cast<unsigned char>(text[at]);
@@ -66,7 +68,7 @@ std::string printable_utf8(const std::string& text, std::string_view kept) {
     const auto [bytes, code] = character_at(text, at);
     const bool is_kept = kept.find(text[at]) != kept.npos;
     if (!is_kept && (bytes == 0 || is_unseen(code))) {
-      // Of such a character each byte, as of what is no UTF-8.
+      // One '_' for each byte of the character, as for bytes that are not UTF-8.
       result.append(std::max<std::size_t>(1, bytes), '_');
     } else {
       result.append(text, at, bytes);

@@ -9,7 +9,7 @@ namespace {
 
 const xmlChar* xml(const std::string& text) { return reinterpret_cast<const xmlChar*>(text.c_str()); }
 
-/// Writing into memory fails for one reason.
+/// Throws where libxml2 reports a failure: writing into memory fails only for lack of memory.
 void check(int result) {
   if (result < 0) throw std::bad_alloc();
 }

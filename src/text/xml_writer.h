@@ -1,4 +1,4 @@
-// XML text through libxml2's writer: escaping and nesting are its business.
+// Writes XML through the writer of libxml2, which escapes texts and closes elements.
 #pragma once
 
 #include <libxml/tree.h>
@@ -16,11 +16,11 @@ class XmlWriter {
   XmlWriter& start(const std::string& element);
   XmlWriter& attribute(const std::string& name, const std::string& value);
   XmlWriter& text(const std::string& text);
-  /// Adds XML that is well-formed already.
+  /// Adds XML that is already well-formed.
   XmlWriter& raw(const std::string& xml);
   XmlWriter& end();
 
-  /// What was written so far, with all elements closed.
+  /// The XML written so far, with all elements closed.
   std::string finish();
 
  private:
@@ -29,7 +29,7 @@ class XmlWriter {
     void operator()(xmlTextWriter* w) const { xmlFreeTextWriter(w); }
   };
   std::unique_ptr<xmlBuffer, Free> buffer_;
-  std::unique_ptr<xmlTextWriter, Free> writer_;  // refers to the buffer, so it goes first
+  std::unique_ptr<xmlTextWriter, Free> writer_;  // refers to the buffer, so it is destroyed first
 };
 
 }  // namespace tessera

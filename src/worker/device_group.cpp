@@ -53,7 +53,7 @@ std::unique_ptr<Matcher> make_device_matcher(const std::vector<DevicePart>& part
 std::unique_ptr<Matcher> make_device_matcher(const std::string& devices_use, const MatchingContext& context,
                                              const ShapeRange& shapes,
                                              const std::shared_ptr<const ModelSource>& models) {
-  const DeviceNeeds needs{.reads_models = models->reads_singly()};
+  const DeviceNeeds needs{.reads_models = models->supports_random_access()};
   return make_device_matcher(device_parts(devices_use, context, shapes, needs), context, models);
 }
 

@@ -38,7 +38,7 @@ void DockStage::post(const DockRequest& request, std::vector<SampleRecord> sampl
   draws_ = request.tangent_dockings;
   first_drawn_ = request.first_drawn;
   samples_.write(samples);
-  if (draws_ > 0) deck_.deal(request.samples);
+  if (draws_ > 0) deck_.draw(request.samples);
   make_room();
   launch_tangents();  // posted first, so that the device works while key points are read
   std::vector<PairRecord> pairs = pairs_->pairs_of(std::move(samples), request.bin_limit);

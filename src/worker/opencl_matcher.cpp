@@ -15,7 +15,7 @@ ShapeRange OpenCLMatcher::shapes() const {
   return {match.first_shape, match.first_shape + match.shapes};
 }
 
-void OpenCLMatcher::limit(const StandingLimits& limits) {
+void OpenCLMatcher::limit(const StanceLimits& limits) {
   library_.limit(limits);
   pairs_.forget();
 }

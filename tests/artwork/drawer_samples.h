@@ -1,4 +1,4 @@
-// For the tests of drawing processes: how they are set up, and what they say.
+// Settings and messages of drawing processes, for their tests.
 #pragma once
 
 #include <opencv2/core.hpp>

@@ -1,4 +1,4 @@
-// SVGs that mean harm to who draws them: too large, too deep, endless, or referring to themselves and to other files.
+// Harmful SVGs: too large, too deep, endless, or with references to themselves and to other files.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ struct OddSvg {
 
 class OddSvgs {
  public:
-  /// About 50 kinds, each `variants` times, milder and harsher.
+  /// About 50 kinds of SVG, each in `variants` strengths.
   static std::vector<OddSvg> make(int variants) {
     OddSvgs made;
     for (int v = 0; v < variants; ++v) {
@@ -90,7 +90,7 @@ class OddSvgs {
     add("many_elements", repeated("<rect width=\"9\" height=\"9\"/>", 50000 * scale) + kDisc);
   }
 
-  /// NAME0 refers to NAME1 and so on.
+  /// `count` parts: NAME0 refers to NAME1, and so on.
   static std::string chain(const std::string& before, const std::string& between, const std::string& after, int count) {
     std::string result;
     for (int i = 0; i < count; ++i) result += before + std::to_string(i) + between + std::to_string(i + 1) + after;

@@ -1,5 +1,5 @@
-// Style sheets for the tests of drawings in one document. A drawing has <g id="r" class="a b" lang="en"> among others:
-// styled_body.
+// Style sheets for tests of several drawings in one document. Each drawing (styled_body) contains <g id="r" class="a b" lang="en">, among
+// others.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace tessera::test {
 
-/// On a page of 100 x 50.
+/// The drawing with its sheet, for a page of 100 x 50.
 inline std::string styled_body(const std::string& sheet) {
   return "<style>" + sheet + "</style><title>t</title>" +
          R"~(<defs><linearGradient id="x"><stop stop-color="#00f"/></linearGradient></defs>)~"
@@ -19,7 +19,7 @@ inline std::string styled_body(const std::string& sheet) {
 }
 
 // clang-format off
-/// What sheets say of their own drawing.
+/// Sheets that style their own drawing.
 inline constexpr std::array kOwnSheets = {
     "rect{fill:red}", ".a{fill:red}", "#r{fill:red}", "#r.a.b > rect.c{fill:red}", "g rect{fill:red}", "g>*{fill:red}",
     "rect+rect{fill:red}", "rect~rect{fill:red}", "title ~ g path{fill:red}", ":root{fill:red}", "svg{fill:red}",
@@ -70,7 +70,7 @@ inline constexpr std::array kOwnSheets = {
     "</style><metadata><style>rect{fill:red}</style></metadata><style>",
     "</style><o:style xmlns:o='urn:o'>rect{fill:red}</o:style><style>"};
 
-/// What would hide or move another drawing, if it got there.
+/// Selectors that would hide or move another drawing if they reached it.
 inline constexpr std::array kLeavingSelectors = {
     "*", "svg", "g", "use", "html", "body", ":root", ":root *", ":root > *", "* *", "svg > *", "svg svg", ":scope", ":scope *",
     "> *", "+ *", "~ *", "~ * *", "+ * *", "> * *", "~g", "+g", "~svg", "x,~ * *", "x,+ *", "~ *,x", "x,> *", "x, ~ *, y",
@@ -87,7 +87,7 @@ inline constexpr std::array kLeavingSelectors = {
     "x/*{*/~ *", "\xc2\xa0*", "\xc2\xa0~ *", "*\xc2\xa0", "\xef\xbb\xbf*", "\\0 *", "\\", "*\\", "\\\n*", "#s\\ ~ *", "&#0x7e;"};
 // clang-format on
 
-/// `%` is the rule: how a rule may be hidden in a sheet.
+/// Sheets that may hide a rule; `%` is its place.
 inline constexpr std::array kLeavingSheets = {
     "%",
     "@media all{%}",

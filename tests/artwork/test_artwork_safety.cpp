@@ -1,4 +1,4 @@
-// Artwork that is damaged or means harm.
+// Damaged and harmful artwork.
 #include <glib.h>
 #include <gtest/gtest.h>
 
@@ -50,7 +50,7 @@ TEST(ArtworkSafety, NoOtherFileIsRead) {
   EXPECT_EQ(area_px2(make_silhouette(svg(include), folder.path("a.svg"))), 0);
 }
 
-TEST(ArtworkSafety, EmbeddedImagesAreDrawn) {  // so the test above would see a file that is read
+TEST(ArtworkSafety, EmbeddedImagesAreDrawn) {  // the test above would notice a file that is read
   const Bytes png = encoded(cv::Mat(8, 8, CV_8UC3, cv::Scalar(0, 0, 255)), ".png");
   gchar* base64 = g_base64_encode(png.data(), png.size());
   const std::string image =
@@ -83,7 +83,7 @@ TEST(ArtworkSafety, DamagedFilesAreInputErrors) {
 
 TEST(ArtworkSafety, LimitsAreEnforced) {
   Bytes bomb = encoded(disc_with_alpha(), ".png");
-  for (const std::size_t at : {16, 20}) bomb[at + 1] = 1;  // 65,836 x 65,736 pixels, it claims
+  for (const std::size_t at : {16, 20}) bomb[at + 1] = 1;  // claims 65,836 x 65,736 pixels
   expect_mistake(bomb, "more than the 50 million allowed");
   std::string laughs = R"(<defs><g id="l0"/>)";
   for (int i = 1; i < 12; ++i) {

@@ -1,4 +1,4 @@
-// Pictures with profiles become sRGB, in every format and wherever pictures are read.
+// Pictures with colour profiles become sRGB, in every format and at every place that reads pictures.
 #include "artwork/images/colour_profile.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ Bytes bytes_of(cmsHPROFILE profile) {
 
 cmsToneCurve* gamma_curve(double gamma) { return cmsBuildGamma(nullptr, gamma); }
 
-/// The primaries of sRGB with another curve: by gamma 1 the byte 128 is half the light, which sRGB writes as 188.
+/// A profile with the primaries of sRGB and gamma 1: the byte 128 is half the light, which sRGB encodes as 188.
 Bytes linear_profile() {
   const cmsCIExyY d65{0.3127, 0.3290, 1};
   const cmsCIExyYTRIPLE primaries{{0.64, 0.33, 1}, {0.30, 0.60, 1}, {0.15, 0.06, 1}};
@@ -74,7 +74,7 @@ TEST(ColourProfile, LeavesAlphaAndSixteenBits) {
   EXPECT_EQ(half.at<cv::Vec4w>(1, 1)[3], 0x1234);
 }
 
-/// Blue of a large gamut is none that sRGB has: its red and green go to 0, and they stay in place.
+/// A blue of a large gamut lies outside sRGB: its red and green become 0, and the channels keep their order.
 TEST(ColourProfile, KeepsTheOrderOfChannels) {
   cv::Mat blue(1, 1, CV_8UC3, cv::Scalar(kHalf, 0, 0));
   make_srgb(blue, linear_profile());
@@ -108,7 +108,7 @@ TEST(ColourProfile, ThatIsOfNoUseIsPassedOver) {
   }
 }
 
-/// gAMA of 100,000 is 1.
+/// A gAMA value of 100,000 means gamma 1.
 TEST(ColourProfile, AGammaOfAPngAloneCountsToo) {
   const cv::Mat half(30, 40, CV_8UC3, cv::Scalar::all(kHalf));
   const Bytes png = test::encoded(half, ".png");
@@ -120,7 +120,7 @@ TEST(ColourProfile, AGammaOfAPngAloneCountsToo) {
   EXPECT_EQ(photo_picture(is_srgb, "half").at<cv::Vec4b>(15, 20)[0], kHalf);
 }
 
-/// Numbers are no colours.
+/// Labels are numbers, not colours.
 TEST(ColourProfile, OfLabelsIsPassedOver) {
   const cv::Mat stored(2, 3, CV_8U, cv::Scalar(kHalf));
   const cv::Mat labels = label_picture(test::encoded_with_profile(stored, ".png", linear_grey_profile()), "labels");

@@ -1,4 +1,4 @@
-// How long matching the selectors of a drawing's style sheets takes: never longer than some seconds.
+// The time to match the selectors of a drawing's style sheets is never longer than some seconds.
 #include <gtest/gtest.h>
 
 #include "artwork/svg/svg_import.h"
@@ -17,14 +17,14 @@ std::string repeated(const std::string& text, int times) {
   return all;
 }
 
-/// `inner` inside of 200 groups.
+/// `inner` inside 200 nested groups.
 std::string deep(const std::string& inner) { return repeated("<g>", 200) + inner + repeated("</g>", 200); }
 
 std::string import(const std::string& sheet, const std::string& body) {
   return import_svg(svg("<style>" + sheet + "</style>" + body), "file", "s", {100, 50});
 }
 
-/// Measures processor time: other work of the machine does not count.
+/// Measures processor time, so that other work on the machine does not count.
 class Clock {
  public:
   double seconds() const { return processor_time_s() - begin_; }
@@ -52,13 +52,13 @@ TEST(CssEffort, NumbersOfManySiblingsAreQuick) {
   EXPECT_LT(clock.seconds(), 2);
 }
 
-constexpr double kMostSeconds = 30;  // a sanitizer and other work on the machine included
+constexpr double kMostSeconds = 30;  // with a sanitizer and other work on the machine
 
 struct Refused {
   std::string what, sheet, body;
 };
 
-/// Selectors that no way of matching makes quick, and sheets that say much of many elements.
+/// Selectors that no algorithm can match quickly, and sheets that style many elements in many ways.
 std::vector<Refused> refused() {
   const std::string many_rects = repeated("<rect/>", 50000);
   const std::string class_of_many = "<rect class=\"" + repeated("y ", 50) + "x\"/>";
@@ -91,7 +91,7 @@ TEST(CssEffort, WhatTakesTooLongIsRefused) {
   }
 }
 
-/// An attribute that a document type gives to each element counts for each of them.
+/// An attribute that a document type gives to every element counts for each of them.
 TEST(CssEffort, DefaultsOfManyElementsAreRefused) {
   const std::string text = "<!DOCTYPE svg [<!ATTLIST rect class CDATA '" + repeated("x ", 30000) +
                            "'>]><svg xmlns=\"http://www.w3.org/2000/svg\"><style>.x{fill:red}</style>" +

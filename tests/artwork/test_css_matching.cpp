@@ -1,4 +1,4 @@
-// Matching of selectors gives what trying each combination of elements gives.
+// Matching of selectors gives the same result as trying each combination of elements.
 #include "artwork/css/css_matching.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ const xmlNode* parent_of(const xmlNode* node) {
   return node->parent->type == XML_ELEMENT_NODE ? node->parent : nullptr;
 }
 
-/// Tries all combinations. Compounds are types alone.
+/// Tries all combinations. Compounds consist only of types.
 bool selects_by_trying(const CssSelector& selector, std::size_t last, const xmlNode* node) {
   const std::string& type = selector.compounds[last].type;
   if (!type.empty() && type != name_of(node)) return false;
@@ -75,7 +75,7 @@ RC_GTEST_PROP(CssMatching, SelectsWhatEachCombinationSelects, ()) {
   RC_CLASSIFY(selected > 0);
 }
 
-/// Numbers among siblings, also where other name spaces and texts stand between them.
+/// Positions among siblings, also with elements of other name spaces and text between them.
 TEST(CssMatching, PlacesAmongSiblings) {
   const std::string text =
       "<svg xmlns:o='urn:o' xmlns:s='http://www.w3.org/2000/svg'>x<a/><b/><!-- --><s:a/><o:a/>y<a/></svg>";

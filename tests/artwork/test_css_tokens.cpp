@@ -1,4 +1,4 @@
-// CSS text that is written from tokens says what was read, whatever comments stood in it.
+// CSS text written from tokens has the meaning of the text that was read, whatever comments were in it.
 #include <gtest/gtest.h>
 
 #include <rapidcheck/gtest.h>
@@ -37,7 +37,7 @@ RC_GTEST_PROP(CssTokens, WrittenTextGivesTheTokensThatWereRead, ()) {
   if (text) RC_ASSERT(css_tokens(*text) == tokens);
 }
 
-/// The tokens of an address are compared by what they mean: a copy may write it with quotes or without.
+/// Addresses are compared by meaning, as a copy may write them with or without quotes.
 std::vector<CssToken> plain_tokens(const std::vector<CssToken>& tokens) {
   std::vector<CssToken> plain;
   for (std::size_t i = 0; i < tokens.size(); ++i) {
@@ -57,7 +57,7 @@ bool refers_elsewhere(const CssToken& token) {
          token.is_function("url");
 }
 
-/// Style attributes and rules of a sheet.
+/// Covers style attributes and rules of a sheet.
 RC_GTEST_PROP(CssTokens, DeclarationsSayWhatTheirFileSays, ()) {
   const std::string css = "fill:" + *css_of_parts();
   std::string style;
@@ -91,7 +91,7 @@ TEST(CssTokens, CommentsDivideTokensThatWouldJoin) {
   EXPECT_EQ(css_text(css_tokens("5/**/3")), "5/**/3");
 }
 
-/// A number and its unit could become another number.
+/// When a number and its unit are joined, another number could result.
 TEST(CssTokens, NumbersStayTheNumbersThatTheyWere) {
   for (const char* css : {"1\\65 3", "1\\65-3", "1\\35 ", "1\\2d 5"}) {
     EXPECT_EQ(css_tokens(css).front().kind, CssKind::broken) << css;

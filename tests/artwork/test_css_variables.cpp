@@ -1,4 +1,4 @@
-// var() in drawings, which librsvg does not know.
+// var() in drawings. librsvg does not support it.
 #include <gtest/gtest.h>
 
 #include "artwork/artwork_render.h"
@@ -15,7 +15,7 @@ namespace test_css_variables {
 using test::Bytes;
 using test::svg;
 
-/// The colour of the middle, "rrggbb"; "none" where nothing is drawn.
+/// The colour of the middle as "rrggbb", or "none" where nothing is drawn.
 std::string colour_of(const Bytes& bytes) {
   const cv::Mat image = render_artwork(bytes, "a.svg", 64, Background::kept);
   const cv::Vec4b p = image.at<cv::Vec4b>(32, 32);
@@ -25,7 +25,7 @@ std::string colour_of(const Bytes& bytes) {
   return text;
 }
 
-/// As it is drawn alone and, where that differs, in a document of its own.
+/// The colour of the drawing alone and, if that differs, also inside another document.
 std::string drawn(const std::string& content) {
   const Bytes bytes = svg(content, "width='100' height='100'");
   const std::string alone = colour_of(bytes);

@@ -1,4 +1,4 @@
-// What confines the processes that read drawings: what is said where it fails, and which files it keeps from them.
+// The layers that confine drawing processes: the message if one fails, and the files that stay unreadable.
 #include <gtest/gtest.h>
 #include <linux/landlock.h>
 #include <sys/prctl.h>
@@ -25,7 +25,7 @@ bool landlock_is_there() {
   return ::syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION) >= 1;
 }
 
-/// A process can be confined 16 times, and passes that on to its children.
+/// A process can be confined 16 times, and its children inherit that, so the next layer fails.
 TEST(Drawers, ALayerThatFailsIsTold) {
   if (!landlock_is_there()) GTEST_SKIP() << "this kernel has no Landlock";
   const pid_t job = ::fork();
@@ -57,7 +57,7 @@ TEST(DrawerLayers, AreToldInALine) {
             "seccomp, which failed here, does not limit what foreign drawings can do");
 }
 
-/// A font that is read through a link out of the fonts' folder, in place of the drawer's files.
+/// Fonts for the drawer to read, where one may be a link to a file outside the fonts' folder.
 class OwnFonts {
  public:
   explicit OwnFonts(const test::ScratchFolder& folder) : fonts_(folder.path("fonts")) {

@@ -1,4 +1,4 @@
-// The program that reads drawings is missing or another one: what is said of it, and what it gets to see.
+// The drawing program is missing or another one: the messages, and the data that it gets.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -20,7 +20,7 @@ using test::kTwo;
 using test::mistake;
 using test::svg;
 
-/// Another program in place of tessera-drawer while it lives.
+/// While an object of this class lives, another program replaces tessera-drawer.
 class OtherProgram {
  public:
   explicit OtherProgram(const std::string& file) { ::setenv("TESSERA_DRAWER", file.c_str(), 1); }
@@ -37,7 +37,7 @@ TEST(Drawers, AMissingProgramIsSaid) {
   }
 }
 
-/// Says so much as its greeting, and waits.
+/// A program that prints only this greeting, and waits.
 std::string greeting_program(const test::ScratchFolder& folder, const std::string& greeting) {
   const std::string script =
       folder.write("program", "#!/bin/sh\ncat " + folder.write("greeting", greeting) + " >&3\nexec sleep 100\n");
@@ -50,7 +50,7 @@ std::string text_of(const DrawerGreeting& greeting) {
          std::string(reinterpret_cast<const char*>(&greeting), sizeof greeting);
 }
 
-/// What is said of a drawer that greets so.
+/// The message about a drawer with this greeting.
 std::string refusal_of(const std::string& greeting) {
   const test::ScratchFolder folder;
   const OtherProgram program(greeting_program(folder, greeting));
@@ -74,7 +74,7 @@ TEST(Drawers, ADrawerOfAnotherBuildIsSaid) {
   EXPECT_NE(message.find("both must be of one build"), std::string::npos) << message;
 }
 
-/// Two builds of one commit, with changes that are not committed.
+/// Two builds of one commit differ in changes that are not committed.
 TEST(Drawers, ADrawerWithOtherHeadersIsSaid) {
   DrawerGreeting greeting{this_build(), {}};
   greeting.build.header_bytes[1] += 8;
@@ -82,7 +82,7 @@ TEST(Drawers, ADrawerWithOtherHeadersIsSaid) {
   EXPECT_NE(message.find("program: it was built from other sources"), std::string::npos) << message;
 }
 
-/// Older ones said no more than a mark.
+/// Older drawers greeted only with a mark.
 TEST(Drawers, ADrawerOfAnOlderVersionIsSaidAtOnce) {
   const std::string message = refusal_of("drawer01");
   EXPECT_NE(message.find("program: it is of another version of tessera"), std::string::npos) << message;

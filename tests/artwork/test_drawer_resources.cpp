@@ -1,4 +1,4 @@
-// Drawing processes where threads are few, and where all of them are suspended for a while.
+// Drawing processes when threads are scarce, and when all of them are suspended for a while.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -69,7 +69,7 @@ std::vector<pid_t> children_of(pid_t process) {
   return children;
 }
 
-/// As a batch system suspends a job: the process and its drawer, for longer than a drawing may take by the clock.
+/// A batch system suspends a job like this: the process and its drawer stop for longer than a drawing may take.
 TEST(Drawers, SuspensionLosesNoDrawing) {
   int go[2], ready[2];
   ASSERT_EQ(::pipe(go) + ::pipe(ready), 0);
@@ -87,7 +87,7 @@ TEST(Drawers, SuspensionLosesNoDrawing) {
   ASSERT_EQ(drawer.size(), 1u);
   ::kill(drawer[0], SIGSTOP);
   ASSERT_EQ(::write(go[1], "x", 1), 1);
-  std::this_thread::sleep_for(300ms);  // the drawing is asked for, and does not come
+  std::this_thread::sleep_for(300ms);  // the drawing was requested but cannot arrive
   ::kill(job, SIGSTOP);
   std::this_thread::sleep_for(4s);
   for (const pid_t process : {drawer[0], job}) ::kill(process, SIGCONT);

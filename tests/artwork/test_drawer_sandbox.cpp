@@ -1,4 +1,4 @@
-// What a process may still do when it has limited itself. Each attempt runs in a forked child, since it cannot go back.
+// The abilities that a process still has after it limited itself. Each attempt runs in a forked child, since limits cannot be removed.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <fontconfig/fontconfig.h>
@@ -32,7 +32,7 @@ constexpr std::size_t kBytes = std::size_t(128) << 20;
 
 enum class Layer { none, limits, system_calls };
 
-/// What `attempt` says in a child that is limited.
+/// Returns the result of `attempt` in a limited child process.
 bool succeeds(Layer layer, const std::function<bool()>& attempt) {
   const pid_t child = ::fork();
   if (child == 0) {
@@ -93,7 +93,7 @@ TEST_F(SystemCalls, NoOtherProcessIsStartedOrTouched) {
   const pid_t parent = ::getpid();
   EXPECT_FALSE(allowed([] {
     char* const arguments[] = {const_cast<char*>("false"), nullptr};
-    ::execv("/bin/false", arguments);  // which would say 1
+    ::execv("/bin/false", arguments);  // /bin/false exits with 1
     return false;
   }));
   EXPECT_FALSE(allowed([] {
@@ -122,7 +122,7 @@ TEST_F(SystemCalls, ThreadsAndMemoryAreThere) {
   }));
 }
 
-/// In a child that is confined to `readable`, as a drawer is.
+/// Returns the result of `attempt` in a child that may read only `readable`, as a drawer.
 bool confined(const std::vector<std::string>& readable, const std::function<bool()>& attempt) {
   return succeeds(Layer::limits, [&] { return confine_to_files(readable) == LayerState::holds && attempt(); });
 }
@@ -154,7 +154,7 @@ TEST_F(Files, OnlyThoseThatDecodersNeedAreRead) {
   }
 }
 
-/// A way by which a user's own settings lead to the home folder.
+/// A user's setting that leads libraries to the home folder.
 struct HomeCase {
   const char* name;
   std::function<void(const std::string& home)> prepare;
@@ -170,7 +170,7 @@ void look_for_fonts_in(const std::string& home) {
   ::setenv("FONTCONFIG_FILE", (home + "/fonts.conf").c_str(), 1);
 }
 
-/// A copy of one that is loaded is another library.
+/// A copy of a loaded library counts as another library.
 void load_a_library_from(const std::string& home) {
   Dl_info library{};
   ::dladdr(reinterpret_cast<void*>(&FcInitLoadConfig), &library);
@@ -229,7 +229,7 @@ TEST_F(Files, NothingIsCutShort) {
   EXPECT_EQ(std::filesystem::file_size(file), 3u);
 }
 
-/// A pipe is no place that Landlock takes.
+/// Landlock does not accept a pipe as a place.
 TEST_F(Files, ARefusedRuleConfinesNothingAndIsSaid) {
   int pipe[2];
   ASSERT_EQ(::pipe(pipe), 0);
@@ -303,7 +303,7 @@ TEST(ProcessLimits, ItDiesWithItsParent) {
   ::waitpid(parent, nullptr, 0);
   ::close(pipe[1]);
   char none = 0;
-  EXPECT_EQ(::read(pipe[0], &none, 1), 0);  // the end of the pipe: nobody has it open any more
+  EXPECT_EQ(::read(pipe[0], &none, 1), 0);  // the end of the pipe: no process has it open any more
 }
 
 }  // namespace test_drawer_sandbox

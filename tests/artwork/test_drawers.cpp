@@ -1,4 +1,4 @@
-// Drawings made in processes of their own: what comes back, and that a bad one costs only itself.
+// Drawing in separate processes: the results that come back, and bad drawings that cost only themselves.
 #include <glib.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -27,7 +27,7 @@ using test::kTwo;
 using test::mistake;
 using test::svg;
 
-/// Aborts librsvg 2.54.
+/// A drawing that aborts librsvg 2.54.
 Bytes panicking_svg() {
   std::string matrix;
   for (int i = 0; i < 100 * 100; ++i) matrix += "1 ";
@@ -35,7 +35,7 @@ Bytes panicking_svg() {
              "\"/></filter><circle cx=\"30\" cy=\"25\" r=\"20\" filter=\"url(#f)\"/>");
 }
 
-/// Takes librsvg minutes.
+/// A drawing that takes librsvg minutes.
 Bytes slow_svg() {
   std::string blurs;
   for (int i = 0; i < 20000; ++i) blurs += "<feGaussianBlur stdDeviation=\"50\"/>";
@@ -131,7 +131,7 @@ TEST(Drawers, APanicCostsItsOwnDrawing) {
   EXPECT_NO_THROW(drawers.render(svg(kDisc), "a", 100));
 }
 
-/// An image of 10,000 x 10,000 px in 10 kB. librsvg leaves out what it has no memory for.
+/// An image of 10,000 x 10,000 px in 10 kB. librsvg leaves out parts that do not fit into memory.
 TEST(Drawers, WhatNeedsTooMuchMemoryIsTold) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "the sanitizer has an allocator of its own";

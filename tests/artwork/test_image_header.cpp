@@ -1,4 +1,4 @@
-// Sizes from headers, and headers that lie or end early.
+// Sizes from file headers, including headers that are wrong or end early.
 #include "artwork/images/image_header.h"
 #include "support/images.h"
 
@@ -42,7 +42,7 @@ TEST(ImageHeader, AnimationsAndPagesAreSeveralPictures) {
   EXPECT_TRUE(has_several_pictures(test::tiff_of_pages({first, second})));
   Bytes animated = test::encoded(grey_page(4), ".png");
   const Bytes control = {0, 0, 0, 8, 'a', 'c', 'T', 'L', 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0};
-  animated.insert(animated.begin() + 33, control.begin(), control.end());  // after the header's chunk
+  animated.insert(animated.begin() + 33, control.begin(), control.end());  // after the header chunk
   EXPECT_TRUE(has_several_pictures(animated));
 }
 
@@ -62,7 +62,7 @@ TEST(ImageHeader, DamagedHeadersNeverReadBeyondTheEnd) {
   EXPECT_TRUE(rc::check([] {
     Bytes bytes = *rc::gen::elementOf(samples());
     bytes.resize(*rc::gen::inRange<std::size_t>(0, std::min<std::size_t>(bytes.size(), 600)));
-    const Bytes exact(bytes);  // a sanitizer sees the byte after it
+    const Bytes exact(bytes);  // a sanitizer detects a read beyond the last byte
     image_size_from_header(exact);
     for (std::size_t i = 4; i < bytes.size(); i += *rc::gen::inRange<std::size_t>(1, 40))
       bytes[i] = *rc::gen::arbitrary<std::uint8_t>();

@@ -1,4 +1,4 @@
-// The readers of picture formats: the pixels that were stored, and files that are cut short, damaged or mean harm.
+// The readers of picture formats: they return the stored pixels, and refuse cut, damaged and harmful files.
 #include "artwork/images/formats/image_readers.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace test_image_readers {
 
 using test::Bytes;
 
-/// Different in every pixel and channel, and no two rows or columns alike.
+/// A picture that differs in every pixel and channel, with no two equal rows or columns.
 cv::Mat pattern(int type, cv::Size size = {37, 22}) {
   cv::Mat image(size, type);
   const int channels = image.channels();
@@ -46,7 +46,7 @@ std::string mistake(const Bytes& bytes) {
   return "no mistake found";
 }
 
-// BMPs by hand, as no program writes most of their kinds any more.
+// BMPs built by hand, as hardly any program still writes most of their variants.
 
 struct Bmp {
   std::uint32_t bits = 8;
@@ -85,7 +85,7 @@ Bytes file_of(const Bmp& bmp) {
   return file;
 }
 
-/// Black, blue, green, red, white and greys.
+/// A palette of black, blue, green, red, white and greys.
 Bytes colour_palette(std::size_t colours) {
   Bytes palette = {0, 0, 0, 0, 255, 0, 0, 0, 0, 255, 0, 0, 0, 0, 255, 0, 255, 255, 255, 0};
   palette.resize(4 * colours, 77);
@@ -94,7 +94,7 @@ Bytes colour_palette(std::size_t colours) {
 
 const cv::Vec3b kBlack(0, 0, 0), kBlue(255, 0, 0), kGreen(0, 255, 0), kRed(0, 0, 255), kWhite(255, 255, 255);
 
-/// Runs, pixels as they are, a skip of two columns and a row, and an early end.
+/// A BMP with runs, literal pixels, a skip of two columns and a row, and an early end.
 Bmp bmp_of_runs() {
   Bmp bmp{.compression = 1, .palette = colour_palette(256)};
   bmp.pixels = {5, 1, 0, 0, 0, 3, 2, 3, 4, 0, 0, 2, 1, 1, 1, 3, 0, 1};
@@ -143,7 +143,7 @@ TEST(ImageReaders, GiveThePixelsThatWereStored) {
   }
   for (const int type : {CV_8UC3, CV_8UC4}) {
     cv::Mat image = pattern(type);
-    if (type == CV_8UC4) image.reshape(1).col(3) = 200;  // what is fully transparent has no colour in a WebP
+    if (type == CV_8UC4) image.reshape(1).col(3) = 200;  // a fully transparent pixel has no colour in a WebP
     for (int x = 0; type == CV_8UC4 && x < image.cols; ++x) image.reshape(1).col(4 * x + 3) = 200 - x;
     EXPECT_TRUE(same(test::decoded(test::webp_of(image)), image)) << type;
   }
@@ -168,7 +168,7 @@ TEST(ImageReaders, JpegIsNearWhatWasStored) {
     EXPECT_LT(cv::norm(read, smooth, cv::NORM_INF), 12);
   }
   EXPECT_EQ(test::decoded(test::jpeg_of(pattern(CV_8UC1))).type(), CV_8UC1);
-  // Adobe's programs invert CMYK: no ink is 255.
+  // Adobe's programs invert CMYK: 255 is no ink.
   const cv::Mat cyan(16, 16, CV_8UC4, cv::Scalar(0, 255, 255, 255));
   EXPECT_LT(
       cv::norm(test::decoded(test::jpeg_of(cyan)), cv::Mat(16, 16, CV_8UC3, cv::Scalar(255, 255, 0)), cv::NORM_INF), 4);
@@ -219,7 +219,7 @@ TEST(Orientation, OfDamagedExifDataIsUpright) {
   }
 }
 
-/// Wherever the file ends, and whatever the lengths in it say.
+/// Tries every end of the file, and any lengths in it.
 TEST(Orientation, IsFoundInFilesThatEndAnywhere) {
   for (const char* extension : {".jpg", ".png", ".webp"}) {
     const Bytes whole = test::encoded_with_orientation(pattern(CV_8UC3), extension, 6);
@@ -239,7 +239,7 @@ TEST(Orientation, IsFoundInFilesThatEndAnywhere) {
 TEST(BmpReader, RunsSkipsAndPixelsAsTheyAre) {
   const cv::Mat image = test::decoded(file_of(bmp_of_runs()));
   ASSERT_EQ(image.type(), CV_8UC3);
-  const cv::Vec3b rows[3][5] = {{kBlack, kBlack, kBlack, kBlack, kRed},  // the lowest is stored first
+  const cv::Vec3b rows[3][5] = {{kBlack, kBlack, kBlack, kBlack, kRed},  // the lowest row is stored first
                                 {kGreen, kRed, kWhite, kBlack, kBlack},
                                 {kBlue, kBlue, kBlue, kBlue, kBlue}};
   for (int y = 0; y < 3; ++y) {
@@ -295,20 +295,21 @@ TEST(BmpReader, RunsThatLeaveThePictureAreRefused) {
   }
 }
 
-/// What is cut short is never half a picture: it is refused, or all pixels were there.
+/// A cut file never gives half a picture: it is refused, or all pixels were there.
 TEST(ImageReaders, NoCutFileIsTakenForAWholeOne) {
   for (const auto& [name, bytes] : samples()) {
     const cv::Mat whole = test::decoded(bytes);
     std::size_t refused = 0;
     for (std::size_t size = 0; size < bytes.size(); ++size) {
-      const Bytes cut(bytes.begin(), bytes.begin() + std::ptrdiff_t(size));  // a sanitizer sees the byte after it
+      const Bytes cut(bytes.begin(),
+                      bytes.begin() + std::ptrdiff_t(size));  // a sanitizer detects a read beyond the last byte
       try {
         ASSERT_TRUE(same(test::decoded(cut), whole)) << name << ": " << size << " of " << bytes.size() << " bytes";
       } catch (const InputError&) {
         ++refused;
       }
     }
-    EXPECT_GE(refused + 200, bytes.size()) << name;  // a TIFF keeps what nobody needs at its end
+    EXPECT_GE(refused + 200, bytes.size()) << name;  // the end of a TIFF may hold unused data
   }
 }
 
@@ -320,7 +321,7 @@ TEST(ImageReaders, ACutFileIsSaidToEndEarly) {
   }
 }
 
-/// JPEG's end may be pretended: what lies before it is missing all the same.
+/// A JPEG may have a forged end, but the pixels before it are still missing.
 TEST(ImageReaders, AJpegWithAnEndButNotAllPixelsIsRefused) {
   for (const char* name : {"JPEG", "grey JPEG"}) {
     Bytes bytes = samples().at(name);
@@ -333,7 +334,7 @@ TEST(ImageReaders, AJpegWithAnEndButNotAllPixelsIsRefused) {
 TEST(ImageReaders, ATiffWithADamagedStripIsRefused) {
   for (const int type : {CV_8UC3, CV_16UC3}) {
     Bytes bytes = test::tiff_of(pattern(type));
-    std::fill_n(bytes.begin() + 60, 200, std::uint8_t(0xff));  // strips come first, behind 8 bytes
+    std::fill_n(bytes.begin() + 60, 200, std::uint8_t(0xff));  // strips come first, after 8 bytes
     EXPECT_EQ(mistake(bytes), "picture: a damaged image") << type;
   }
 }
@@ -344,7 +345,7 @@ TEST(ImageReaders, DamagedFilesAreReadOrRefused) {
   EXPECT_TRUE(rc::check([&] {
     for (Bytes bytes : files) {
       for (int changes = *rc::gen::inRange(1, 12); changes > 0; --changes) {
-        // Headers are the more dangerous part.
+        // Half of the changes hit only the headers, which are the more dangerous part.
         const std::size_t most = *rc::gen::arbitrary<bool>() ? std::min<std::size_t>(bytes.size(), 120) : bytes.size();
         bytes[*rc::gen::inRange<std::size_t>(2, most)] = *rc::gen::arbitrary<std::uint8_t>();
       }
@@ -366,7 +367,7 @@ TEST(ImageReaders, HugeClaimsAreRefusedByTheirHeaders) {
   EXPECT_EQ(mistake(file_of(bmp)), "picture: 2000000 x 1 pixels, allowed: sides of 1048576 at most");
   bmp.size = {0, 5};
   EXPECT_EQ(mistake(file_of(bmp)), "picture: a damaged image");
-  bmp = {.bits = 24, .size = {7'000, 7'000}, .pixels = Bytes(100)};  // allowed, but the pixels are not there
+  bmp = {.bits = 24, .size = {7'000, 7'000}, .pixels = Bytes(100)};  // an allowed size, but the pixels are missing
   EXPECT_EQ(mistake(file_of(bmp)), "picture: a damaged image: its file ends early");
 }
 

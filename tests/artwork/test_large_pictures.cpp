@@ -1,4 +1,4 @@
-// Small files with as many pixels as are allowed: no process takes more than 512 MiB for them.
+// Small files with the largest allowed number of pixels: no process needs more than 512 MiB for them.
 #include <gtest/gtest.h>
 #include <zlib.h>
 
@@ -24,7 +24,7 @@ void add_chunk(const std::string& name, const test::Bytes& data, test::Bytes& to
   add_number(std::uint32_t(crc32(0, named.data(), uInt(named.size()))), to);
 }
 
-/// All rows are zeros on the right, and `left` over and over on the left.
+/// A PNG whose rows repeat the bytes `left` on the left, and are zero on the right.
 test::Bytes png(std::uint8_t bits, std::uint8_t colour_type, int bits_per_pixel, const test::Bytes& left) {
   test::Bytes row(1 + std::size_t(kWidth_px * bits_per_pixel + 7) / 8, 0);
   for (std::size_t i = 1; i < row.size() / 2; ++i) row[i] = left[(i - 1) % left.size()];
@@ -51,10 +51,10 @@ test::Bytes png(std::uint8_t bits, std::uint8_t colour_type, int bits_per_pixel,
   return file;
 }
 
-/// `draw` says what is wrong, of the file's process and of its drawer.
+/// `draw` returns what is wrong, or an empty text. The limits hold for the reading process and its drawer.
 template <class Draw>
 void expect_bounded(const std::string& name, const test::Bytes& file, DrawerSettings settings, Draw draw) {
-#ifdef __SANITIZE_ADDRESS__  // whose own memory is the drawer's, too, and which hangs where it gets none
+#ifdef __SANITIZE_ADDRESS__  // the sanitizer's memory counts as the drawer's, and it hangs without enough
   settings.bytes_per_process = std::size_t(4) << 30;
 #endif
   const test::ChildReport report = test::in_child([&]() -> std::string {
@@ -115,7 +115,7 @@ TEST(ReducedPicture, KeepsPlacesAndSmallPictures) {
   small.convertTo(eight, CV_8U, 1. / 257);
   EXPECT_TRUE(test::equal(reduced_picture(eight, 50'000), eight));
   EXPECT_TRUE(test::equal(reduced_picture(small.clone(), 50'000), eight));
-  const cv::Mat reduced = reduced_picture(small.clone(), 30'000);  // each side by 11 / 8
+  const cv::Mat reduced = reduced_picture(small.clone(), 30'000);  // each side is reduced to 8 / 11
   ASSERT_EQ(reduced.size(), cv::Size(145, 182));
   for (int y = 0; y < reduced.rows; ++y) {
     for (int x = 0; x < reduced.cols; ++x) {

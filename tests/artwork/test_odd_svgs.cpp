@@ -1,6 +1,6 @@
-// SVGs that mean harm, as artwork of a library, as canvas and as original of a picture: each costs its own drawing,
-// ends in time, and is told with a reason; whoever asks for it keeps its own memory. With TESSERA_ALL_ODD_SVGS all
-// variants are tried.
+// Harmful SVGs as artwork of a library, as canvas and as original of a picture. Each costs only its own drawing, ends in time, and is
+// reported with a reason.
+// The calling process keeps its memory small. TESSERA_ALL_ODD_SVGS tries all variants.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -30,7 +30,7 @@ constexpr int kThreads = 2;
 
 constexpr double kSeconds = 0.5;
 constexpr std::size_t kMebibyte = std::size_t(1) << 20;
-/// Beside what a drawing may take: a process with its libraries, and what a test holds itself.
+/// The memory of a process with its libraries and of the test itself, besides the memory allowed for drawing.
 constexpr std::size_t kOwnBytes = 300 * kMebibyte;
 
 const DrawerSettings kSettings{
@@ -56,7 +56,7 @@ std::span<const std::uint8_t> bytes_of(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-/// What became of a drawing; says which, and how long it took.
+/// The result of a drawing, with its name and its time.
 struct Outcome {
   std::string text;
   double seconds = 0;
@@ -83,10 +83,10 @@ void expect_drawn_or_told(const Outcome& outcome, const std::string& path, doubl
   EXPECT_EQ(outcome.text.find('\n'), std::string::npos) << outcome.text;
 }
 
-/// Starting a process again on a busy machine included.
+/// The limit includes a new start of the process on a busy machine.
 constexpr double kMostSeconds = kSeconds + 10;
 
-/// What becomes of all of them, `draw` called from several threads.
+/// The outcomes of all drawings. Several threads call `draw`.
 std::vector<Outcome> outcomes_of(std::size_t count, const std::function<void(std::size_t)>& draw) {
   std::vector<Outcome> outcomes;
   OrderedWork<Outcome> job;
@@ -98,7 +98,7 @@ std::vector<Outcome> outcomes_of(std::size_t count, const std::function<void(std
   return outcomes;
 }
 
-/// Every third one in the quick test.
+/// Every third SVG, for the quick test.
 std::vector<OddSvg> some_of(const std::vector<OddSvg>& all) {
   std::vector<OddSvg> some;
   for (std::size_t i = 0; i < all.size(); i += variants == 1 ? 3 : 1) some.push_back(all[i]);

@@ -1,4 +1,4 @@
-// Outlines that are cut and pictures that are drawn are of the same drawing: their areas agree.
+// Outlines to cut and pictures of the same drawing agree in their areas.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ std::vector<std::uint8_t> bytes_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// The drawing with fills alone, all of them opaque; empty where that leaves out what it has.
+/// The drawing with only opaque fills; empty if the drawing contains other elements.
 std::vector<std::uint8_t> plain(const std::vector<std::uint8_t>& bytes) {
   static const std::regex kOther(R"(<(flowRoot|text|image|filter|mask|marker)\b)");
   const std::string style =
@@ -52,7 +52,7 @@ struct Size {
   double area = 0, perimeter = 0;  // px
 };
 
-/// Of all outlines together, on the page of `side_px`.
+/// The area and perimeter of the union of all outlines, on a page of `side_px`.
 Size union_of(const SvgOutlines& found) {
   namespace clip = ClipperLib;
   constexpr double kFine = 1000;
@@ -89,8 +89,8 @@ Size union_of(const SvgOutlines& found) {
   return size;
 }
 
-/// In px of kSide_px. Drawn at a finer scale: where edges of two shapes lie on each other, what is half covered twice
-/// counts as more than half.
+/// The drawn area in px of kSide_px. It is drawn at a finer scale, because on touching edges two half-covered pixels add up to more than
+/// half.
 double drawn_area(const std::vector<std::uint8_t>& bytes, const std::string& path) {
   constexpr int kFiner = 4;
   const cv::Mat page = render_artwork(bytes, path, kFiner * kSide_px, Background::kept);
@@ -101,7 +101,7 @@ double drawn_area(const std::vector<std::uint8_t>& bytes, const std::string& pat
   return area / (kFiner * kFiner);
 }
 
-/// Of the first `count` drawings that `library build` takes and that are plain, every `step`th.
+/// Compares the first `count` plain drawings that `library build` accepts, of every `step`th drawing.
 void expect_agreement(std::size_t count, std::size_t step) {
   const std::vector<fs::path> files = openclipart();
   if (files.empty()) GTEST_SKIP() << "openclipart-svg is not installed";

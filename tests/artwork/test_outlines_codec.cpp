@@ -1,4 +1,4 @@
-// Outlines on their way from a drawer.
+// Outlines in the message from a drawer.
 #include <gtest/gtest.h>
 
 #include <rapidcheck/gtest.h>
@@ -64,7 +64,7 @@ RC_GTEST_PROP(OutlinesCodec, GarbledBytesAreRefusedOrAreOutlines, ()) {
   }
 }
 
-/// A closed step takes one byte on the way, and many in memory.
+/// A closing step takes one byte in the message, but many in memory.
 TEST(OutlinesCodec, MoreStepsThanAFileMayHaveAreRefused) {
   SvgOutlines outlines = some_outlines(2);
   for (SvgOutline& outline : outlines.outlines) outline.steps.resize(kMostOutlineSteps / 2, {'Z'});

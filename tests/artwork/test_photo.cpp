@@ -1,4 +1,4 @@
-// Photographs and maps of labels, decoded.
+// The decoding of photographs and of label maps.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace test_photo {
 using test::Bytes;
 using test::encoded;
 
-/// Blue on the left, green on the right, 60 x 40.
+/// A picture of 60 x 40, blue on the left and green on the right.
 cv::Mat blue_and_green() {
   cv::Mat picture(40, 60, CV_8UC3, cv::Scalar(200, 40, 40));
   picture.colRange(30, 60) = cv::Scalar(40, 200, 40);
@@ -53,7 +53,8 @@ TEST(Photo, IsTurnedAsItsExifDataSay) {
   }
 }
 
-/// As a shape's drawing, a canvas or a zone, whose background is cut out: a disc on the left of a page that lies down.
+/// The picture serves as a shape's drawing, a canvas or a zone, and its background is cut out. It shows a disc on the left of a landscape
+/// page.
 TEST(RasterPage, IsTurnedAsItsExifDataSay) {
   cv::Mat stored(40, 60, CV_8UC3, cv::Scalar::all(255));
   cv::circle(stored, {20, 20}, 12, cv::Scalar(200, 40, 40), cv::FILLED);

@@ -1,4 +1,4 @@
-// Pictures without transparency: what is cut out as their background, and that nothing else becomes see-through.
+// Pictures without transparency: their background is cut out, and nothing else becomes transparent.
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>
@@ -23,7 +23,7 @@ void disc(cv::Mat& picture, int radius_px, const cv::Scalar& colour) {
   cv::circle(picture, {150, 150}, radius_px, colour, cv::FILLED, cv::LINE_AA);
 }
 
-/// A grey disc round one of rust, on white.
+/// A grey disc around one of rust, on white.
 cv::Mat two_discs() {
   cv::Mat picture = plain(kWhite);
   disc(picture, 120, kGrey);
@@ -37,7 +37,7 @@ cv::Mat alpha_of(const cv::Mat& bgra) {
   return alpha;
 }
 
-/// Of the alphas within so many px round the middle.
+/// The least alpha within `radius_px` around the middle.
 int least_alpha(const cv::Mat& bgra, int radius_px) {
   cv::Mat inside = cv::Mat::zeros(bgra.size(), CV_8U);
   cv::circle(inside, {150, 150}, radius_px, cv::Scalar(255), cv::FILLED);
@@ -57,7 +57,7 @@ TEST(PictureGround, WhatIsNearerToTheGroundInColourIsNoLessOpaque) {
   }
 }
 
-/// As a collage shows it.
+/// Draws the picture as a piece of a collage.
 TEST(PictureGround, ThePieceHidesTheCanvas) {
   test::SampleCollage sample;
   sample.report.output.background = "#0000ff";
@@ -96,7 +96,7 @@ TEST(PictureGround, PaleThingsStandOutFromTheGround) {
   }
 }
 
-/// Holes of a mask are holes: a ring as a canvas, a letter.
+/// The holes of a mask stay holes: a ring as a canvas, a letter.
 TEST(PictureGround, MasksOfTwoColoursKeepTheirHoles) {
   for (const auto& [shape, ground] :
        {std::pair(cv::Scalar::all(0), kWhite), {kWhite, cv::Scalar::all(0)}, {kRust, kGrey}}) {
@@ -111,7 +111,7 @@ TEST(PictureGround, MasksOfTwoColoursKeepTheirHoles) {
   }
 }
 
-/// Everywhere but there alpha is 0 or 255.
+/// Alpha is 0 or 255 everywhere except in that band.
 TEST(PictureGround, OnlyABandBesideTheGroundIsInBetween) {
   const cv::Mat alpha = alpha_of(render_artwork(encoded(two_discs(), ".jpg"), "discs", 300));
   int between = 0;
@@ -126,7 +126,7 @@ TEST(PictureGround, OnlyABandBesideTheGroundIsInBetween) {
   EXPECT_GT(between, 300) << "the edge is antialiased";
 }
 
-/// Over the ground the picture is what it was.
+/// Laid over its ground, the picture looks as before.
 TEST(PictureGround, OverItsOwnGroundThePictureStaysWhatItWas) {
   const cv::Mat picture = two_discs();
   const cv::Mat cut = cut_from_background(picture);

@@ -1,4 +1,4 @@
-// A collage's SVG as the PDF has it, drawn on pixels here.
+// The SVG of a collage as the PDF contains it, drawn here as pixels.
 #include "artwork/svg/printed_svg.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ cv::Mat drawn(const std::string& svg, int width, int height) {
   return image;
 }
 
-/// A page of 100 x 20 whose first fifth is red and the rest blue, by a gradient over the box of a bar.
+/// A page of 100 x 20, whose first fifth is red and the rest blue, by a gradient over the box of a bar.
 std::string collage(const std::string& transform) {
   return R"~(<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink")~"
          R"~( width="400" height="200" viewBox="0 0 200 100"><defs><g id="a0"><svg width="100" height="20">)~"
@@ -50,13 +50,13 @@ TEST(PrintedSvg, PiecesAreStretchedWithTheirPage) {
   svg.replace(svg.find("width=\"400\" height=\"200\""), 24,
               "width=\"400\" height=\"400\" preserveAspectRatio=\"none\"");
   const cv::Mat image = drawn(svg, 200, 200);
-  expect_near(image.at<cv::Vec4b>(45, 100), {128, 127, 0, 255});  // in the document at 22
-  expect_near(image.at<cv::Vec4b>(55, 100), kGreen);              // beyond the clip, at 27
+  expect_near(image.at<cv::Vec4b>(45, 100), {128, 127, 0, 255});  // at 22 in the document
+  expect_near(image.at<cv::Vec4b>(55, 100), kGreen);              // beyond the clip, at 27 in the document
   expect_near(image.at<cv::Vec4b>(195, 5), kGreen);
 }
 
 TEST(PrintedSvg, GradientsOfPiecesThatAreTurnedFollowTheirObject) {
-  // Twice as large, turned by a third of a right angle, from (20, 10).
+  // Twice as large, turned by a third of a right angle, moved by (20, 10).
   const double c = std::sqrt(3.), s = 1;
   const cv::Mat image = drawn(collage("matrix(1.7320508 1.0000000 -1.0000000 1.7320508 20.000 10.000)"), 200, 100);
   const auto at = [&](double x, double y) {
@@ -68,15 +68,15 @@ TEST(PrintedSvg, GradientsOfPiecesThatAreTurnedFollowTheirObject) {
   expect_near(image.at<cv::Vec4b>(95, 5), kGreen);
 }
 
-/// Blue over a green canvas and a red piece, a quarter of it.
+/// Blue, a quarter opaque, over a green canvas and a red piece.
 TEST(PrintedSvg, TheOverlayLiesAboveThePieces) {
   std::string svg = collage("matrix(1 0 0 1 20 10)");
   svg.insert(svg.rfind("</svg>"),
              R"(<g id="layer-overlay" opacity="0.25"><rect width="50%" height="100%" fill="#00f"/></g>)");
   const cv::Mat image = drawn(svg, 400, 200);
-  expect_near(image.at<cv::Vec4b>(40, 60), {64, 96, 96, 255});  // of the piece: red over green, half each
+  expect_near(image.at<cv::Vec4b>(40, 60), {64, 96, 96, 255});  // the piece (half red, half green) below the overlay
   expect_near(image.at<cv::Vec4b>(180, 60), {64, 191, 0, 255});
-  expect_near(image.at<cv::Vec4b>(40, 220), {128, 127, 0, 255});  // beyond the overlay
+  expect_near(image.at<cv::Vec4b>(40, 220), {128, 127, 0, 255});  // to the right of the overlay
   expect_near(image.at<cv::Vec4b>(180, 220), kGreen);
 }
 

@@ -26,7 +26,7 @@ using test::kDisc;
 using test::svg;
 
 constexpr double kPi = std::numbers::pi;
-/// OpenCV draws circles up to half a pixel larger than asked for.
+/// OpenCV draws circles up to half a pixel larger than requested.
 constexpr double kDiscFraction = kPi * 60.25 * 60.25 / (300 * 200);
 
 cv::Mat disc_on_background(cv::Scalar background, cv::Scalar disc) {
@@ -45,7 +45,7 @@ Shape shape_of(const Bytes& bytes) {
 TEST(Silhouette, SvgPageAndDrawing) {
   const Silhouette s = make_silhouette(svg(kDisc), "a.svg");
   EXPECT_EQ(s.source_px, 0);
-  // The drawing takes 40 of 100: it is drawn finer than the page at 512.
+  // The drawing takes 40 of 100 units, so it is drawn finer than its page would be at 512.
   EXPECT_GT(s.width_px, 1000);
   EXPECT_EQ(s.height_px, (s.width_px + 1) / 2);
   EXPECT_GE(std::max(s.alpha.width(), s.alpha.height()), 480);
@@ -60,7 +60,7 @@ TEST(Silhouette, MeanColourIsLab) {
   EXPECT_NEAR(lab[2], 67.2, 0.5);
 }
 
-/// Black and white in equal shares lie 50 from their mean.
+/// Black and white in equal shares are each 50 away from their mean.
 TEST(Silhouette, SpreadTellsOneColourFromSeveral) {
   EXPECT_LT(make_silhouette(svg(kDisc), "a.svg").colour.spread, 1);
   const std::string halves = R"(<rect width="50" height="50"/><rect x="50" width="50" height="50" fill="white"/>)";
@@ -89,7 +89,7 @@ TEST(Silhouette, TinyDrawingOnALargePage) {
 }
 
 TEST(Silhouette, SizeOfThePage) {
-  // From the viewBox, from neither (up to where the drawing ends), in other units, with another aspect.
+  // The page comes from the viewBox, from other units, or with another aspect. Without any size it ends where the drawing ends.
   EXPECT_NEAR(area_fraction(make_silhouette(svg(kDisc, R"(viewBox="0 0 100 50")"), "a")), kPi * 400 / 5000, 1e-3);
   EXPECT_NEAR(area_fraction(make_silhouette(svg(kDisc, ""), "a")), kPi * 400 / (50 * 45), 2e-3);
   EXPECT_NEAR(area_fraction(make_silhouette(svg(kDisc, R"(width="2in" height="1in" viewBox="0 0 100 50")"), "a")),
@@ -133,18 +133,18 @@ TEST(Silhouette, MasksWithoutAlpha) {
       EXPECT_NEAR(area_fraction(s), kDiscFraction, 5e-3) << extension;
     }
   }
-  // The background is taken out of the colour.
+  // The mean colour leaves out the background.
   EXPECT_NEAR(make_silhouette(encoded(blue_on_yellow, ".png"), "a").colour.mean_lab[2], -74, 3);
 }
 
-/// Half of the edge belongs to the shape, and JPEG adds its noise.
+/// Half of the frame's edge belongs to the shape, and JPEG adds noise.
 TEST(Silhouette, AMaskMayTouchTheEdge) {
   cv::Mat mask(200, 300, CV_8UC3, cv::Scalar::all(250));
   mask(cv::Rect(160, 0, 140, 200)) = cv::Scalar(20, 30, 10);
   EXPECT_NEAR(area_fraction(make_silhouette(encoded(mask, ".jpg"), "a")), 140.0 / 300, 5e-3);
 }
 
-/// Stones of many shades side by side, which fill the frame.
+/// Stones of many shades lie side by side and fill the frame.
 TEST(Silhouette, APhotoThatFillsItsFrameIsRefused) {
   cv::Mat photo(200, 300, CV_8UC3);
   for (int y = 0; y < photo.rows; ++y)
@@ -218,7 +218,7 @@ TEST(ArtworkShape, KnowsItsStyleAtAnySize) {
   EXPECT_LT(style_distance(style_place(style), style_place(far)), 0.3f);
 }
 
-/// Line art is drawn on white, or on nothing.
+/// Line art may be drawn on white or on a transparent ground.
 TEST(ArtworkShape, ClosedLinesAreAlikeWithAndWithoutWhiteBetweenThem) {
   const auto ring = [](const std::string& fill) {
     return style_of(R"(<circle cx="50" cy="50" r="40" stroke="black" stroke-width="2" fill=")" + fill + "\"/>");
@@ -227,7 +227,7 @@ TEST(ArtworkShape, ClosedLinesAreAlikeWithAndWithoutWhiteBetweenThem) {
   EXPECT_GT(style_distance(style_place(ring("white")), style_place(ring("#208040"))), 1);
 }
 
-/// Opaque up to a radius of 12, then fading out up to 24.
+/// The halo is opaque up to a radius of 12, then fades out up to 24.
 TEST(ArtworkShape, TheOutlineRunsAtTheOpacityAskedFor) {
   const Bytes halo = svg(R"svg(<defs><radialGradient id="g"><stop offset="0.5"/><stop offset="1" stop-opacity="0"/>
       </radialGradient></defs><circle cx="50" cy="25" r="24" fill="url(#g)"/>)svg");
@@ -239,7 +239,7 @@ TEST(ArtworkShape, TheOutlineRunsAtTheOpacityAskedFor) {
             std::get<ArtworkShape>(shape_from_artwork(halo, "halo.svg", {{}, 0.5f})).shape.drawn_scale_px);
 }
 
-/// What a drawing encloses helps it where lines alone are too thin, and only then is that told.
+/// The message advises to fill enclosed areas only if the lines alone are too thin.
 TEST(ArtworkShape, SaysWhereWhatItEnclosesWouldHelp) {
   const auto ring = [](double line) {
     return svg(R"(<circle cx="50" cy="25" r="20" fill="none" stroke="black" stroke-width=")" + std::to_string(line) +
@@ -277,7 +277,7 @@ TEST(ArtworkRender, HasTheSizeAskedForAndStraightAlpha) {
 }
 
 TEST(ArtworkPage, WindowIsCutFromThePage) {
-  // With layers, which must not depend on the window.
+  // The drawing has layers, whose look must not depend on the window.
   const auto page = open_artwork_page(svg(R"svg(<filter id="f"><feGaussianBlur stdDeviation="3"/></filter>
              <mask id="m"><circle cx="60" cy="25" r="20" fill="white"/></mask>
              <g opacity="0.7"><circle cx="30" cy="25" r="15" filter="url(#f)"/></g>

@@ -16,8 +16,9 @@ namespace test_solid_coverage {
 using test::Bytes;
 using test::encoded;
 
-constexpr double kBody = CV_PI * 20 * 20;       // a disc in the middle of a page of 200 x 100
-constexpr double kBesideBody = 2 * 28.54 * 16;  // of the wings, bars that begin below it
+constexpr double kBody = CV_PI * 20 * 20;  // a disc in the middle of a page of 200 x 100
+constexpr double kBesideBody =
+    2 * 28.54 * 16;  // the part of the wings beside the body; they are bars that begin below it
 
 const std::string kBodyDisc = R"~(<circle cx="100" cy="50" r="20" fill="#c02020"/>)~";
 
@@ -29,14 +30,14 @@ std::string wings(double opacity, const std::string& attributes = "") {
   return "<rect x=\"52" + bar + "<rect x=\"108" + bar;
 }
 
-/// An element, e.g. `circle r="5"`, with a blur of so many units.
+/// An element, for example `circle r="5"`, with a blur of `blur` units.
 std::string blurred(const std::string& element, double blur, double opacity = 1) {
   return R"~(<filter id="f" x="-1" y="-1" width="3" height="3"><feGaussianBlur stdDeviation=")~" +
          std::to_string(blur) + "\"/></filter><" + element + " filter=\"url(#f)\" opacity=\"" +
          std::to_string(opacity) + "\"/>";
 }
 
-/// A disc of radius 40 that fades out from a part of it on.
+/// A disc of radius 40 that fades out beyond the fraction `from` of its radius.
 std::string fading_disc(double from, double opacity, double y = 50) {
   return "<radialGradient id=\"g\"><stop offset=\"" + std::to_string(from) + "\" stop-opacity=\"" +
          std::to_string(opacity) + R"~("/><stop offset="1" stop-opacity="0"/></radialGradient><circle cx="100" cy=")~" +
@@ -47,7 +48,7 @@ std::variant<ArtworkShape, SkipReason> traced(const Bytes& file, float edge_opac
   return shape_from_artwork(file, "drawing.svg", {.pad = {}, .rules = {.edge_opacity = edge_opacity}});
 }
 
-/// Of the shape, in units of the page; 0: it is none.
+/// The area of the shape in units of the page; 0 if there is no shape.
 double area(const Bytes& file, float edge_opacity = kEdgeOpacity) {
   const auto result = traced(file, edge_opacity);
   const auto* artwork = std::get_if<ArtworkShape>(&result);
@@ -88,7 +89,7 @@ TEST(SolidCoverage, ADrawingMayBeTranslucentAsAWhole) {
 
 ArtworkShape shape_of(const std::string& drawing) { return std::get<ArtworkShape>(traced(page(drawing))); }
 
-/// A disc that is less and less opaque from its middle to its rim, but has a rim.
+/// A disc whose opacity falls from its middle to its rim, with a visible rim.
 std::string ball(double rim_opacity) {
   return R"~(<radialGradient id="b"><stop stop-opacity="0.9"/><stop offset="1" stop-opacity=")~" +
          std::to_string(rim_opacity) + R"~("/></radialGradient><circle cx="100" cy="50" r="40" fill="url(#b)"/>)~";
@@ -124,7 +125,7 @@ TEST(SolidCoverage, WhiskersOfAnySlopeBelongToTheBody) {
   }
 }
 
-/// A wing that is less and less opaque ends where its half is reached, if it has no edge there.
+/// A fading wing without an edge ends where half of its opacity is reached.
 TEST(SolidCoverage, AWingThatFadesAtItsTipCountsToItsHalf) {
   const auto wing = [](const std::string& tip) {
     return R"~(<linearGradient id="g"><stop stop-opacity="0.6"/><stop offset="1" stop-opacity=")~" + tip +
@@ -195,7 +196,7 @@ TEST(SolidCoverage, SoftShadowsAreLeftOut) {
   }
 }
 
-/// Some programs draw soft shadows as discs of 0.05 on top of each other.
+/// Some programs draw soft shadows as stacked discs of opacity 0.05.
 TEST(SolidCoverage, ASoftShadowMayBeMadeOfSteps) {
   std::string steps;
   for (int radius = 22; radius <= 38; radius += 4) {
@@ -210,7 +211,7 @@ TEST(SolidCoverage, AShadowIsNoWingAndAWingIsNoShadow) {
   EXPECT_NEAR(area(page(shadow + wings(0.4) + kBodyDisc)), opaque, 0.03 * opaque);
 }
 
-/// Who asks for shadows gets them.
+/// A user who asks for shadows gets them.
 TEST(SolidCoverage, AnOpacityThatIsAskedForIsTakenByTheWord) {
   EXPECT_GT(area(page(fading_disc(0.4, 0.8) + kBodyDisc), 0.05f), 2 * kBody);
   EXPECT_NEAR(area(page(wings(0.4) + kBodyDisc), 0.6f), kBody, 0.01 * kBody);
@@ -256,7 +257,7 @@ TEST(SolidCoverage, ATranslucentPartBesideTheBodyIsNotOfIt) {
   EXPECT_EQ(shape_of(far + R"~(<circle cx="20" cy="50" r="2"/>)~" + kBodyDisc).other_components, 2);
 }
 
-/// To the byte: libraries of such drawings stay what they were.
+/// The coverage is equal to the byte, so libraries of such drawings stay unchanged.
 RC_GTEST_PROP(SolidCoverage, WithoutTranslucentPartsItIsAlphaItself, ()) {
   cv::Mat alpha(200, 200, CV_8U, cv::Scalar(0));
   const int shapes = *rc::gen::inRange(1, 6);

@@ -1,4 +1,4 @@
-// Untrusted SVGs inside another document: nothing of theirs runs, loads or clashes.
+// Foreign SVGs inside another document: no part of them runs, loads or clashes.
 #include <gtest/gtest.h>
 
 #include "artwork/svg/svg_import.h"
@@ -118,7 +118,7 @@ TEST(SvgImport, WhatIsNoSvgIsAnError) {
   for (const char* file : {"", "hello", "<svg", "<html/>", R"~(<svg xmlns="http://other"/>)~", "\x1f\x8b broken"}) {
     EXPECT_THROW(import(file), InputError) << file;
   }
-  EXPECT_TRUE(contains(import("<svg><rect/></svg>"), "<rect/>"));  // old files forget the name space
+  EXPECT_TRUE(contains(import("<svg><rect/></svg>"), "<rect/>"));  // old files omit the name space
 }
 
 TEST(SvgImport, AnyPrefixAndEncodingOfTheFile) {
@@ -142,7 +142,7 @@ TEST(SvgImport, StyleSheetsBecomeStyleAttributesAndLoadNothing) {
   EXPECT_TRUE(contains(g, R"~(<circle style="stroke:blue"/>)~")) << g;
 }
 
-/// A nested <svg> may be larger than its page and draw beyond it; the outermost one never does.
+/// A nested <svg> may be larger than its page and draw beyond it, but the outermost one never does.
 TEST(SvgImport, NothingIsDrawnBeyondThePage) {
   const std::string g = import_body("<style>svg{width:900px;height:900px;overflow:visible;fill:red}</style>",
                                     R"~( x="-9" overflow="visible" style="overflow:visible;y:-9px")~");

@@ -1,4 +1,4 @@
-// Drawings side by side in one document: none changes how the others look, in librsvg and in Chromium.
+// Drawings side by side in one document: none changes the look of the others, in librsvg and in Chromium.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -21,7 +21,7 @@ using test::kLeavingSheets;
 using test::styled_body;
 using test::svg;
 
-/// What a hostile rule does to all that it reaches.
+/// The effect of a hostile rule on all elements that it reaches.
 constexpr const char* kHide =
     "{display:none!important;visibility:hidden;opacity:0;fill:lime;transform:translate(900px)}";
 
@@ -36,14 +36,14 @@ std::string neighbour(const std::string& id, const std::string& colour) {
           R"~("/><text id="s" y="40">ab</text><g id="t" xml:lang="en"><circle id="n" cx="50" cy="25" r="15"/></g>)~");
 }
 
-/// Drawn before and after a hostile drawing.
+/// The drawings before and after a hostile drawing.
 std::string first_neighbour() { return neighbour("n", "#d03020"); }
 std::string last_neighbour() { return neighbour("t", "#3040c0"); }
 
 const std::string kHead = R"~(<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" )~"
                           R"~(width="100" height="150" viewBox="0 0 100 150">)~";
 
-/// As collage.svg has it: definitions, a canvas, and pieces that use them.
+/// A document like collage.svg: definitions, a canvas, and pieces that use the definitions.
 std::string document(const std::string& hostile) {
   return kHead + "<defs>" + first_neighbour() + hostile + last_neighbour() +
          "</defs><rect width=\"100\" height=\"150\" fill=\"white\"/>" +
@@ -56,7 +56,7 @@ cv::Mat by_librsvg(const std::string& document) {
   return render_artwork(test::Bytes(document.begin(), document.end()), "document.svg", 150);
 }
 
-/// That of the drawings before and after the one in the middle.
+/// The difference in the drawings before and after the one in the middle.
 double difference_of_neighbours(const cv::Mat& a, const cv::Mat& b) {
   const cv::Rect first(0, 0, 100, 50), last(0, 100, 100, 50);
   return std::max(cv::norm(a(first), b(first), cv::NORM_INF), cv::norm(a(last), b(last), cv::NORM_INF));
@@ -78,7 +78,7 @@ std::vector<std::string> leaving_sheets() {
   return sheets;
 }
 
-/// What is no XML, or a sheet that cannot be copied, is no drawing of a collage's SVG.
+/// Text that is not XML, or a sheet that cannot be copied, gives no drawing in collage.svg.
 std::string copied_or_empty(const std::string& sheet) {
   try {
     return drawing("s", styled_body(sheet));
@@ -100,7 +100,7 @@ TEST(SvgNeighbours, NoStyleSheetReachesThem) {
   EXPECT_GT(copied, leaving_sheets().size() * 9 / 10) << "most of the sheets must be well-formed";
 }
 
-/// What else of a drawing names elements: ids that are others', and references to them.
+/// Drawings name elements also by ids, which others may use too, and by references to these.
 TEST(SvgNeighbours, NoReferenceReachesThem) {
   const cv::Mat calm = by_librsvg(document(harmless()));
   const std::string grey = R"~(<linearGradient id="x"><stop stop-color="#888"/></linearGradient>)~";
@@ -121,7 +121,7 @@ TEST(SvgNeighbours, NoReferenceReachesThem) {
   }
 }
 
-/// Parts that blend with all that is beneath them.
+/// Elements that blend with everything beneath them.
 const std::vector<std::string> kBlending = {
     R"~(<rect x="-900" y="-900" width="9999" height="9999" style="mix-blend-mode:difference;fill:white"/>)~",
     R"~(<rect width="100" height="50" mix-blend-mode="difference" fill="white"/>)~",
@@ -137,7 +137,7 @@ cv::Mat on_ground(const std::string& drawing) {
   return by_librsvg(text.replace(text.rfind(white), white.size(), "fill=\"#f3f0ec\"/><g id=\"layer\""));
 }
 
-/// As collage.png has it: drawn by itself, then laid on the ground.
+/// collage.png does the same: it draws the drawing by itself and then lays it on the ground.
 TEST(SvgNeighbours, NoBlendModeReachesTheGround) {
   const cv::Rect middle(0, 50, 100, 50);
   for (const std::string& body : kBlending) {
@@ -147,7 +147,7 @@ TEST(SvgNeighbours, NoBlendModeReachesTheGround) {
   EXPECT_EQ(harmless().find("isolation"), std::string::npos) << "the bytes of all others stay";
 }
 
-/// librsvg gives it to filters, wherever the drawing stands: such a drawing becomes a picture.
+/// librsvg gives the ground to filters at any place, so such a drawing is embedded as a picture.
 TEST(SvgNeighbours, NoFilterReadsTheGround) {
   for (const char* input : {"BackgroundImage", "BackgroundAlpha"}) {
     const std::string body = R"~(<filter id="f"><feBlend in="SourceGraphic" in2=")~" + std::string(input) +
@@ -156,7 +156,7 @@ TEST(SvgNeighbours, NoFilterReadsTheGround) {
   }
 }
 
-/// Empty where Chromium gave no picture.
+/// The picture that Chromium draws; empty if there is none.
 cv::Mat by_chromium(const test::ScratchFolder& folder, const std::string& document) {
   const std::string page = folder.write("page.svg", document);
   const std::string picture = folder.path("page.png");
@@ -168,8 +168,9 @@ cv::Mat by_chromium(const test::ScratchFolder& folder, const std::string& docume
   return std::system(command.c_str()) == 0 ? test::bgr_of_image(test::read_image(picture)) : cv::Mat();
 }
 
-/// All hostile drawings in one document, drawn as siblings of their neighbours: Chromium looks at what <use> shows by
-/// itself, so that there a selector for siblings has none. Runs among the long tests (CMakeLists.txt).
+/// All hostile drawings are siblings of their neighbours in one document. Chromium treats the content of <use> by itself, so a selector for
+/// siblings finds none there.
+/// It runs among the long tests (CMakeLists.txt).
 TEST(SvgNeighbours, DISABLED_NoStyleSheetReachesThemInChromium) {
   std::string all;
   std::size_t number = 0;
@@ -185,7 +186,7 @@ TEST(SvgNeighbours, DISABLED_NoStyleSheetReachesThemInChromium) {
   ASSERT_FALSE(calm.empty()) << "no picture by chromium: scripts/install-packages.sh long-tests";
   ASSERT_EQ(hostile.size(), calm.size());
   EXPECT_EQ(calm.at<cv::Vec3b>(5, 5), cv::Vec3b(0xc0, 0x40, 0x30)) << "the neighbour is there";
-  const cv::Rect beside(2, 2, calm.cols - 2, calm.rows - 2);  // the hostile ones' pages are a px large
+  const cv::Rect beside(2, 2, calm.cols - 2, calm.rows - 2);  // the pages of the hostile drawings are 1 px larger
   EXPECT_EQ(cv::norm(calm(beside), hostile(beside), cv::NORM_INF), 0);
 }
 

@@ -1,4 +1,4 @@
-// What is cut of an SVG is what a browser draws of it.
+// The outlines to cut equal what a browser draws of the SVG.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ std::vector<std::string> names_of(const SvgOutlines& found) {
   return names;
 }
 
-/// Name, corner and size of each in 0.01 mm: "r 0 0 50 50".
+/// The id, corner and size of each outline in 0.01 mm: "r 0 0 50 50".
 std::vector<std::string> boxes_of(const SvgOutlines& found) {
   const auto text = [](double mm) {
     const double hundredths = std::round(100 * mm) / 100;
@@ -72,7 +72,7 @@ TEST(SvgOutlines, AllShapesAreReadInMm) {
   for (std::size_t i = 0; i < want.size(); ++i) {
     EXPECT_EQ(found.outlines[i].name, want[i].first);
     EXPECT_TRUE(found.outlines[i].filled);
-    // Four Bézier curves are a circle but for 0.03 % of its radius.
+    // Four Bézier curves form a circle with an error of 0.03 % of its radius.
     EXPECT_NEAR(area_of(found.outlines[i]), want[i].second, 3e-4 * want[i].second) << want[i].first;
   }
   const auto curves = std::count_if(found.outlines[1].steps.begin(), found.outlines[1].steps.end(),
@@ -92,7 +92,7 @@ TEST(SvgOutlines, CoordinatesAreExactToAThousandthOfAMillimetre) {
   }
 }
 
-/// A part that is as wide as its sheet fits.
+/// A part exactly as wide as its sheet must fit.
 TEST(SvgOutlines, DecimalsAreExact) {
   for (const double size : {33.4, 0.1, 2.3333, 480.123}) {
     const std::string side = std::to_string(size);
@@ -233,7 +233,7 @@ TEST(SvgOutlines, ContoursThatCrossAreOne) {
   EXPECT_EQ(contours("d='M0 0h30v30h-30zM20 20h30v30h-30z' fill-rule='evenodd'"), 2u)
       << "what is filled twice is a hole";
   EXPECT_EQ(contours("d='M0 0h30v30h-30zM30 0h30v30h-30z'"), 1u) << "side by side";
-  // These stay as they are, with their curves.
+  // These outlines stay as they are, with their curves.
   const SvgOutlines ring = read(svg("<path id='a' d='M10 10C10 40 40 40 40 10zM20 15h10v5h-10z'/>"));
   EXPECT_TRUE(std::any_of(ring.outlines[0].steps.begin(), ring.outlines[0].steps.end(),
                           [](const PathStep& step) { return step.command == 'C'; }));

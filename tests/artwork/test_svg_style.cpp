@@ -37,7 +37,7 @@ TEST(SvgStyle, DeclarationsAreSplitOutsideOfQuotesAndBrackets) {
   EXPECT_EQ(declarations("fill:red !important"), "fill:red !important");
 }
 
-/// What begins here must not reach into what comes after it.
+/// An open bracket or quote must not affect the text after it.
 TEST(SvgStyle, BracketsAndQuotesAreClosed) {
   EXPECT_EQ(declarations("fill:rgb(1,2,3"), "fill:rgb(1,2,3)");
   EXPECT_EQ(declarations("fill:rgb((1"), "fill:rgb((1))");
@@ -64,7 +64,7 @@ TEST(SvgStyle, ValuesReferToTheirOwnDocumentAlone) {
   }
 }
 
-/// A comment divides what would be an address without it; in a copy without comments it would be one.
+/// A comment divides a value that would be an address without it. In a copy without comments it would become one.
 TEST(SvgStyle, ValuesDividedByCommentsReferToNothing) {
   const std::vector<std::string> values = {"url/**/('http://evil/x.svg#a')",
                                            "url/**/('#other')",
@@ -94,7 +94,7 @@ TEST(SvgStyle, NoCommentBeginsInACopy) {
   EXPECT_EQ(local_css_value("translate(5/**/3)", "p-"), "translate(5/**/3)");
 }
 
-/// What XML does not allow would spoil the document around the copy.
+/// Characters that XML does not allow would damage the document around the copy.
 TEST(SvgStyle, ACopyIsXmlWhateverIsEscaped) {
   for (const char* value :
        {"'\\fffe '", "'\\ffff x'", "'\\1 '", "a\\c b", "url(\\23 a\\c b)", "url('#a\\b b')", "'\\d800 '"}) {
@@ -125,7 +125,7 @@ TEST(SvgStyle, SheetsStandAnywhereAndOldFilesForgetTheNameSpace) {
   EXPECT_EQ(copied(file).at<cv::Vec4b>(10, 10), cv::Vec4b(0, 0, 255, 255));
 }
 
-/// Nothing comes out that a renderer could take for a sheet, and the document stays well-formed.
+/// No result could be taken for a sheet by a renderer, and the document stays well-formed.
 RC_GTEST_PROP(SvgStyle, NoTextBecomesASheet, ()) {
   const auto parts =
       *rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(std::vector<std::string>{"*",
@@ -177,14 +177,14 @@ RC_GTEST_PROP(SvgStyle, NoTextBecomesASheet, ()) {
   try {
     copy = import_svg(svg(styled_body(sheet)), "file", "s", {100, 50});
   } catch (const InputError&) {
-    return;  // a sheet from a data: address
+    return;  // this sheet comes from a data: address
   }
   RC_ASSERT(copy.find("<style") == std::string::npos);
   RC_ASSERT(copy.find("data:") == std::string::npos);
   RC_ASSERT(copied(svg(styled_body(sheet))).size() == cv::Size(200, 100));
 }
 
-/// Each of these is one that a careless reader looks at again and again. How long matching takes: test_css_effort.cpp.
+/// A careless reader would scan each of these sheets again and again. For the time of matching see test_css_effort.cpp.
 TEST(SvgStyle, LongSheetsAreReadOnce) {
   for (const char* part : {"(", "[", "{", "a{", "@a", "@a{", "'\n", "\\", "/*", "url(", ":not(", "a,", "a ", "[a",
                            "a{b:(", "a{b:url(", "a{b:c;", "&lt;!--"}) {

@@ -1,4 +1,4 @@
-// A warp on its way to a drawer: what arrives is what was sent, or it is refused.
+// A warp in the message to a drawer: the drawer gets what was sent, or refuses it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -73,7 +73,7 @@ TEST(WarpCodec, WhatIsCutOffOrForgedIsRefused) {
   std::vector<std::uint8_t> longer = bytes;
   longer.push_back(0);
   EXPECT_THROW(decode_warp(longer), InputError);
-  for (const std::size_t at : {12, 16}) {  // columns and rows
+  for (const std::size_t at : {12, 16}) {  // the numbers of columns and rows
     for (const std::int32_t count : {-1, 0, 1, 6, 1 << 30, std::numeric_limits<std::int32_t>::max()}) {
       std::vector<std::uint8_t> forged = bytes;
       std::memcpy(forged.data() + at, &count, sizeof count);

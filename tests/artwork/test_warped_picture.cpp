@@ -1,4 +1,4 @@
-// Pictures that are deformed, against what a scan of all triangles says of each pixel.
+// Deformed pictures, against a scan of all triangles for each pixel.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -50,7 +50,7 @@ bool equal(const cv::Mat& a, const cv::Mat& b) {
   return a.size() == b.size() && a.type() == b.type() && cv::norm(a, b, cv::NORM_INF) == 0;
 }
 
-/// Three nodes of a cell.
+/// Three nodes of a cell, which form a triangle.
 using Corners = std::array<std::array<int, 2>, 3>;
 
 std::array<Corners, 2> triangles_of_cell(int i, int j, bool falling) {
@@ -58,7 +58,7 @@ std::array<Corners, 2> triangles_of_cell(int i, int j, bool falling) {
   return {{{{{i, j}, {i + 1, j}, {i, j + 1}}}, {{{i + 1, j}, {i + 1, j + 1}, {i, j + 1}}}}};
 }
 
-/// Where p, of the result, lies in the source by this triangle; nothing where it lies without.
+/// The place in the source of a point p of the result, by this triangle; nullopt if p lies outside.
 std::optional<cv::Point2d> source_in(const Corners& corners, const Warp& warp, cv::Point2d p) {
   std::array<cv::Point2d, 3> from, to;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -176,18 +176,18 @@ TEST(WarpedPicture, ShowsNothingOfCellsThatAreNotActive) {
 
 TEST(WarpedPicture, LiesOnAPageThatIsDeformed) {
   const cv::Mat picture = noise({20, 10}, true);
-  Warp warp = still_warp({100, 100}, 9, true);  // of a page on which a pixel is 4 units large, turned upside down
+  Warp warp = still_warp({100, 100}, 9, true);  // on a page on which a pixel is 4 units large, upside down
   const cv::Matx23d source_from_page(-0.25, 0, 22, 0, -0.25, 15);
   for (Vec2& d : warp.displacement.data()) d = {-8, -20};
   const cv::Mat result = warped_picture(picture, source_from_page, warp, {80, 40});
   cv::Mat turned, expected;
   cv::flip(picture, turned, -1);
   cv::resize(turned, expected, {80, 40}, 0, 0, cv::INTER_LINEAR);
-  const cv::Rect inner(2, 2, 76, 36);  // but for what mixes with what is beyond the edge
+  const cv::Rect inner(2, 2, 76, 36);  // without pixels that mix with the area beyond the edge
   EXPECT_LE(cv::norm(result(inner), expected(inner), cv::NORM_INF), 1);
 }
 
-/// Folds, endless displacements and grids that lie elsewhere: something comes back.
+/// Folds, huge displacements and grids elsewhere: the function still returns a picture.
 TEST(WarpedPicture, OutlastsAbsurdWarps) {
   const cv::Mat picture = noise({30, 30}, true);
   const float endless = std::numeric_limits<float>::infinity();

@@ -1,4 +1,4 @@
-// Drawings that are deformed as vectors, against the same drawings deformed as pixels, and what they may not hold.
+// Drawings deformed as vectors, against the same drawings deformed as pixels, and content that the result may not hold.
 #include <gtest/gtest.h>
 #include <libxml/parser.h>
 
@@ -23,7 +23,7 @@ using test::svg;
 
 constexpr int kSide_px = 400;
 
-/// Of the page that test::svg has, 100 x 50, and a margin.
+/// A warp over the page of test::svg, 100 x 50, and a margin.
 Warp warp_of_page(Vec2 (*displacement)(Vec2)) {
   Warp warp{.origin = {-10, -10}, .step = 2.5f, .displacement = {49, 29}, .active = {48, 28, 1}};
   for (int j = 0; j < 29; ++j) {
@@ -40,7 +40,7 @@ Warp waves() {
   return warp_of_page([](Vec2 p) { return Vec2{1.5f * std::sin(p.y / 8), 1.2f * std::cos(p.x / 9)}; });
 }
 
-/// The group on a page with a margin of 10 units.
+/// A document that shows the group on a page with a margin of 10 units.
 Bytes document(const std::string& group) {
   const std::string text = R"~(<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" )~"
                            R"~(width="120" height="70" viewBox="-10 -10 120 70">)~" +
@@ -52,7 +52,7 @@ cv::Mat drawn(const std::string& group) {
   return premultiplied(render_artwork(document(group), "drawn", 3 * kSide_px));
 }
 
-/// Means of 3 x 3 px, which do not depend on antialiasing much.
+/// Means of 3 x 3 px, which depend little on antialiasing.
 cv::Mat coarse(const cv::Mat& fine) {
   cv::Mat small;
   cv::resize(fine, small, {}, 1 / 3., 1 / 3., cv::INTER_AREA);
@@ -68,14 +68,14 @@ double difference(const cv::Mat& a, const cv::Mat& b) {
 
 double worst_difference(const cv::Mat& a, const cv::Mat& b) { return cv::norm(a, b, cv::NORM_INF); }
 
-/// What the drawing shows when its picture is deformed.
+/// The deformed picture of the drawing.
 cv::Mat deformed(const Bytes& file, const Warp& warp) {
   const float scale = 3 * kSide_px / 120.f;
   const cv::Mat flat = drawn(import_svg(file, "file", "s", {100, 50}));
   return warped_picture(flat, in_frame(warp, scale, {10 * scale, 10 * scale}, false), flat.size());
 }
 
-/// The most by which the mean of some pixels is off, 0 to 255.
+/// The largest error of the mean over some pixels, from 0 to 255.
 double error_of(const std::string& body, const Warp& warp) {
   const Bytes file = svg(body);
   return worst_difference(coarse(drawn(warped_svg(file, "file", "s", warp))), coarse(deformed(file, warp)));
@@ -109,7 +109,7 @@ TEST(WarpedSvg, WithoutDisplacementIsTheDrawing) {
 
 TEST(WarpedSvg, PathsAreWhereTheirPictureIs) {
   for (const std::string body : {kStar, kText, kTurned, kSymbols, kLayer}) {
-    EXPECT_LE(error_of(body, waves()), 40) << body;  // of 255, on edges
+    EXPECT_LE(error_of(body, waves()), 40) << body;  // of 255, at edges
     EXPECT_LT(difference(coarse(drawn(warped(body))), coarse(deformed(svg(body), waves()))), 0.3) << body;
   }
 }
@@ -176,7 +176,7 @@ TEST(WarpedSvg, NothingIsShownFromBeyondThePage) {
   EXPECT_EQ(cv::countNonZero(drawing.reshape(1)(cv::Rect(0, 0, drawing.cols * 4, 128))), 0);
 }
 
-/// What is left of the file is what its drawing looks like.
+/// Only the look of the drawing is left of the file.
 TEST(WarpedSvg, NothingOfTheFileComesIn) {
   const std::string g = warped(
       R"~(<script>evil()</script><g id="evil" onclick="evil()"><rect id="r" class="evil" width="9" height="9"/></g>)~"
@@ -235,7 +235,7 @@ std::string repeated(const std::string& text, int count) {
   return all;
 }
 
-/// Each layer shows that before it ten times.
+/// Each layer shows the layer before it ten times.
 std::string layers_of_layers(int levels) {
   std::string body = R"~(<defs><g id="l0" opacity=".5"><circle r="5"/><rect width="9" height="3"/></g>)~";
   for (int i = 1; i < levels; ++i) {
@@ -245,7 +245,7 @@ std::string layers_of_layers(int levels) {
   return body + "</defs><use xlink:href=\"#l" + std::to_string(levels - 1) + "\"/>";
 }
 
-/// Drawn, or a reason that names the file: and soon.
+/// Expects a drawing or a reason that names the file, within a short time.
 void expect_bounded(const std::string& body, const Warp& warp = waves()) {
   const double start_s = processor_time_s();
   try {

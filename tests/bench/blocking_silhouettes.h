@@ -14,7 +14,7 @@
 
 namespace tessera::test {
 
-/// White on black, about 150 px wide; the same number, the same one. Its left and its right half differ.
+/// A white blob on black, about 150 px wide. The same number gives the same blob; its left and right halves differ.
 inline cv::Mat blob_mask(std::uint64_t number) {
   Draws draws(number);
   std::vector<double> amplitude, phase;
@@ -40,7 +40,7 @@ inline void write_png(const std::string& path, const cv::Mat& image) {
       .write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
 }
 
-/// blob-0.png, blob-1.png and so on.
+/// Writes blob-0.png, blob-1.png and so on.
 inline void write_blobs(const ScratchFolder& folder, int count) {
   for (int i = 0; i < count; ++i) {
     write_png(folder.path("blob-" + std::to_string(i) + ".png"), blob_mask(std::uint64_t(i)));

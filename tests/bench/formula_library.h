@@ -1,4 +1,4 @@
-// A library file of formula shapes, in a folder of its own.
+// A library file of formula shapes in a temporary folder.
 #pragma once
 
 #include "bench/inputs/formula_shapes.h"

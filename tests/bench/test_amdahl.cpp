@@ -1,4 +1,4 @@
-// Amdahl's law, fitted.
+// The fit of Amdahl's law.
 #include "bench/amdahl.h"
 
 #include <gtest/gtest.h>

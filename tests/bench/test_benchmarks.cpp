@@ -1,4 +1,4 @@
-// Every benchmark runs, in its small version, and its JSON has what is promised.
+// Every benchmark runs in its quick version, and its JSON holds the documented values.
 #include "bench/benchmarks.h"
 
 #include <gtest/gtest.h>
@@ -182,7 +182,7 @@ TEST(Benchmarks, Library) {
   }
 }
 
-/// The models of a file are those that are made: the same is matched, from a file that is new and one that is there.
+/// Models read from a library file give the same matches as models made in memory, for a new file and for an existing one.
 TEST(Benchmarks, LibraryReadsModelsOfAFile) {
   LibraryOptions options;
   options.library = library();
@@ -202,7 +202,7 @@ TEST(Benchmarks, LibraryChecksItsSizes) {
   EXPECT_THROW(bench_library({}, options), InputError);
 }
 
-/// What is asked for holds, in a quick version too; what is not asked for is little there. Each part is told.
+/// A quick version keeps the options that are given and reduces all others. Every reduced part is reported.
 TEST(Benchmarks, QuickOnesDoWhatIsAskedFor) {
   LibraryOptions sizes;
   sizes.library = library();
@@ -221,7 +221,7 @@ TEST(Benchmarks, QuickOnesDoWhatIsAskedFor) {
   EXPECT_EQ(told, (std::vector<std::string>{"10 shapes, seed 1", "30 shapes, seed 1"}));
 }
 
-/// No pairs are other dockings than some: rows differ, and hold what was asked for.
+/// A limit of no pairs gives other dockings than a limit of some. The rows differ and hold the given options.
 TEST(Benchmarks, Variety) {
   SquareJob job;
   job.library = library();

@@ -1,4 +1,4 @@
-// Silhouettes recognised by a part of their boundary: what a clip leaves, what counts as found, and a run from end to end.
+// Silhouettes recognised by a part of their boundary: clipping, which answers count as found, and a whole run.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace tessera::bench {
 namespace test_blocking {
 
-/// 100 x 60 px, its upper left corner at (20, 30).
+/// A box of 100 x 60 px with its upper left corner at (20, 30).
 cv::Mat box_mask() {
   cv::Mat mask(120, 160, CV_8U, cv::Scalar(0));
   mask(cv::Rect(20, 30, 100, 60)).setTo(255);
@@ -58,7 +58,7 @@ TEST(Clipping, WithoutAClipNothingIsRemoved) { EXPECT_TRUE(clipped({}, {.turned_
 
 TEST(Clipping, PartsOfAShapeAreCurvesOfTheirOwn) {
   cv::Mat mask = box_mask();
-  mask(cv::Rect(60, 50, 60, 20)).setTo(0);  // a C, open to the right
+  mask(cv::Rect(60, 50, 60, 20)).setTo(0);  // a C that is open to the right
   Draws draws(1);
   EXPECT_EQ(clipped_curves(mask, {.blocked = 0.6}, {}, draws).size(), 2u);
 }
@@ -81,7 +81,7 @@ TEST(Clipping, NoiseHasItsWidthAndItsSeed) {
   const std::vector<Curve> noisy = clipped({}, {.noise_px = 1.5});
   EXPECT_EQ(noisy, clipped({}, {.noise_px = 1.5}));
   EXPECT_NE(noisy, clipped({}, {.noise_px = 1.5}, 2));
-  // Of points along the two sides that run in x: their y, from the nearer side.
+  // The y of points along the two horizontal sides, measured from the nearer side.
   double squares = 0, count = 0;
   const Box box = bounding_box(clipped({}).at(0).points);
   for (const Vec2 p : noisy.at(0).points) {
@@ -94,7 +94,7 @@ TEST(Clipping, NoiseHasItsWidthAndItsSeed) {
   EXPECT_NEAR(std::sqrt(squares / count), 1.5, 0.3);
 }
 
-/// Pixels beside the mask's edges, whose values a JPEG changes.
+/// The number of pixels beside the mask's edges whose values JPEG changes.
 int changed_pixels(int quality) {
   cv::Mat mask(64, 64, CV_8U, cv::Scalar(0));
   cv::circle(mask, {30, 33}, 20, 255, cv::FILLED);
@@ -182,7 +182,7 @@ TEST(Success, CountsItselfAndTwins) {
   EXPECT_FALSE(success_of({}, 0, library, twins).told);
 }
 
-/// The mirror image is made beside the silhouette, which stays.
+/// The library holds the mirror image beside the silhouette, which stays.
 TEST(Silhouettes, ALibraryHoldsTheirMirrorImages) {
   const std::vector<Silhouette> silhouettes = {{"blob", largest_part(test::blob_mask(3))}};
   const cv::Mat before = silhouettes[0].mask.clone();
@@ -224,7 +224,7 @@ TEST(Blocking, FindsBlobsByHalfOfThem) {
   for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(again["rows"][i]["twin_percent"], rows[i]["twin_percent"]);
 }
 
-/// All of them are asked the same queries, and know whole shapes; the order is that of the command line.
+/// All descriptors get the same queries and the same whole shapes, in the order of the command line.
 TEST(Blocking, ComparesDescriptors) {
   const test::ScratchFolder folder;
   test::write_blobs(folder, 6);

@@ -1,4 +1,4 @@
-// The peer of mosaics, without the peer: how images are divided into tiles, and what drawings become.
+// The baseline for mosaics without its program: the division of images into tiles, and drawings as images.
 #include "bench/baselines/metapixel.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ TEST(TileGrid, HasTheAspectAndTheNumber) {
   EXPECT_EQ(grid.tile_px, 64);
 }
 
-/// Its mosaic can be read again: 8192 px each way and 50 million px at most.
+/// The program can read its mosaic again: at most 8192 px each way and 50 million px.
 RC_GTEST_PROP(TileGridProperty, IsNeverTooLarge, ()) {
   const cv::Size image(*rc::gen::inRange(1, 8000), *rc::gen::inRange(1, 8000));
   RC_PRE(image.width <= 8 * image.height && image.height <= 8 * image.width);

@@ -1,4 +1,4 @@
-// The paper's rule, as a matcher.
+// The paper's choice of pairs, as a matcher.
 #include "bench/baselines/paper_matcher.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Random filling overlaps nothing and keeps to its range of scales.
+// Random filling makes no overlaps and keeps its range of scales.
 #include "bench/baselines/random_filling.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The costs of a round, fitted to runs whose costs are known.
+// The fitted costs of a round against runs with known costs.
 #include "bench/round_model.h"
 
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 namespace tessera::bench {
 namespace test_round_model {
 
-/// A run of ten rounds as a machine would give that counts 1 ms a thousand shapes, docks 40 ms over all workers, and
-/// has a master that takes 5 ms and 0.5 ms a worker.
+/// Ten rounds of an invented machine. It counts 1 ms per thousand shapes, docks 40 ms over all workers, and its master takes 5 ms and 0.5
+/// ms per worker.
 ScalingCase made_up(int workers, std::uint32_t shapes) {
   ScalingCase c;
   c.workers = c.asked = workers;
@@ -18,14 +18,14 @@ ScalingCase made_up(int workers, std::uint32_t shapes) {
   c.count_s = 0.010 * shapes / 1000. / workers;
   c.dock_s = 0.400 / workers;
   c.measure_s = 0.020 / workers;
-  c.merge_s = 0.050;  // whatever the number of shapes
+  c.merge_s = 0.050;  // independent of the number of shapes
   c.questions_s = 0.005 * workers;
   c.field_bytes_to_worker = 1000;
   c.bytes_to_worker = 1000 + 4000 + 600. / workers;
   c.bytes_from_worker = 8000 + 1200. / workers;
   c.busiest_s = c.waiting_s = c.count_s + c.dock_s + c.measure_s;
   c.ahead_s = 0.010;
-  c.waiting_s += 40 * 0.0003 - c.ahead_s;  // every question is noticed late
+  c.waiting_s += 40 * 0.0003 - c.ahead_s;  // the master notices every answer late
   c.loop_s = c.waiting_s + c.ahead_s + c.merge_s + c.questions_s;
   return c;
 }

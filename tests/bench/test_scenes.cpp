@@ -1,5 +1,4 @@
-// Scenes in which silhouettes are hidden in part: how much is hidden, what is seen, whose answers are right, and a run from
-// end to end.
+// Scenes with partly hidden silhouettes: the hidden share, the visible curves, the scoring of answers, and a whole run.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -63,7 +62,7 @@ TEST(Scenes, AClippedSilhouetteLosesALeftPartOfItsWidth) {
   EXPECT_EQ(seen.x + seen.width, whole.x + whole.width);
 }
 
-/// The whole silhouette that lies above is seen, too: none of it is cut off by the scene's frame.
+/// The upper silhouette is seen whole; the scene's frame cuts off none of it.
 TEST(Scenes, ShowTheUpperSilhouetteWhole) {
   Draws draws(3);
   const Scene scene = covered_scene(blob(1), blob(2), 0.2, 1.3, draws).value();
@@ -101,7 +100,7 @@ TEST(ChangedOutline, KeepsTheStatedPart) {
     EXPECT_NEAR(length_of(kept) / closed_length(resampled_closed(outline, 512)), 1 - part, 0.01);
     EXPECT_GT(signed_area(changed.points), 0);
 
-    // Its mask has the boundary that the points have.
+    // The mask has the same boundary as the points.
     const std::vector<Vec2> traced = outer_outline(filled_mask(changed.points));
     EXPECT_NEAR(signed_area(traced), signed_area(changed.points), 0.02 * signed_area(changed.points));
 
@@ -181,7 +180,7 @@ TEST(SceneSuccess, CountsTheHiddenSilhouetteAndAllThatIsShown) {
   EXPECT_TRUE(!nothing.told && !nothing.among && !nothing.all_among);
 }
 
-/// Four queries of known shapes, of which one gets a wrong answer and one none at all, and two of unknown ones.
+/// Four queries of known shapes (one answer is wrong, one is missing), and two queries of unknown shapes.
 const std::vector<Verdict> kVerdicts = {
     {.measure = 0.9, .told = true, .right = true, .known = true},
     {.measure = 0.6, .told = true, .right = true, .known = true},
@@ -220,7 +219,7 @@ TEST(PrecisionRecall, TheBestThresholdHasTheLargestF1) {
 TEST(AnswerMeasures, CompareTheBestAnswerWithTheNextShapeAndWithItsOwnLength) {
   SilhouetteLibrary library;
   for (std::size_t i = 0; i < 3; ++i) library.shapes.push_back({.silhouette = i});
-  library.shapes[0].outline.curves = {{{0, 0}, {2, 0}, {2, 2}, {0, 2}}};  // 8 units long
+  library.shapes[0].outline.curves = {{{0, 0}, {2, 0}, {2, 2}, {0, 2}}};  // perimeter 8
   const Twins twins("a b", "t.txt", named_silhouettes({"a", "b", "c"}));
   const Similarity four_times{0, 4, 0, 0};
   const std::vector<Recognition> found = {

@@ -1,4 +1,4 @@
-// Descriptors of whole shapes extended to segments: they find what was one curve again, and the benchmark races them.
+// Descriptors of whole shapes, extended to segments: they find a cut again, and the benchmark compares them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,15 +23,15 @@ std::vector<std::unique_ptr<ShapeDescriptor>> segment_descriptors() {
   return all;
 }
 
-/// The line along which the disc is cut: it bends both ways, and its halves differ.
+/// The line that cuts the disc. It bends both ways, and its halves differ.
 float cut_at(float x) { return 0.3f * std::sin(2.6f * x + 0.4f) + 0.12f * std::sin(5.5f * x); }
 
-/// The part of the unit disc on one side of the cut, its interior on the left.
+/// The part of the unit disc on one side of the cut, with its interior on the left.
 Outline half_disc(bool upper) {
   constexpr int kPoints = 600;
   std::vector<Vec2> curve;
   const auto on_cut = [](float x) { return Vec2{x, cut_at(x)}; };
-  float left = -1, right = 1;  // where the cut leaves the disc
+  float left = -1, right = 1;  // the ends of the cut on the disc
   while (norm(on_cut(left)) > 1) left += 1e-3f;
   while (norm(on_cut(right)) > 1) right -= 1e-3f;
   const auto at = [&](int i) { return left + (right - left) * float(i) / kPoints; };
@@ -46,13 +46,13 @@ Outline half_disc(bool upper) {
   return {{curve}};
 }
 
-/// px of the unit disc's radius on the canvas, and its middle.
+/// The unit disc's radius and middle on the canvas, in px.
 constexpr float kRadius_px = 90;
 constexpr float kMiddle_px = 150;
 
-/// Where the part lies on the canvas when it is part of the disc.
+/// The pose of a part that completes the disc on the canvas.
 Similarity pose_in_disc(const Shape& part) {
-  constexpr float kArtwork_px = 150;  // of the disc's radius: test::shape_from_outline
+  constexpr float kArtwork_px = 150;  // the disc's radius in the artwork, as test::shape_from_outline draws it
   const float canvas_px = kRadius_px / kArtwork_px;
   const Vec2 centre = part.artwork.centroid_px * canvas_px + Vec2{kMiddle_px, kMiddle_px};
   return {part.artwork.unit_px * canvas_px, 0, centre.x, centre.y};
@@ -64,7 +64,7 @@ float farthest_point_px(const Shape& shape, const Similarity& a, const Similarit
   return farthest;
 }
 
-/// The lower part lies on the canvas; the library has the upper one, turned, and other shapes before and after it.
+/// The canvas holds the lower part. The library has the upper one, turned, with other shapes before and after it.
 struct CutDisc {
   static constexpr std::uint32_t kUpper = 1;
 
@@ -102,7 +102,7 @@ struct CutDisc {
   std::vector<TargetSample> on_cut;
 };
 
-/// Dockings refined that put the upper part within a px of where it was cut off.
+/// The number of refined dockings that put the upper part within 1 px of its original place.
 std::size_t found_again(const CutDisc& cut, SegmentMatcher& matcher, const DockReply& reply) {
   const Similarity expected = pose_in_disc(cut.shapes[CutDisc::kUpper]);
   matcher.post_refine(reply.dockings);
@@ -124,7 +124,7 @@ TEST(SegmentMatcher, TheNearestPairIsWhatWasOneCurve) {
     matcher.post_dock({cut.on_cut, {}, 0});
     const DockReply reply = matcher.take_dock();
     EXPECT_GE(2 * reply.dockings.size(),
-              cut.on_cut.size());  // pairs of the others are not docked, as they do not align
+              cut.on_cut.size());  // pairs of other shapes do not align and are not docked
     EXPECT_EQ(found_again(cut, matcher, reply), reply.dockings.size());
     EXPECT_GT(matcher.compared(), 1000u);
   }
@@ -182,7 +182,7 @@ TEST(TargetStretches, RunFromEndToEndOfALevel) {
     for (int level = 0; level < levels - 1; ++level) {
       const std::vector<Vec2> stretch = stretches.around(sample, level);
       ASSERT_GE(stretch.size(), 1u);
-      constexpr float kEdge_px = 1.5f;  // the longest of the traced curve
+      constexpr float kEdge_px = 1.5f;  // the longest edge of the traced curve
       EXPECT_LT(norm(stretch.front() - sample.pyramid.keypoint[std::size_t(levels - 1 - level)]), kEdge_px);
       EXPECT_LT(norm(stretch.back() - sample.pyramid.keypoint[std::size_t(levels + 1 + level)]), kEdge_px);
     }
@@ -218,7 +218,7 @@ TEST(ShapeSegments, HaveEachLengthFromEachStart) {
   }
 }
 
-/// A bulge and the same as a dent have one description, and are told apart by `bulges` alone.
+/// A bulge and the same curve as a dent have one description; only `bulges` tells them apart.
 TEST(CurveSegment, IsDescribedWithItsAreaOnTheLeft) {
   std::vector<Vec2> arc;
   for (int i = 0; i <= 60; ++i) arc.push_back({std::cos(0.04f * float(i)), std::sin(0.04f * float(i))});

@@ -1,4 +1,4 @@
-// Descriptors that PAD is compared with: values that are known by hand, and what none of them may depend on.
+// The descriptors that PAD is compared with: values known by hand, and their invariances.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -15,7 +15,7 @@ namespace test_shape_descriptors {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Radius 1 + sum of amplitude[k] cos(k angle + k k), interior on the left.
+/// A curve of radius 1 + sum of amplitude[k] cos(k angle + k k), with its interior on the left.
 Curve lobes(const std::vector<double>& amplitude, int count = 720) {
   Curve curve{{}, true};
   for (int i = 0; i < count; ++i) {
@@ -44,7 +44,7 @@ Curve mirrored(Curve curve) {
 }
 
 TEST(HuMoments, OfARectangleAreKnown) {
-  // Normalised moments of a x b: a / 12 b and b / 12 a; all of third order are 0.
+  // The normalised moments of a rectangle a x b are a / 12 b and b / 12 a; all of third order are 0.
   const Description d = make_hu_moments()->describe({rectangle(200, 100)}, 0);
   ASSERT_EQ(d.size(), 7u);
   EXPECT_NEAR(d[0], (2 + 0.5) / 12, 1e-5);
@@ -55,7 +55,7 @@ TEST(HuMoments, OfARectangleAreKnown) {
 TEST(HuMoments, OfACircleAndOfARing) {
   const Curve circle = lobes({});
   EXPECT_NEAR(make_hu_moments()->describe({circle}, 0)[0], 1 / (2 * kPi), 1e-4);
-  // A hole of half the radius: (1 - 1/16) / 2 pi (1 - 1/4)^2.
+  // The value for a hole of half the radius: (1 - 1/16) / 2 pi (1 - 1/4)^2.
   Curve hole = circle;
   for (Vec2& p : hole.points) p = p * 0.5f;
   std::reverse(hole.points.begin(), hole.points.end());
@@ -128,7 +128,7 @@ TEST(TriangleAreas, OfACircleAreTheLargestEverywhere) {
 
 TEST(TriangleAreas, AreNegativeWhereTheBoundaryIsConcave) {
   const Description d = make_triangle_areas()->describe({lobes({0, 0, 0, 0.4})}, 0);
-  // Of the smallest triangles along three lobes the sign changes six times.
+  // The sign of the smallest triangles changes six times along three lobes.
   const std::size_t sizes = d.size() / 128;
   int changes = 0;
   for (std::size_t i = 0; i < 128; ++i) changes += d[i * sizes] * d[(i + 1) % 128 * sizes] < 0;
@@ -145,7 +145,7 @@ TEST(ShapeContext, OfACircleIsOneHistogramToTheLeft) {
     }
     EXPECT_NEAR(left, 1, 1e-4) << "the interior is on the left of every tangent, and nothing is beyond the rings";
   }
-  // The point at the other end of the diameter is 2 R, or pi / 2 mean distances away: in the fifth ring, straight left.
+  // The point at the other end of the diameter is 2 R away, or pi / 2 mean distances: in the fifth ring, straight left.
   EXPECT_GT(d[4 * 12 + 2] + d[4 * 12 + 3], 0.1);
 }
 
@@ -181,9 +181,9 @@ TEST(ClosedBoundary, JoinsArcsWhereTheyAreMost) {
   EXPECT_EQ(closed_boundary({arc, rectangle(30, 30)}), rectangle(30, 30));
 }
 
-/// A turn, another size, another place and another first point change nothing; the mirror image and another shape are
-/// farther than that.
-/// Heights of the curvature scale space's maxima, the highest first: every second number.
+/// A turn, another size, another place or another first point changes nothing. The mirror image and another shape are farther away than any
+/// of these.
+/// The heights of the maxima of the curvature scale space, the highest first: every second number of the description.
 std::vector<float> heights_of(const Description& maxima) {
   std::vector<float> heights;
   for (std::size_t i = 1; i < maxima.size(); i += 2) heights.push_back(maxima[i]);
@@ -219,7 +219,7 @@ RC_GTEST_PROP(ShapeDescriptors, are_invariant_to_pose, ()) {
     const float to_other = descriptor->distance(d, descriptor->describe({other}, 0));
     RC_LOG(descriptor->name() + ": " + std::to_string(to_moved) + ", other " + std::to_string(to_other));
     if (descriptor->name() == "curvature-scale-space") {
-      // Its distance jumps where a maximum is about as low as the threshold. The maxima well above it stay.
+      // The distance jumps where a maximum is about as low as the threshold. The higher maxima stay.
       expect_same_high_maxima(d, descriptor->describe({moved}, 0));
     } else {
       RC_ASSERT(to_moved < 0.35f * to_other);

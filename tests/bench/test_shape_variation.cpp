@@ -1,4 +1,4 @@
-// Mirrored and stretched shapes are shapes like any other.
+// Mirrored and stretched shapes are valid library shapes.
 #include "bench/inputs/shape_variation.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The paper's Table 2: what a slip of the pen would break.
+// The paper's Table 2: checks that a typing error would fail.
 #include "bench/table2_rows.h"
 
 #include <gtest/gtest.h>

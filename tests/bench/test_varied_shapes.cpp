@@ -1,4 +1,4 @@
-// A library grown beyond its file.
+// A library enlarged beyond its file by varied shapes.
 #include "bench/inputs/varied_shapes.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Checkpoints as an attacker makes them: a good one, changed at one place, and sealed again in most cases. Seeded.
+// Checkpoints as an attacker makes them: a valid file, changed at one place, and mostly sealed again. All choices follow from a seed.
 #pragma once
 
 #include <hdf5.h>
@@ -46,7 +46,7 @@ class CheckpointForger {
 
   template <class Change>
   static void change(const std::string& path, Change change) {
-    const Hdf5Silence silence;  // what cannot be made is missing then
+    const Hdf5Silence silence;  // objects that cannot be made are then missing
     const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
     H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18);
     const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, access);
@@ -90,7 +90,7 @@ class CheckpointForger {
     std::filesystem::resize_file(path, left);
     const bool sealed = left > kSealBytes && below(2) == 0;
     if (sealed) seal_again(path);
-    // What is filled up with zeros at the end is nobody's.
+    // The zeros that fill the file's end belong to no object.
     return {"cut to " + std::to_string(left) + (sealed ? ", sealed again" : ""), sealed};
   }
 
@@ -102,7 +102,7 @@ class CheckpointForger {
     return {"byte " + std::to_string(at) + " of the seal"};
   }
 
-  /// Other types, layouts and filters.
+  /// Replaces a data set by one with another type, layout or filter.
   Forgery other_data_set(const std::string& path) {
     const std::string name = any_path();
     const std::size_t way = below(8);

@@ -1,4 +1,4 @@
-// A state of the collage's loop with a random number in every place.
+// A state of the collage's loop with random values in every field.
 #pragma once
 
 #include <cmath>

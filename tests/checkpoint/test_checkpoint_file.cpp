@@ -1,4 +1,4 @@
-// Checkpoints: back to the bit, and every cut, change or forgery is one InputError that says so.
+// A checkpoint is read back to the bit. Every cut, change or forgery gives one InputError that names it.
 #include <gtest/gtest.h>
 #include <hdf5.h>
 #include <rapidcheck/gtest.h>
@@ -103,7 +103,7 @@ class DamagedCheckpoint : public testing::Test {
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
   }
 
-  /// Changes the file with the HDF5 API and seals it again: what an attacker would do.
+  /// Changes the file with the HDF5 API and seals it again, as an attacker would.
   template <class Change>
   void forge(Change change) {
     const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
@@ -135,7 +135,7 @@ class DamagedCheckpoint : public testing::Test {
     });
   }
 
-  /// Instead of the data set that is there.
+  /// Replaces the data set by another one.
   void replace(const char* data_set, hid_t type, std::vector<hsize_t> dims, hid_t properties = H5P_DEFAULT) {
     forge([&](hid_t file) {
       H5Ldelete(file, data_set, H5P_DEFAULT);
@@ -178,7 +178,7 @@ TEST_F(DamagedCheckpoint, AnyChangedByteIsNoticed) {
   EXPECT_EQ(complaint(), "");
 }
 
-// The seal does not protect from forgery: what is under it is an error or some other checkpoint.
+// The seal does not protect from forgery. A change under a valid seal gives an error or another checkpoint, never a crash.
 TEST_F(DamagedCheckpoint, AnyChangeUnderOurSealIsSurvived) {
   const std::vector<std::uint8_t> right = bytes_;
   std::mt19937 random(9);

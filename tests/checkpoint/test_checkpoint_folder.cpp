@@ -1,4 +1,4 @@
-// The latest checkpoint and the one before it; what a checkpoint belongs to.
+// The folder's latest checkpoint, the one before it, and the job that a checkpoint belongs to.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -71,7 +71,7 @@ TEST_F(Checkpoints, LeftoversOfAKilledRunDoNotMatter) {
   expect_files({"checkpoint.h5", "checkpoint.previous.h5"});
 }
 
-/// Killed between the two renames: both names are then of one file.
+/// A run killed between the two renames leaves both names on one file.
 TEST_F(Checkpoints, OneFileUnderBothNamesLeavesNothingBehind) {
   keep("one");
   fs::create_hard_link(folder_.latest(), folder_.previous());
@@ -107,7 +107,7 @@ TEST_F(Checkpoints, AreRemovedWithTheirLeftovers) {
   expect_files({"collage.png"});
 }
 
-/// Whoever is interrupted while they go still finds the latest.
+/// A run that is interrupted while it deletes the checkpoints still finds the latest one.
 TEST_F(Checkpoints, TheLatestGoesLast) {
   keep("one");
   fs::create_directories(folder_.previous() + "/in the way");
@@ -144,7 +144,7 @@ class Origin : public testing::Test {
  protected:
   void SetUp() override {
     job_.library = scratch_.path("library.h5");
-    job_.quality = QualityWord::none;  // an effective job has the number in its place
+    job_.quality = QualityWord::none;  // an effective job has the number instead
     write_library(job_.library, 11);
   }
 

@@ -1,5 +1,5 @@
-// Checkpoints that someone made to harm: each is refused with its name, or goes on as it would have; no crash, no hang,
-// no more than 1 GB.
+// Harmful checkpoints. The program refuses each with its name, or goes on as that checkpoint says; without a crash, a hang, or more than 1
+// GB.
 #include <gtest/gtest.h>
 
 #include "checkpoint/checkpoint_file.h"
@@ -47,7 +47,7 @@ class HostileCheckpoint : public test::HostileFile {
     bytes_ = checkpoint_bytes({job_text_, 1, 2, 3, good_});
   }
 
-  /// The state after so many steps.
+  /// Returns the state after a few more steps.
   CheckpointState go_on(const CheckpointState* from, master::Observer& observer) const {
     const MatchingContext context = make_matching_context(settings_, std::uint32_t(library_.size()));
     CompositeMatcher matcher = test::divided_matcher(library_, context, {});
@@ -57,7 +57,7 @@ class HostileCheckpoint : public test::HostileFile {
     return keeper.latest;
   }
 
-  /// As a restart does: it reads the file and rebuilds its state.
+  /// Reads the file and rebuilds its state, as a restart does.
   std::string read(bool may_differ) const override {
     const Checkpoint checkpoint = read_checkpoint(path_);
     if (checkpoint.job != job_text_) {
@@ -99,7 +99,7 @@ TEST_F(HostileCheckpoint, IsFineBefore) {
 
 TEST_F(HostileCheckpoint, TwoHundredForgeries) { EXPECT_GT(try_forgeries(0, 200), 200u / 2); }
 
-// Behind the label "long".
+// ctest runs it under the label "long".
 TEST_F(HostileCheckpoint, DISABLED_ThousandsOfForgeries) { EXPECT_GT(try_forgeries(1000, 4000), 4000u / 2); }
 
 }  // namespace test_hostile_checkpoint

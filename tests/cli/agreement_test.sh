@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# agreement_test.sh TESSERA PICTURE_DIFFERENCE NEW_FOLDER RENDERER...: collage.svg of Debian's clip art looks like
-# collage.png in each of the renderers: rsvg, inkscape, chromium; and so does collage.pdf: pdf.
-#
-# The bounds are means over the picture, of 255; measured were 0.77 to 1.09, and for the PDF, whose hair lines poppler
-# makes a pixel wide, 0.94 to 1.49. A collage with many gradients differs by more in librsvg (2.54 of Debian 12): it
-# stretches those that follow the box of their object where that is rotated, as pieces are. In the PNG they are right,
-# since drawings are rotated as pixels there.
+# agreement_test.sh TESSERA PICTURE_DIFFERENCE NEW_FOLDER RENDERER...: collage.svg of Debian's clip art looks like collage.png in each of
+# the renderers rsvg, inkscape and chromium. The renderer "pdf" checks collage.pdf.
+# The bounds are mean differences over the picture, of 255. Measured were 0.77 to 1.09, and 0.94 to 1.49 for the PDF, whose hair lines
+# poppler draws one pixel wide.
+# A collage with many gradients differs more in librsvg (2.54 in Debian 12).
+# librsvg stretches gradients that follow their object's box if that box is rotated, as pieces are.
+# The PNG has them right, because there drawings are rotated as pixels.
 set -uo pipefail
 tessera=$1
 difference=$2

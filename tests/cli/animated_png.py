@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""animated_png.py FROM TO: the PNG with the chunk that makes it an animation of two pictures."""
+"""animated_png.py FROM TO: adds the chunk to a PNG that makes it an animation of two pictures."""
 
 import struct
 import sys
 import zlib
 
-HEADER_END = 33  # the mark, and the chunk IHDR
+HEADER_END = 33  # the signature and the chunk IHDR
 
 with open(sys.argv[1], "rb") as file:
     png = file.read()

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# bench_mosaic_test.sh TESSERA NEW_FOLDER: tessera bench mosaic beside its peer, which a script plays, and without it.
+# bench_mosaic_test.sh TESSERA NEW_FOLDER: tessera bench mosaic with metapixel, which a script replaces, and without it.
 set -uo pipefail
 tessera=$1
 folder=$2
@@ -11,7 +11,7 @@ echo "<svg xmlns='http://www.w3.org/2000/svg' width='300' height='200'><rect wid
   <circle cx='90' cy='100' r='60' fill='#fc4'/></svg>" >sun.svg
 rsvg-convert sun.svg -o sun.png
 
-# A peer that knows its picture by heart: as good as can be. It keeps what it was given.
+# A replacement of metapixel that returns the image itself, a perfect mosaic. It keeps its arguments.
 mkdir peer
 cat >peer/metapixel-prepare <<'END'
 #!/bin/sh
@@ -39,7 +39,7 @@ grep -q -- '--distance=0 --metric=subpixel' mosaic_arguments || fail "not as doc
 [[ $(wc -l <b/m.csv) == 3 ]] || fail "no CSV: $(cat b/m.csv)"
 tr -d ' \n' <b/m.json | grep -q '"metapixel":true,"rows":\[{"image":"sun.png","mosaic":"tessera","picture":' ||
   fail "no JSON: $(cat b/m.json)"
-# Ours is measured as its card says.
+# The figure of our mosaic is that of its card.
 card_figure=$(grep -A4 '"at_100_px"' b/m/1_sun/card.json | sed -n 's/.*"ciede2000": \([0-9.]*\).*/\1/p')
 grep -q "\"ciede2000\": $card_figure," b/m.json || fail "another figure than on the card: $card_figure"
 [[ -z $(find "${TMPDIR:-/tmp}" -maxdepth 1 -name 'tessera-bench-*' -newer sun.png) ]] || fail "tiles are left behind"

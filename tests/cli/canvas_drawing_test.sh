@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# canvas_drawing_test.sh TESSERA NEW_FOLDER: what cannot be drawn when the collage is finished is refused before it begins.
+# canvas_drawing_test.sh TESSERA NEW_FOLDER: a canvas that could not be drawn at the end is refused before the collage begins.
 set -uo pipefail
 tessera=$1
 folder=$2
@@ -8,7 +8,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
 
 enter_folder
 write_job '120, 90' '14, 60' 120
-# Filters whose results take little memory at twice the canvas' size, and too much at that of its edge.
+# These filters need little memory at twice the canvas' size, but too much at the size of its edge.
 floods=$(for i in {1..16}; do echo "<feFlood result='a$i' flood-color='black' flood-opacity='.2'/>"; done)
 merged=$(for i in {1..16}; do echo "<feMergeNode in='a$i'/>"; done)
 cat >heavy.svg <<END_OF_SVG
@@ -19,7 +19,7 @@ cat >heavy.svg <<END_OF_SVG
 END_OF_SVG
 echo "<svg xmlns='http://www.w3.org/2000/svg' width='100' height='75'><circle cx='50' cy='37' r='30'/></svg>" >disc.svg
 
-refused() { # KEY=VALUE...: by collage and plan alike, with nothing computed
+refused() { # KEY=VALUE...: by collage and plan alike, before any computation
   local command setting sets=()
   for setting in "$@"; do sets+=(--set "$setting"); done
   for command in "collage job.toml --out none" "plan job.toml"; do
@@ -39,7 +39,7 @@ run 0 collage job.toml --out kept_out --quiet --set canvas.keep_out=heavy.svg --
 run 0 collage job.toml --out disc --quiet --set canvas.file=disc.svg
 [[ -s disc/collage.png && -s disc/collage.svg ]] || fail "no pictures on a plain canvas"
 
-# A canvas that is the outline of a figure is filled along its line alone, which is told before.
+# A canvas drawn as an outline is filled along its line only. A warning says so before.
 heart='M50 88 12 45C0 25 20 5 35 10c8 3 12 8 15 14 3-6 7-11 15-14 15-5 35 15 23 35z'
 page="<svg xmlns='http://www.w3.org/2000/svg' width='100' height='100'>"
 echo "$page<path d='$heart' fill='none' stroke='black' stroke-width='2'/></svg>" >line.svg
@@ -66,7 +66,7 @@ expect_word "missing"
 [[ ! -e none/pieces.geojson ]] || fail "a run began without the program that draws"
 echo "ok without the program that draws"
 
-# Of an animation the first picture is used, and that is said: once of each file, however many keys name it.
+# Only the first picture of an animation is used. A warning says so once per file, even if several keys name it.
 rsvg-convert disc.svg -o disc.png
 "$(dirname "${BASH_SOURCE[0]}")/animated_png.py" disc.png moving.png
 told='moving.png: an animation, or several pages; only the first picture is used'

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# card_test.sh TESSERA NEW_FOLDER: tessera card says of a result what its own card says, and of anybody's polygons what
-# is true of them.
+# card_test.sh TESSERA NEW_FOLDER: tessera card gives the same figures for a result as its own card. For foreign polygons it gives the right
+# figures, too.
 set -uo pipefail
 tessera=$1
 folder=$2
@@ -10,10 +10,10 @@ source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
 enter_folder
 write_job '120, 90' '14, 60' 120
 
-# value FILE KEY: of one line of indented JSON, without the comma.
+# value FILE KEY: prints the value in one line of indented JSON, without the comma.
 value() { sed -n "s/^ *\"$2\": \([^,]*\),\?$/\1/p" "$1" | head -1; }
 
-# Its own card, within the three decimals of the polygons.
+# The result's own card, within the three decimals of the polygons.
 run 0 collage job.toml --out result --quiet --set stop.pieces=12
 run 0 card result/pieces.geojson --canvas result/job.toml --json
 expect_silence "a word about a good result"
@@ -25,7 +25,7 @@ for key in coverage_fraction overlap_fraction outside_fraction pieces distinct_s
     exit !(differs <= (key ~ /px$/ ? 0.1 : 0.003)) }' ||
     fail "$key: $(value output "$key") instead of $(value result/card.json "$key")"
 done
-# The job's range is that of all pieces, unless they have sizes of their own.
+# The job's range applies to all pieces, unless pieces have sizes of their own.
 sed '/^scale_px/a sizes = "drawn"' job.toml >drawn.toml
 { cat job.toml && printf '[[shapes]]\nnames = ["*"]\nscale_px = [30, 50]\n'; } >tables.toml
 run 0 card result/pieces.geojson --canvas job.toml
@@ -35,20 +35,20 @@ for job in drawn.toml tables.toml; do
   grep -q 'balance of sizes .*over [0-9.]* to [0-9.]* px' output || fail "no range with $job: $(cat output)"
   ! grep -q 'over 14.0 to 60.0 px' output || fail "the range of pieces.scale_px with $job"
 done
-# Its own card's range is the same as that of tessera card.
+# The range on the result's own card is the same as that of tessera card.
 run 0 collage tables.toml --out tables --quiet --set stop.pieces=12
 range() { sed -n 's/^  balance of sizes .*\(over [0-9.]* to [0-9.]* px\)).*/\1/p' "$1"; }
 run 0 card tables/pieces.geojson --canvas tables/job.toml
 [[ -n $(range output) && $(range output) == "$(range tables/card.txt)" ]] ||
   fail "another range than its own card's: $(range output) instead of $(range tables/card.txt)"
 grep -q 'last_tenth_percent": null' result/card.json || fail "a curve of few rounds"
-# Nothing is exchanged: what that brings in its last tenth is not known.
+# Without exchanges the gain of the last tenth of the time is unknown.
 run 0 collage job.toml --out improved --quiet --set stop.pieces=0 --set improve.trials=60 --set improve.relax=false
 grep -q 'last_tenth_percent": -\?[0-9]' improved/card.json || fail "no word of the last tenth of the time"
 grep -q '^    its last tenth  *[+-][0-9.]* % of the canvas$' improved/card.txt || fail "nor in the text"
 echo "ok its own card"
 
-# Anybody's, on a rectangle, in the silhouettes of an SVG and of a PNG, with and without names.
+# Foreign polygons on a rectangle and in the silhouettes of an SVG and of a PNG, with and without names.
 square() { # FROM_X TO_X
   local ring="[[$1,10],[$2,10],[$2,30],[$1,30],[$1,10]]"
   echo "{\"properties\":{},\"geometry\":{\"type\":\"Polygon\",\"coordinates\":[$ring]}}"
@@ -76,7 +76,7 @@ run 0 card result/
 cmp output by_files || fail "another card of the folder"
 echo "ok anybody's card"
 
-# One line each, and exit code 2.
+# Each error is one line with exit code 2.
 expect_refusal() { # WORD ARGUMENT...
   run 2 card "${@:2}"
   expect_word "$1"
@@ -96,14 +96,14 @@ expect_refusal 'job file none.toml: not found' theirs.geojson --canvas none.toml
 expect_refusal 'theirs.geojson' theirs.geojson --canvas theirs.geojson
 echo "ok refusals"
 
-# A mosaic of any maker: a picture and what it shows, whatever their sizes and kinds of pixels.
+# A mosaic of any origin: a picture and its photo, in any size and pixel format.
 scene() { # WIDTH HEIGHT FILE: a picture, at this size
   echo "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 300 200'><rect width='300' height='200' fill='#48c'/>
     <circle cx='90' cy='100' r='60' fill='#fc4'/><path d='M150 200L300 90V200Z' fill='#264'/></svg>" >scene.svg
   rsvg-convert -w "$1" -h "$2" scene.svg -o "$3"
 }
 scene 300 200 photo.png
-scene 640 432 theirs.png # whole tiles: a little higher than the photo
+scene 640 432 theirs.png # whole tiles make it a little higher than the photo
 run 0 card theirs.png --image photo.png --pieces 600
 grep -qE '^  100 px wide  +colour 0\.[0-9]+ \(CIEDE2000\), structure (1\.000|0\.9[0-9]+) \(SSIM\)$' output ||
   fail "not the picture itself: $(cat output)"
@@ -112,14 +112,14 @@ run 0 card theirs.png --image scene.svg
 [[ $(grep -c 'px wide' output) == 1 ]] || fail "a number of pieces that nobody said"
 run 0 card theirs.png --image photo.png --pieces 600 --json
 tr -d ' \n' <output | grep -q '"at_piece_size":{"width_px":30,"height_px":20,"ciede2000":0\.' || fail "no JSON: $(cat output)"
-rsvg-convert -w 300 -h 200 half.svg -o black.png # transparent, white below
+rsvg-convert -w 300 -h 200 half.svg -o black.png # transparent, with white below
 run 0 card black.png --image photo.png
 ! grep -qE 'colour [0-9]\.' output || fail "another picture is like it: $(cat output)"
 echo '<svg xmlns="http://www.w3.org/2000/svg" width="300" height="200"><rect width="150" height="200"/></svg>' >left.svg
 run 0 card theirs.png --image photo.png --canvas left.svg
 grep -q '^  100 px wide' output || fail "not on a canvas: $(cat output)"
 
-# A result that shows a picture: as its own card says.
+# A result that shows a picture: the figures equal those of its own card.
 run 0 collage job.toml --out shows --quiet --set stop.pieces=12 --set colour.image=photo.png
 run 0 card shows
 grep -A3 '^Seen from afar$' output >by_folder

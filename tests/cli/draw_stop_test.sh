@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# draw_stop_test.sh TESSERA NEW_FOLDER: tessera draw is ended while the canvas is drawn, which takes long; and a program
-# that starts tessera has ignored SIGCHLD, which children inherit.
+# draw_stop_test.sh TESSERA NEW_FOLDER: tessera draw is stopped while it draws a canvas that takes long. It also works if the program that
+# started it ignores SIGCHLD, which children inherit.
 set -uo pipefail
 tessera=$1
 folder=$2
@@ -14,7 +14,7 @@ sed -i "s/^size_px.*/file = 'canvas.svg'\nsize_px = [120, 120]/" job.toml
 start 1 result --set stop.pieces=2
 expect_end 0 "the collage"
 
-# Blurs without end: minutes for librsvg.
+# Blurs that take librsvg minutes.
 {
   echo "<svg xmlns='http://www.w3.org/2000/svg' width='100' height='100'><filter id='f'>"
   for ((i = 0; i < 20000; ++i)); do echo "<feGaussianBlur stdDeviation='50'/>"; done
@@ -33,7 +33,7 @@ for signal in INT TERM USR2; do
 done
 echo "ok a stop while the canvas is drawn"
 
-# Who has ignored SIGCHLD is not told how a child ended: neither of the one that tries a library, nor of a drawer.
+# A process that ignores SIGCHLD cannot learn how its children ended: neither the child that tries a library, nor a drawer.
 rm -rf result
 sed -i "s/^file = 'canvas.svg'//" job.toml
 env --ignore-signal=CHLD "$tessera" library build drawings -o again.h5 >output 2>errors || fail "library build"

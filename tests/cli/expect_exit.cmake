@@ -1,6 +1,6 @@
 # cmake -DTESSERA=binary -DARGUMENTS=list -DCODE=n -DPATTERN=regex -DFOLDER=new-folder -P expect_exit.cmake
-# Runs the binary in FOLDER and fails unless it exits with CODE, says on stdout or stderr what matches PATTERN and,
-# where it fails, says so in one line.
+# Runs the binary in FOLDER. It must exit with CODE and print text that matches PATTERN on stdout or stderr.
+# If it fails, it must say so in one line.
 file(REMOVE_RECURSE ${FOLDER})
 file(MAKE_DIRECTORY ${FOLDER})
 execute_process(COMMAND ${TESSERA} ${ARGUMENTS} WORKING_DIRECTORY ${FOLDER}

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# first_round_test.sh TESSERA NEW_FOLDER: runs that are ended before their first piece where an older result is, and
-# results that are not whole.
+# first_round_test.sh TESSERA NEW_FOLDER: runs that are ended before their first piece in a folder with an older result, and incomplete
+# results.
 set -uo pipefail
 tessera=$1
 folder=$2
@@ -11,7 +11,7 @@ make_job 0
 "$tessera" collage job.toml --out kept --quiet || fail "the older result"
 cp -r kept before
 
-# end_in_first_round OUT OPTION...: of a canvas so large that the first round takes seconds.
+# end_in_first_round OUT OPTION...: the canvas is so large that the first round takes seconds.
 end_in_first_round() {
   local out=$1
   shift
@@ -40,7 +40,7 @@ end_in_first_round new
 [[ -s new/manifest.json && -s new/checkpoint.h5 ]] || fail "an empty result where there was none"
 echo "ok the first round"
 
-# What has a manifest and is not whole is made anew, and all say which file it is.
+# An incomplete result with a manifest is made again, and every command names the damaged file.
 for name in job.toml pieces.geojson; do
   rm -rf broken
   mkdir broken

@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# ground_test.sh TESSERA PICTURE_DIFFERENCE NEW_FOLDER: pictures with a ground below the pieces, and the map of the
-# pieces' numbers.
+# ground_test.sh TESSERA PICTURE_DIFFERENCE NEW_FOLDER: pictures with a ground below the pieces, and the map of the pieces' numbers.
 set -uo pipefail
 tessera=$1
 difference=$2
@@ -60,7 +59,7 @@ run 2 draw plain --quiet --set output.ground=lost.png
 expect_word "tessera: output.ground: $PWD/lost.png: "
 echo "ok draw"
 
-# The picture that the pieces show is kept with the result, and may lie between them.
+# The result keeps the picture that its pieces show. It may also lie between the pieces.
 sed 's/^\[output\]/[colour]\nimage = "sand.png"\n[output]\nbackground = "image"/' job.toml >shown.toml
 run 2 collage job.toml --out none --set output.background=image
 expect_word 'output.background: found "image", needed with it: colour.image'
@@ -97,7 +96,7 @@ cmp -s shown/collage.png before.png && fail "background_light changes nothing"
 run 0 draw grey --quiet --png --background image
 cmp grey/collage.png before.png || fail "another picture where it is asked for afterwards"
 
-# And over them.
+# The picture may also lie over the pieces.
 run 2 collage job.toml --out none --set colour.overlay=0.25
 expect_word 'job.toml: colour.overlay: found 0.25, allowed without colour.image: 0'
 run 2 draw plain --quiet --set colour.overlay=0.25

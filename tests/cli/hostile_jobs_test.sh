@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# hostile_jobs_test.sh TESSERA WRITE_HOSTILE_JOBS NEW_FOLDER DATA_KIB: job files that nobody should write, given to the
-# program: no crash, no more than 20 s and DATA_KIB of memory each (or "unlimited"); what is refused is refused in one
-# line.
+# hostile_jobs_test.sh TESSERA WRITE_HOSTILE_JOBS NEW_FOLDER DATA_KIB: runs the program with harmful job files.
+# Each run ends without a crash within 20 s and DATA_KIB of memory (or "unlimited"). A refusal is one line.
 set -uo pipefail
 tessera=$1
 write_hostile_jobs=$2
@@ -10,7 +9,7 @@ data_kib=$4
 # shellcheck source=tests/cli/command_fixture.sh
 source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
 
-# try CODES COMMAND...: as run; what is refused (2) is refused in one line.
+# try CODES COMMAND...: like run; a refusal (exit code 2) must be one line.
 try() {
   run "$@"
   [[ $code != 2 || $(wc -l <errors) == 1 ]] || fail "not refused in one line: ${*:2}"
@@ -48,7 +47,7 @@ refused output.width_px "${collage[@]}" --set 'canvas.size_px=[16, 20000]' --set
 refused pieces.scale_px plan job.toml --set 'pieces.scale_px=[40, 14]'
 echo "ok refused sizes"
 
-# Legal, if hardly sensible.
+# These values are legal but hardly sensible.
 for value in 'canvas.size_px=[16, 16]' 'canvas.size_px=[2000, 16]' 'pieces.padding_px=500' 'pieces.scale_px=[2, 5000]' \
   'pieces.scale_px=[4999, 5000]' 'pieces.rotation_deg=[-360, 360]' 'pieces.rotation_deg=[360, 360]' \
   pieces.uses=1000000 pieces.balance=0 pieces.balance=1 match.levels=2 match.levels=6 match.delta_tau=0.02 match.delta_tau=1 match.top_percent=100 \

@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# install_test.sh CMAKE BUILD_FOLDER NEW_FOLDER: cmake --install; the installation is moved elsewhere, and from there,
-# in an environment that knows nothing of repository and build, a library and a collage are made and the templates find
-# all.
+# install_test.sh CMAKE BUILD_FOLDER NEW_FOLDER: runs cmake --install and moves the installation elsewhere.
+# From there, in an environment without repository and build, it makes a library and a collage, and the templates find all files.
 set -uo pipefail
 cmake=$1
 build=$2
@@ -24,7 +23,7 @@ done
 [[ -x $share/slurm/gpu_share.sh && -x $share/slurm/campaign.sh ]] || fail "scripts that cannot be run"
 echo "ok all files"
 
-# Nothing but PATH, a HOME for the kernels' cache, and what the sanitizers' preset sets.
+# The environment has only PATH, a HOME for the kernels' cache, and the variables of the sanitizers' preset.
 bare() {
   env -i PATH="$prefix/bin:/usr/bin:/bin" HOME="${HOME-/tmp}" ASAN_OPTIONS="${ASAN_OPTIONS-}" LSAN_OPTIONS="${LSAN_OPTIONS-}" \
     ${OCL_ICD_VENDORS:+"OCL_ICD_VENDORS=$OCL_ICD_VENDORS"} "$@"
@@ -39,7 +38,7 @@ bare tessera bench pairs --quick >output 2>errors || fail "tessera bench"
 rm -r out
 make_drawings drawings
 bare tessera library build drawings -o own.h5 >output 2>errors || fail "library build"
-# One of the jobs that came with it, whose canvas lies beside it.
+# One of the installed jobs, whose canvas lies beside it.
 bare tessera collage "$share/jobs/heart.toml" --set library.file=own.h5 --set 'canvas.size_px=[160, 120]' \
   --set 'pieces.scale_px=[14, 60]' --set output.width_px=160 --set stop.pieces=3 --out result >output 2>errors ||
   fail "collage"
@@ -48,7 +47,7 @@ grep -q "\"command_line\": \"tessera collage $share/jobs/heart.toml" result/card
   fail "another command in the card"
 echo "ok a library and a collage"
 
-# The lines of docs/guide/install.md for the jobs that came with it, with other drawings and fewer pieces.
+# The commands of docs/guide/install.md for the installed jobs, with other drawings and fewer pieces.
 # shellcheck disable=SC2016  # as it stands there
 for line in 'cp -r $HOME/tessera/share/tessera/jobs .' 'mkdir out' 'tessera library build /usr/share/openclipart' \
   '-o out/animals.h5' 'tessera collage jobs/animals.toml'; do
@@ -64,8 +63,7 @@ for job in animals heart; do
 done
 echo "ok the jobs that came with it"
 
-# What the templates do before they compute: the program is the one in PATH, then TESSERA_ROOT's, then the one beside
-# them; without any, one says what to do.
+# The templates look for the program in PATH, then in TESSERA_ROOT, then beside themselves. Without any, they say what to do.
 found() {  # VARIABLE=VALUE...: prints the program that program.sh of $slurm finds
   # shellcheck disable=SC2016  # for the inner shell
   env -i "$@" bash -c 'source "$1/program.sh" && find_tessera && echo "$tessera"' find "$slurm" 2>errors

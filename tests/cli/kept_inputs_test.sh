@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# kept_inputs_test.sh TESSERA NEW_FOLDER: what is read is never removed or replaced, whatever it is called: as an output,
-# as the temporary name of one, or as the list beside a library. Nor is a file of the user's that only has such a name.
+# kept_inputs_test.sh TESSERA NEW_FOLDER: an input is never removed or replaced.
+# This holds even if its name is that of an output, of a temporary file, or of the list beside a library.
+# Neither is any other file of the user with such a name.
 set -uo pipefail
 tessera=$1
 folder=$2
@@ -8,13 +9,13 @@ folder=$2
 source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
 
 enter_folder
-# An ellipse in a frame, of which pieces can be cut.
+# An ellipse in a frame, which can be cut into pieces.
 echo "<svg xmlns='http://www.w3.org/2000/svg' width='160' height='120'><rect width='160' height='120' fill='#48c'/>
   <circle cx='60' cy='50' r='40' fill='#fc4'/><path d='M40 60q40 40 80 0' stroke='#000' stroke-width='9'/></svg>" >sun.svg
 rsvg-convert sun.svg -o sun.png
 drawing=(drawings/*.svg)
 
-# kept FILE COMMAND...: ends with an error, and the file is as it was.
+# kept FILE COMMAND...: the command ends with an error, and FILE is unchanged.
 kept() {
   local before
   before=$(sha256sum "$1") || fail "no file $1"
@@ -59,7 +60,7 @@ mkdir layout && mv layout.svg.tmp layout
 kept layout/layout.svg.tmp nest layout/layout.svg.tmp --sheet 300,300 --effort draft --out layout
 echo "ok what is read is kept"
 
-# Two jobs whose files beside them have one name: one is refused.
+# Two jobs need files of the same name beside them: the second is refused.
 run 0 puzzle make sun.png --pieces 6 --out cut
 run 0 library build cut/pieces -o cut.h5 --puzzle
 python3 - "$tessera" <<'PYTHON' || fail "two jobs of one name were written at a time"

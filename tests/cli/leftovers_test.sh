@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# leftovers_test.sh TESSERA NEW_FOLDER KILLS: each command is killed KILLS times, at random moments, and then run to its
-# end. There are then exactly the files of a run that nobody disturbed.
+# leftovers_test.sh TESSERA NEW_FOLDER KILLS: kills each command KILLS times at random moments, then lets it finish. The files are then
+# exactly those of an undisturbed run.
 set -uo pipefail
 tessera=$1
 folder=$2
@@ -12,7 +12,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
 
 files_of() { (cd "$1" && find . | sort); }
 
-# try COMMAND...: what it writes is in the folder "made".
+# try COMMAND...: the command writes into the folder "made".
 try() {
   local begun_ms run_ms pause_ms started
   rm -rf made && mkdir made

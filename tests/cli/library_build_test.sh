@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# library_build_test.sh TESSERA NEW_FOLDER: what tessera library build says of the files that it could not use.
+# library_build_test.sh TESSERA NEW_FOLDER: the messages of tessera library build about files that it could not use.
 set -uo pipefail
 tessera=$1
 folder=$2
@@ -74,7 +74,7 @@ grep -q '3 files: 3 shapes$' output || fail "--fill-holes leaves something out"
 "$tessera" library build --help | grep -q -e '--fill-holes' || fail "no help"
 echo "ok what is enclosed"
 
-# Without any font librsvg draws other text each time; the text is left out then, and told.
+# Without fonts librsvg draws text differently each time. The program then leaves text out and says so.
 mkdir fonts words
 cat >fonts.conf <<END
 <!DOCTYPE fontconfig SYSTEM "fonts.dtd">

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# library_copy_test.sh TESSERA NEW_FOLDER: tessera library merge and subset, what they say, and what they never replace.
+# library_copy_test.sh TESSERA NEW_FOLDER: tessera library merge and subset, their messages, and the files that they never replace.
 set -uo pipefail
 tessera=$1
 folder=$2
@@ -56,10 +56,10 @@ grep -qF 'other.h5: built with --pad-levels 4 --delta-tau 0.200000, but a.h5 wit
   fail "another message for libraries that differ"
 [[ ! -e new.h5 && ! -e new.h5.lock ]] || fail "a library of bad ones"
 run 0 library subset all.h5 --include leaf -o all_but.h5
-run 0 library subset a.h5 --include leaf -o all_but.h5 # replaces a library
+run 0 library subset a.h5 --include leaf -o all_but.h5 # replaces an existing library
 echo "ok errors"
 
-# collage NAME OPTION...: draws, too; the digest of its pieces
+# collage NAME OPTION...: makes and draws a collage, and prints the digest of its pieces
 collage() {
   local name=$1
   shift

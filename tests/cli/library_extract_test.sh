@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# library_extract_test.sh TESSERA NEW_FOLDER: tessera library extract, from a photograph to a collage of what is in it.
+# library_extract_test.sh TESSERA NEW_FOLDER: tessera library extract, from a photograph to a collage of its elements.
 set -uo pipefail
 tessera=$1
 folder=$2
@@ -8,7 +8,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
 
 new_folder
 
-# stones: twelve stones and one that the edge cuts, as an SVG; a shade of their own, or a label as a grey.
+# stones: prints an SVG of twelve whole stones and one that the edge cuts. Each has its own shade, or its label as a grey.
 stones() { # GROUND FIRST_GREY STEP
   local grey=$2 x y
   echo "<svg xmlns='http://www.w3.org/2000/svg' width='480' height='360'><rect width='480' height='360' fill='$1'/>"
@@ -38,7 +38,7 @@ run 0 library extract wall.png --element-px 75 -o wall.h5
 cmp wall.h5 first.h5 || fail "other bytes of the same photo"
 echo "ok search"
 
-# On a plain ground no size need be told. What touches is named, and taken apart where a size is.
+# On a plain ground no size is needed. Elements that touch are reported, and separated if a size is given.
 run 0 library extract wall.png -o apart.h5
 grep -qx "wall.png: 12 elements, 1 at the photo's edge left out" output || fail "another count without a size"
 [[ $(cat output) != *'like several'* ]] || fail "stones apart count as several"
@@ -55,13 +55,13 @@ grep -qx '  1 looks like several that touch: --element-px PX, the short side of 
 run 0 library extract coins.png --element-px 100 -o coins.h5
 grep -qx 'coins.png: 3 elements' output || fail "coins that touch are not taken apart"
 coins 235
-for size in 30 60 240; do  # a wrong one
+for size in 30 60 240; do  # wrong sizes
   run 0 library extract coins.png --element-px $size -o coins.h5
   grep -qx 'coins.png: 3 elements' output || fail "a wrong size makes other coins of those on a plain ground"
 done
 echo "ok plain ground"
 
-# The library does without the photo.
+# The library does not need the photo.
 mv wall.png elsewhere.png
 cat >job.toml <<'END_OF_JOB'
 quality = 'draft'
@@ -81,7 +81,7 @@ expect_silence "a warning of pixels that the library holds"
 [[ -s collage/collage.png ]] || fail "no picture"
 mv elsewhere.png wall.png
 
-# How like the photo it is: all stones once have its sizes and elongations, half of them do not.
+# The likeness of photo and collage: all stones used once give the same sizes and elongations, half of them do not.
 figures=$(dirname "${BASH_SOURCE[0]}")/../../scripts/texture-figures.sh
 texture=(--set 'canvas.size_px=[700, 600]' --set pieces.sizes=drawn --set pieces.uses=1 --quiet)
 run 0 collage job.toml --out texture "${texture[@]}" --set stop.pieces=12
@@ -105,7 +105,7 @@ run 2 library extract wall.png --labels map.png --max 20 -o none.h5
 grep -q '12 larger than --max' output || fail "what is too large is not counted"
 echo "ok labels, --min, --max"
 
-# Stones of few pixels: told at once, and found in the photo enlarged.
+# Stones of few pixels: the program warns at once, and finds them in the enlarged photo.
 rsvg-convert -w 120 -h 90 wall.svg -o few.png
 run 2 library extract few.png --element-px 18 -o none.h5
 grep -qx "few.png: 0 elements, 1 at the photo's edge left out, 12 smaller than 24 px; --enlarge 2 or more has smaller ones" output ||
@@ -121,7 +121,7 @@ run 0 library extract few.png --labels few_map.png --enlarge 2 -o few.h5
 grep -q '^few.png: 12 elements' output || fail "another count by a map of the photo as it is"
 echo "ok --enlarge"
 
-# The ground between the stones, for output.ground of a job.
+# The ground between the stones, for a job's output.ground.
 rsvg-convert <(echo "<svg xmlns='http://www.w3.org/2000/svg' width='240' height='240'><rect width='240' height='240'
   fill='#999'/></svg>") -o tiles.png
 run 0 library extract wall.png --labels map.png -o ground.h5 --ground mortar.png --ground-px 96
@@ -140,7 +140,7 @@ expect_word 'tiles.png: --ground: found hardly any gaps between the elements, ne
 [[ ! -e none.h5 && ! -e none.png ]] || fail "something was written"
 run 2 library extract wall.png --element-px 75 -o none.h5 --ground wall.png
 expect_word '--ground: found the photo wall.png, allowed: another file'
-# The map is read, too, under any name; and no output is another one.
+# The map is an input, too, under any name; and all outputs must have different names.
 mkdir maps
 cp wall.png maps/w.png
 cp map.png maps/w_found.png
@@ -201,7 +201,7 @@ expect_word 'job.toml'
 [[ ! -e none.h5 ]] || fail "a library of nothing"
 echo "ok errors"
 
-# Ctrl-C while it searches leaves the library as it was.
+# Ctrl-C during the search leaves the library unchanged.
 rsvg-convert -w 4800 -h 3600 wall.svg -o large.png
 run 2 library extract large.png --element-px 150 --enlarge 2 -o none.h5
 expect_word 'large.png: --enlarge: found 2, allowed with its 4800 x 3600 px: 1 or less'

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# limits_test.sh TESSERA NEW_FOLDER SANITIZED: what a machine or a shell may refuse (size of files, memory, threads, names,
-# /proc) is told in ordinary words, and nothing half-written stays. SANITIZED 1: the address sanitizer needs all
-# addresses and /proc; tests that take them away are left out.
+# limits_test.sh TESSERA NEW_FOLDER SANITIZED: refusals by the machine or the shell (file size, memory, threads, names, /proc). The program
+# reports them in ordinary words, and leaves no half-written file.
+# SANITIZED 1 leaves out tests that take away addresses or /proc, because the address sanitizer needs both.
 set -uo pipefail
 tessera=$1
 folder=$2
@@ -14,7 +14,7 @@ expect_nothing_half_written() {
 }
 expect_ordinary_words() { ! grep -q 'internal error' output errors || fail "not in ordinary words"; }
 
-# refused CODES WORD COMMAND...: with a message that has the word.
+# refused CODES WORD COMMAND...: the message contains WORD.
 refused() {
   run "$1" "${@:3}"
   expect_word "$2"
@@ -31,7 +31,7 @@ cat >parts.json <<'JSON'
   {"id": 0, "demand": 4, "allowed_orientations": [0, 180], "shape": {"type": "simple_polygon", "data": [[0,0],[20,0],[10,15],[0,0]]}}]}
 JSON
 
-# A file may not grow: SIGXFSZ would end the program. Nothing is printed into a file meanwhile: it may not grow either.
+# With a limit on file sizes, SIGXFSZ would end the program. Meanwhile no output goes into a file, as the limit holds for that, too.
 small_files() { # KIB COMMAND...
   (
     ulimit -f "$1"
@@ -58,14 +58,14 @@ for kib in 0 1; do small_files "$kib" collage job.toml --out none --quiet; done
 small_files 0 campaign job.toml --seeds 1 --out none
 small_files 0 mosaic sun.png own.h5 --pieces 100 --job-only --job none.toml
 small_files 0 library extract sun.png --element-px 75 -o none.h5 --overview none
-# The compiler of OpenCL ends the process where its file cannot grow.
+# The OpenCL compiler ends the process if its file cannot grow.
 (
   export POCL_CACHE_DIR=$PWD/kernels
   for kib in 100 400; do small_files "$kib" collage job.toml --out none --quiet; done
 ) || exit 1
 echo "ok size of files"
 
-# Names that no file system takes.
+# Names that no file system accepts.
 for name in "$(printf 'x%.0s' {1..256})" "$(printf 'abcdefgh/%.0s' {1..600})x"; do
   for command in "plan $name" "collage $name" "library build $name -o none.h5" "library info $name" "rank $name" \
     "card $name --size 100,100" "mosaic sun.png $name --job-only --job none.toml" "puzzle make $name --out none" \
@@ -86,7 +86,7 @@ for name in "$(printf 'x%.0s' {1..256})" "$(printf 'abcdefgh/%.0s' {1..600})x"; 
 done
 echo "ok names"
 
-# In a name space of its own, where a user may have one, something else lies over /proc.
+# Hides /proc in a mount namespace, where a user may make one.
 without_proc() { unshare --mount --map-root-user sh -c 'mount -t tmpfs none /proc && exec "$@"' - "$@"; }
 if [[ $sanitized == 0 ]] && without_proc true 2>/dev/null; then
   for command in "library build drawings -o none.h5" "draw result --to none --set colour.pieces=artwork"; do
@@ -107,7 +107,7 @@ fi
 expect_nothing_half_written
 [[ $sanitized == 0 ]] || exit 0
 
-# limited COMMAND...: in less and less memory it does its work, says what it lacks, or is not even loaded (127).
+# limited COMMAND...: with less and less memory the command works, says what it lacks, or cannot be loaded (127).
 limited() {
   local mib
   for mib in 600 400 300; do
@@ -132,7 +132,7 @@ done
 limited library info own.h5 --sheet none.png
 echo "ok memory"
 
-# Where no stack finds room, no thread starts.
+# If no stack fits into memory, no thread starts.
 (
   ulimit -s $((8 << 20)) -v $((6 << 20))
   refused 1 'cannot start a thread: Resource temporarily unavailable; limits of this process: 6144 MiB of address space' library build drawings -o none.h5

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# match_test.sh TESSERA NEW_FOLDER: tessera match lays drawings onto one another, and names what it cannot read.
+# match_test.sh TESSERA NEW_FOLDER: tessera match lays drawings onto one another, and names files that it cannot read.
 set -uo pipefail
 tessera=$1
 folder=$2
@@ -16,7 +16,7 @@ expect_range() { # KEY LEAST MOST
     fail "$1: $(value "$1"), not from $2 to $3"
 }
 
-# Turned by 60 degrees and twice as large; then half of it alone.
+# The leaf turned by 60 degrees and twice as large; then half of it alone.
 leaf='M10 90 C10 30 50 10 90 10 C90 60 60 90 10 90Z'
 svg "<path transform='translate(150 40) rotate(60) scale(2)' d='$leaf'/>" >turned.svg
 run 0 match turned.svg leaf.svg --json -o picture.svg
@@ -33,7 +33,7 @@ expect_range part_of_a 0.3 0.8
 expect_range similarity 0.9 1
 echo "ok whole and cut"
 
-# Less alike, worse.
+# Drawings that are less alike score lower.
 run 0 match leaf.svg leaf.svg
 grep -q '^1 .*100.0 %' output || fail "not the same as itself: $(cat output)"
 run '0 3' match star.svg bean.svg --json
@@ -42,7 +42,7 @@ run 0 match star.svg star.svg --all 3
 [[ $(grep -c '^[1-3] ' output) -eq 3 ]] || fail "not three matches: $(cat output)"
 echo "ok another"
 
-# The series of docs/matching.md: its scores fall, and are those of the page.
+# The series of docs/matching.md: its scores fall, and equal those on the page.
 for number in 2 3 4 5 6; do
   run 0 match "$docs/matching/duck.svg" "$docs/matching/duck-$number.svg" --json
   told=$(sed -n "s/^| \[duck-$number\].*| \(0\.[0-9]*\) |.*/\1/p" "$docs/matching.md")
@@ -53,7 +53,7 @@ for number in 2 3 4 5 6; do
 done
 echo "ok a series"
 
-# Strokes: a curve within more lines, and a straight line.
+# Strokes: a curve among more lines, and a straight line.
 stroke="fill='none' stroke='black' stroke-width='5'"
 wave='M20 180 C40 20 120 20 100 100 S160 180 180 60'
 svg "<path $stroke d='$wave'/><path $stroke d='M20 250 H280'/>" >lines.svg
@@ -67,7 +67,7 @@ run 0 match --open line.svg line.svg --all 4
 [[ $(grep -c '^[1-4] ' output) -eq 2 ]] || fail "not both ways round: $(cat output)"
 echo "ok strokes"
 
-# What is of no use.
+# Inputs that cannot be used.
 : >empty.svg
 svg "<path d='M5 5'/>" >point.svg
 svg "<circle cx='150' cy='150' r='140' $stroke/>" >ring.svg

@@ -1,9 +1,7 @@
 #!/usr/bin/env bash
-# old_library_test.sh TESSERA PICTURE_DIFFERENCE NEW_FOLDER: a library that commit a710f4d has made of a photo which its
-# EXIF data turn (orientation 6). That commit read the pixels as they lie: turned as they are today, they would stick
-# out of the outline.
-#
-# tests/cli/old_library has the photo, and what its `tessera library build turned.jpg -o leaf.h5 --pad-levels 2` wrote.
+# old_library_test.sh TESSERA PICTURE_DIFFERENCE NEW_FOLDER: a library that commit a710f4d made of a photo with EXIF orientation 6.
+# That commit ignored the orientation. If the pixels were turned as they are today, they would stick out of the outline.
+# tests/cli/old_library has the photo and the output of `tessera library build turned.jpg -o leaf.h5 --pad-levels 2`.
 set -uo pipefail
 tessera=$1
 difference=$2

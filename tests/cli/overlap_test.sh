@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# overlap_test.sh TESSERA NEW_FOLDER: what docs/job-format.md says of `pieces.overlap_px`: how much of the canvas pieces
-# overlap in all, by the size of the smallest.
+# overlap_test.sh TESSERA NEW_FOLDER: checks the statement of docs/job-format.md about `pieces.overlap_px`: the total overlap as a share of
+# the canvas, by the size of the smallest pieces.
 set -uo pipefail
 tessera=$1
 folder=$2
@@ -14,7 +14,7 @@ document=$(tr '\n' ' ' <"$document")
 new_folder
 run 0 library build "$clipart" -o bugs.h5
 
-# expect_overlap SMALLEST_PX LEAST MOST: percent of the canvas
+# expect_overlap SMALLEST_PX LEAST MOST: bounds in percent of the canvas
 expect_overlap() {
   printf "quality = 'draft'\n[library]\nfile = 'bugs.h5'\n[canvas]\nsize_px = [%d, %d]\n[pieces]\nscale_px = [%d, %d]\n" \
     $((30 * $1)) $((25 * $1)) "$1" $((8 * $1)) >job.toml

@@ -1,5 +1,5 @@
-// picture_difference A.png B.png [RESULT_FOLDER]: prints the mean difference of two pictures of one size, of 255; with
-// the folder of their result also the pieces that differ most, a line each: mean difference, index, shape.
+// picture_difference A.png B.png [RESULT_FOLDER]: prints the mean difference of two pictures of one size, of 255.
+// With RESULT_FOLDER it also prints the pieces that differ most, a line each: mean difference, index, shape.
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kPiecesShown = 12;
 
-/// Transparent parts as on white.
+/// Reads a picture and lays it on white.
 cv::Mat read_picture(const char* path) {
   const cv::Mat image = tessera::test::read_image(path);
   if (image.channels() != 4) return image;

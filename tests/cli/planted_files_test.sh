@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
-# planted_files_test.sh TESSERA NEW_FOLDER: in folders that others may write to, too, links and pipes lie under all
-# temporary names that the program uses. No file that they lead to changes, nothing waits, and the outputs are right.
+# planted_files_test.sh TESSERA NEW_FOLDER: in a shared folder others have planted links and pipes under all temporary names that the
+# program uses.
+# No file behind a link changes, nothing waits, and the outputs are right.
 set -uo pipefail
 tessera=$1
 folder=$2
 # shellcheck source=tests/cli/command_fixture.sh
 source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
 
-# Everything in the folder "made". Commands whose outputs are there already may be run again.
+# Writes every kind of output into the folder "made". Commands with existing outputs may run again.
 write_all() {
   run 0 library build drawings spoiled.png -o made/own.h5
   run 0 library info made/own.h5 --sheet made/sheet.png
@@ -21,13 +22,14 @@ write_all() {
   run 0 nest parts.json --effort draft --out made/layout --quiet
 }
 
-# Of what does not tell the time of day.
+# The digests of all files without the time of day.
 digests() {
   find made -type f ! -name 'card*' ! -name 'ranking*' ! -name manifest.json ! -name run.log -exec sha256sum {} + |
     sort -k 2
 }
 
-# plant COMMAND THAT MAKES A FILE: under the temporary name of every file that is there, and of those that come and go.
+# plant COMMAND...: runs COMMAND, which makes a file, for each of several names. They are the temporary ones of all files in "made", and of
+# files that come and go.
 plant() {
   local file
   while read -r file; do "$@" "$file.tmp" || fail "not planted: $file.tmp"; done < <(
@@ -59,7 +61,7 @@ find made | sort >files.first
 for kind in "ln -s $precious" "ln $precious" mkfifo; do
   # shellcheck disable=SC2086
   plant $kind
-  rm made/sun* made/campaign/seed_1/manifest.json # made again
+  rm made/sun* made/campaign/seed_1/manifest.json # these are made again
   write_all
   digests | diff digests.first - || fail "other files where others had planted: $kind"
   find made | sort | diff files.first - || fail "a file too many or too few: $kind"
@@ -68,7 +70,7 @@ for kind in "ln -s $precious" "ln $precious" mkfifo; do
   echo "ok $kind"
 done
 
-# Names that stay: what is written anew is replaced, what is appended to or locked is refused.
+# Names that stay: a file that is written anew is replaced; a file that is appended to or locked is refused.
 for name in ranking.csv ranking.json ranking.png; do ln -sf "$precious" "made/ranking/$name"; done
 run 0 rank made/campaign --out made/ranking
 [[ -z $(find made -type l) ]] || fail "a link stands for the ranking"

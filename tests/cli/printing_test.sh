@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# printing_test.sh TESSERA NEW_FOLDER: what is printed arrives or the command fails; readers that leave early; names
-# that are commands to a terminal, or formulas to a spreadsheet; options that take the next one for their value.
+# printing_test.sh TESSERA NEW_FOLDER: the output arrives, or the command fails. It covers readers that leave early, names with terminal
+# commands or spreadsheet formulas, and options that take the next one for their value.
 set -uo pipefail
 tessera=$1
 folder=$2
@@ -11,7 +11,7 @@ enter_folder
 write_job '80, 60' '10, 20' 80
 run 0 collage job.toml --out result --quiet
 
-# Each prints something, and leaves behind nothing that the next would miss.
+# Each command prints something, and removes nothing that a later one needs.
 printing=(
   "--help"
   "--version"
@@ -32,7 +32,7 @@ printing=(
   "draw result --svg"
   "collage job.toml --out result --resume=auto"
 )
-set -f # the patterns are tessera's
+set -f # tessera itself expands the patterns
 for command in "${printing[@]}"; do
   # shellcheck disable=SC2086
   timeout "$most_s" "$tessera" $command >/dev/full 2>errors
@@ -46,7 +46,7 @@ for command in "library info own.h5 --names" "card result --json" "draw result -
   code=$?
   [[ $code == 1 ]] || fail "exit code $code of $command without stdout"
   grep -qx 'tessera: standard output cannot be written: it is closed; .*' errors || fail "$command: not told"
-  # true reads nothing, and has left before anything is printed.
+  # The program `true` reads nothing and ends before anything is printed.
   # shellcheck disable=SC2086
   timeout "$most_s" "$tessera" $command 2>errors | true
   code=${PIPESTATUS[0]}
@@ -56,7 +56,7 @@ done
 set +f
 echo "ok lost output"
 
-# An input error stays one; with --quiet nothing is printed, and nothing lost.
+# An input error stays an input error. With --quiet nothing is printed, so nothing is lost.
 timeout "$most_s" "$tessera" card >/dev/full 2>errors
 [[ $? == 2 ]] || fail "an input error and a full disk"
 timeout "$most_s" "$tessera" draw result --svg --quiet >/dev/full 2>errors || fail "nothing was to be printed"
@@ -66,13 +66,13 @@ run 0 library info closed.h5 --names
 [[ $(cat output) == star ]] || fail "a library was printed into"
 echo "ok nothing to lose"
 
-# The reader of stderr leaves: the collage is made all the same.
+# If the reader of stderr leaves, the collage is made all the same.
 unread() { timeout "$most_s" "$tessera" collage job.toml --out unread --set 'pieces.scale_px=[8, 20]' 2>&1; }
 { unread; echo "$?" >code; } | true
 [[ $(cat code) == 0 && -s unread/manifest.json ]] || fail "a collage ended as its log was not read"
 echo "ok log that nobody reads"
 
-# Names that clear the screen, begin a line of their own or a formula.
+# Names that clear the screen, begin a new line or begin a formula.
 evil=$'=x\e[2J\nrank 1\u009b2J\u202e'
 cp -r result "$evil"
 run 0 rank . --out ranking
@@ -92,7 +92,7 @@ run 2 collage job.toml --set "pieces.uses=$evil" --out none
 [[ $(wc -l <errors) == 1 ]] || fail "a value broke the message"
 run 0 campaign job.toml --seeds 1-2 --out "$evil" --list
 LC_ALL=C grep -q $'\e' output && fail "campaign --list printed ESC"
-# Programs read where it is: bash in the list of a campaign, others in ranking.json, whatever bytes its name has.
+# Programs read the folder's path, whatever bytes its name has: bash in the list of a campaign, others in ranking.json.
 odd=$'odd \xe4\xff\e\n\'\u00ad\u200e\U000e0041 \u00e9'
 for folder_of_list in "$odd" "a b'c" "\$'x" plain; do
   run 0 campaign job.toml --seeds 1-2 --out "$folder_of_list" --list
@@ -114,7 +114,7 @@ LC_ALL=C grep -q $'\xc2\xad\|\xe2\x80\x8e\|\xf3\xa0\x81\x81\|\xe4\|\xff' output 
   fail "rank printed what is not seen"
 echo "ok names"
 
-# One argument is one value: no option takes the next one for its own.
+# One argument is one value: no option takes the next option for its value.
 refused() { # TEXT COMMAND...
   run 2 "${@:2}"
   grep -qF -- "$1" errors || fail "another message than: $1"
@@ -131,7 +131,7 @@ refused 'none.h5' bench library --sizes 10 --library none.h5 --out x.json
 refused '--palette nonsense: ' draw result --palette nonsense
 refused '--palette: found #zz,#112233, allowed: ' draw result --palette '#zz,#112233'
 refused 'not expected: leaf' library subset own.h5 --include star leaf -o some.h5
-refused '--out: found the option --quiet, allowed: a value; one that begins so: --out=--quiet' \
+refused '--out: found the option --quiet, allowed: a value; for a value that begins like an option: --out=--quiet' \
   collage job.toml --out --quiet
 refused '--strip: found the option --out, allowed: a value' nest own.h5 --strip --out X
 refused '--seed: found the option --quiet, allowed: a value' nest own.h5 --strip 60 --seed --quiet

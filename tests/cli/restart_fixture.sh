@@ -1,10 +1,10 @@
 # shellcheck shell=bash disable=SC2154
-# For the tests of checkpoints, which source it: a job with a library of its own in $folder, and how to run it.
-# Needs: $tessera, $folder (new); $mpirun, where several ranks are asked for.
+# Tests of checkpoints source this file: a job with its own library in $folder, and functions to run it.
+# It needs $tessera and $folder (new), and $mpirun for tests on several ranks.
 # shellcheck source=tests/cli/command_fixture.sh
 source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
 
-# Folder, drawings, library, job, and the pieces of a run without interruption: expected.geojson; it took $run_ms.
+# Makes the folder, drawings, library and job. The pieces of a run without interruption are in expected.geojson; it took $run_ms.
 make_job() {
   enter_folder
   cat >job.toml <<END
@@ -28,8 +28,7 @@ END
   mv expected/pieces.geojson expected.geojson
 }
 
-# start RANKS OUT OPTION...: in the background, as process $started; its first checkpoint is newer than the file
-# "begun".
+# start RANKS OUT OPTION...: starts a run in the background, as process $started. Its first checkpoint is newer than the file "begun".
 start() {
   local ranks=$1 out=$2
   shift 2
@@ -40,12 +39,12 @@ start() {
   started=$!
 }
 
-# Until $started has written a checkpoint, or has ended.
+# Waits until $started has written a checkpoint or has ended.
 wait_for_checkpoint() { # OUT
   until [[ $1/checkpoint.h5 -nt begun ]] || ! kill -0 "$started" 2>/dev/null; do sleep 0.01; done
 }
 
-# interrupt SIGNAL RANKS OUT OPTION...: ends a run soon after it began, with a checkpoint; its exit $code.
+# interrupt SIGNAL RANKS OUT OPTION...: ends a run soon after its start, with a checkpoint, and sets its exit $code.
 interrupt() {
   start "${@:2}"
   wait_for_checkpoint "$3"

@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# results_test.sh TESSERA NEW_FOLDER: runs into folders that hold a result already, runs without a result, and what is
-# said about both.
+# results_test.sh TESSERA NEW_FOLDER: runs into folders that already hold a result, runs without a result, and their messages.
 set -uo pipefail
 tessera=$1
 folder=$2
@@ -10,7 +9,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
 enter_folder
 [[ ! -e own.left_out.txt ]] || fail "a list of what was left out, and nothing was"
 
-# What was left out is listed beside the library, every file of it; a list does not outlive its library.
+# A list beside the library names every file that was left out. The list goes when the library is replaced.
 for i in 1 2 3 4 5; do echo "<svg/>" >"drawings/empty$i.svg"; done
 cp drawings/bean.svg drawings/bean_again.svg
 run 0 library build drawings -o own.h5
@@ -26,7 +25,7 @@ echo "ok what a library left out"
 
 write_job '120, 90' '14, 60' 120
 
-# The same job may be run again; another one is a word on stderr, even of a quiet run.
+# The same job may run again. Another job causes a warning on stderr, even in a quiet run.
 run 0 collage job.toml --out result --quiet
 run 0 collage job.toml --out result --quiet --set devices.use=cpu --set checkpoint.every_s=9
 expect_silence "a warning about the same job"
@@ -41,7 +40,7 @@ expect_word 'tessera: warning: empty: the collage is empty: nothing fits; try pi
 [[ -s empty/collage.png ]] || fail "no picture"
 echo "ok nothing fits"
 
-# Of two regions one stays empty: its name, and the key that decides there, which is not pieces.scale_px.
+# One of two regions stays empty: the warning names it, and the key that decides there, which is not pieces.scale_px.
 cat >halves.svg <<'EOF'
 <svg xmlns="http://www.w3.org/2000/svg" width="120" height="90">
 <rect width="60" height="90" fill="#ff0000"/><rect x="60" width="60" height="90" fill="#0000ff"/></svg>
@@ -66,7 +65,7 @@ run 0 collage halves.toml --out halves --quiet --set stop.pieces=0
 expect_word 'nothing lies in the region "right": no shape may stand there by sizes, weights, regions and names of [[shapes]]'
 echo "ok a region that stays empty"
 
-# More work than time: how to go on is said to quiet users, too, and as the command was.
+# There is more work than time: even with --quiet the program says how to go on, with the options of the command.
 forever=(--quiet --time-limit 4 --set stop.pieces=0 --set improve.seconds=1000)
 run 75 collage job.toml --out long "${forever[@]}"
 expect_word 'tessera: unfinished: go on with the same command and --resume'
@@ -81,7 +80,7 @@ run 2 collage job.toml --out result --time-limit ""
 expect_word 'tessera: --time-limit: found an empty text, allowed: seconds'
 echo "ok unfinished"
 
-# What is private stands in the card and the log, and both say what made the result.
+# Private data stand in the card and the log, and both say how the result was made.
 for word in "command: .* collage job.toml --out result --quiet --set seed=3" "rank 0 of 1 on $(hostname): " \
   "end: stopped by" "warning: result: the finished result of another job is replaced" "digest [0-9a-f]\{16\}$"; do
   grep -q -- "$word" result/run.log || fail "result/run.log lacks: $word"
@@ -97,7 +96,7 @@ expect_word 'tessera: warning: no run log: cannot write unlogged/run.log: found 
 grep -q 'no run log' unlogged/card.json || fail "the warning is not in the card"
 echo "ok what made the result"
 
-# How much is improved, in a word, is a number in the job of the result, which gives the same pieces again.
+# A quality word is a number in the job of the result, which gives the same pieces again.
 all_that_fits=(--quiet --set stop.pieces=0)
 run 0 collage job.toml --out good "${all_that_fits[@]}" --set quality=good
 [[ $(grep -c -e '^quality = ""$' -e '^trials = 17$' good/job.toml) == 2 ]] || fail "no number in good/job.toml"
@@ -116,7 +115,7 @@ run 0 collage no_word.toml --out no_word "${all_that_fits[@]}"
 cmp good/pieces.geojson no_word/pieces.geojson || fail "a job without a word is not good"
 echo "ok qualities"
 
-# A campaign keeps what is finished, and does not lose what is another job's.
+# A campaign keeps finished results, and does not lose results of another job.
 run 0 campaign job.toml --seeds 1-2 --out campaign
 touch -d '1 hour ago' campaign/seed_*/*
 run 0 campaign job.toml --seeds 1-2 --out campaign --set devices.use=cpu
@@ -130,7 +129,7 @@ for list in "" --list; do
 done
 cmp before.toml campaign/seed_1/job.toml || fail "overwritten"
 
-# One campaign more in its folder extends it, or is refused: the new ranking would leave out what is there.
+# A second campaign in the folder extends the first, or is refused if the new ranking would leave results out.
 cp campaign/ranking.csv before.csv
 for other in '--seeds 2-3' '--seeds 2' '--set pieces.uses=1,2' '--seeds 1-2 --set pieces.uses=1,2'; do
   # shellcheck disable=SC2086
@@ -147,7 +146,7 @@ run 0 campaign job.toml --seeds 1-3 --out more
 [[ $(grep -c 'finished before' output) == 2 ]] || fail "not two of three were there"
 echo "ok campaigns"
 
-# A lost card is no lost collage, and a file that cannot be read is no reason to replace one.
+# A lost card is no lost collage, and a file that cannot be read is no reason to replace a result.
 touch -d '1 hour ago' campaign/seed_1/pieces.geojson
 cp -p campaign/seed_1/pieces.geojson before.geojson
 rm campaign/seed_1/card.json campaign/seed_1/card.txt
@@ -170,14 +169,14 @@ rmdir campaign/seed_1/job.toml
 mv before.toml campaign/seed_1/job.toml
 echo "ok lost cards and unreadable files"
 
-# One seed is a campaign, too, which a larger one takes over.
+# A campaign may have one seed, and a larger campaign takes its result over.
 run 0 campaign job.toml --seeds 4 --out single
 [[ -s single/seed_4/collage.png && -s single/ranking.csv ]] || fail "no campaign of one seed"
 run 0 campaign job.toml --seeds 4-5 --out single
 [[ $(grep -c 'finished before' output) == 1 ]] || fail "the single seed was made again"
 echo "ok a single seed"
 
-# What a stranger left, or a slip of the pen names, is not replaced.
+# A file of another origin, or one named by a typing error, is not replaced.
 cp drawings/bean.svg before.svg
 run 2 library build drawings -o drawings/bean.svg
 expect_word 'drawings/bean.svg: is there and is no library; give another name, or remove it'
@@ -197,7 +196,7 @@ expect_word 'strangers/collage.png: exists, and no run of tessera wrote it'
 [[ $(cat strangers/collage.png) == mine ]] || fail "a stranger's picture was replaced"
 echo "ok strangers' files"
 
-# A folder with a checkpoint alone is told apart from one with nothing.
+# A folder with only a checkpoint is distinguished from one without any.
 mkdir -p killed
 touch killed/checkpoint.h5
 run 2 draw killed

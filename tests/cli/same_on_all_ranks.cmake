@@ -1,6 +1,7 @@
 # cmake -DTESSERA=binary -DMPIRUN=mpirun -DFOLDER=new-folder -P same_on_all_ranks.cmake
-# The whole way, as a user goes it: drawings, library, job, collage; and the same pieces on 1, 2, 3, 4, 8 and 16 ranks
-# (16: a tree, as the master asks 8), on 2 and 8 devices in one rank and 2 in each of 3, and from the effective job.
+# The whole way as a user goes it: drawings, library, job, collage.
+# The pieces are the same on 1, 2, 3, 4, 8 and 16 ranks (with 16 the master asks 8, which ask the others).
+# They are also the same on 2 and 8 devices in one rank, on 2 devices in each of 3 ranks, and from the effective job.
 set(ENV{OMPI_ALLOW_RUN_AS_ROOT} 1)
 set(ENV{OMPI_ALLOW_RUN_AS_ROOT_CONFIRM} 1)
 file(REMOVE_RECURSE ${FOLDER})

@@ -1,5 +1,5 @@
-// sawn_pieces FOLDER NEW_FOLDER PX SCALE: the pieces of a puzzle (PNGs with transparency) as if they had been sawn and
-// scanned: so many px are lost all round, then they are shrunk.
+// sawn_pieces FOLDER NEW_FOLDER PX SCALE: makes pieces of a puzzle (PNGs with transparency) look sawn and scanned. They lose PX px all
+// round, then are scaled by SCALE.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>

@@ -1,5 +1,5 @@
-// Preloaded into a program it makes the disk slow: each flush takes SLOW_FLUSH_MS longer, and each renaming
-// SLOW_RENAME_MS. Flushes of several threads wait at the same time.
+// A library that makes the disk slow for the program that preloads it. Each flush takes SLOW_FLUSH_MS longer, each renaming SLOW_RENAME_MS.
+// Flushes of several threads wait at the same time.
 #include <sys/syscall.h>
 #include <unistd.h>
 

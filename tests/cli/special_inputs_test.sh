@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# special_inputs_test.sh TESSERA NEW_FOLDER: pipes, devices, folders and files of the kernel as the input of
-# every command and as the file of every key: refused at once, by name, with exit code 2.
+# special_inputs_test.sh TESSERA NEW_FOLDER: pipes, devices, folders and kernel files as the input of every command and as the file of every
+# key. The program refuses each at once, by name, with exit code 2.
 set -uo pipefail
 tessera=$1
 folder=$2
 # shellcheck source=tests/cli/command_fixture.sh
 source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
 
-# refused NAME COMMAND...: with a message that has the name.
+# refused NAME COMMAND...: the message contains NAME.
 refused() {
   run 2 "${@:2}"
   rm -rf none ./none.*
@@ -15,7 +15,7 @@ refused() {
   expect_word "$1"
 }
 
-# Each of them would wait for ever, or read for ever.
+# Each of them would wait or read for ever.
 as_input_of_every_command() { # FILE
   refused "$1" plan "$1"
   refused "$1" collage "$1" --out none
@@ -70,7 +70,7 @@ for file in pipe folder /dev/zero /proc/kmsg; do
   echo "ok $file"
 done
 
-# What is in a result's folder, or in the way of its files: nobody waits, and it stays as it is.
+# A result's folder may hold such files, also in place of its own files. No command waits for them, and they stay unchanged.
 for name in manifest.json pieces.geojson job.toml card.json checkpoint.h5; do
   cp -r result special
   rm -f "special/$name"

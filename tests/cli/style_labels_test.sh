@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# style_labels_test.sh TESSERA NEW_FOLDER: groups of like style agree with what an eye says of 142 drawings of Debian's
-# clip art (style_labels.csv). With the word "nearest" behind it also how often the nearest drawing has the same label.
+# style_labels_test.sh TESSERA NEW_FOLDER ["nearest"]: groups of like style agree with labels that a person gave 142 drawings of Debian's
+# clip art (style_labels.csv).
+# With the word "nearest" it also prints how often the nearest drawing has the same label.
 set -uo pipefail
 tessera=$1
 folder=$2
@@ -16,9 +17,9 @@ mkdir labelled
 for i in "${!files[@]}"; do cp "$clip_art/${files[i]}" "labelled/$(printf %03d "$i").svg"; done
 most_s=600
 run 0 library build labelled --keep-rectangles -o labelled.h5
-label=$(sed -n 's/^\([a-z_]*\),.*,[a-z]*$/\1/p' "$here/style_labels.csv") # by number
+label=$(sed -n 's/^\([a-z_]*\),.*,[a-z]*$/\1/p' "$here/style_labels.csv") # the labels by number
 
-# Of the drawings those whose label is the most frequent one of their group, percent.
+# The percentage of drawings whose label is the most frequent one of their group.
 run 0 library styles labelled.h5 --groups 12 --names
 agree=$(awk -F'\t' 'NR == FNR { label[sprintf("%03d", NR - 1)] = $1; next }
   { ++count[$1 FS label[$3]]; ++all; groups[$1]; labels[label[$3]] }

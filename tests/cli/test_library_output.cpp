@@ -1,4 +1,4 @@
-// What the library commands print: the progress line and the table at the end.
+// The output of the library commands: the progress line and the final table.
 #include <gtest/gtest.h>
 
 #include "cli/library/build_summary.h"
@@ -25,7 +25,7 @@ TEST(TimeLeft, FollowsFromThePace) {
   EXPECT_EQ(time_left_s(0, 0, 10), std::nullopt);
 }
 
-/// The time left is what a user looks for: the bar gives way first.
+/// The bar shrinks first, because users look for the time left.
 TEST(ProgressText, FitsTheTerminal) {
   const std::string note = "231 pieces, 93.3 % covered, trial 50 of 150";
   EXPECT_EQ(progress_text("collage", 500, 1000, note, 100, 90),
@@ -55,7 +55,7 @@ TEST(BuildSummary, CountsReasonsMostFrequentFirst) {
                     {"/a/e.svg", "hairlines"}};
   EXPECT_EQ(build_summary(report),
             "parts that do not touch the largest one are not in the silhouettes of 1: deer.svg\n"
-            "  join them to have them; where a soft shadow joins them, --edge-opacity 0.05 has them\n"
+            "  join the parts to include them; if a soft shadow joins them, --edge-opacity 0.05 includes them\n"
             "parts that are too faint (an opacity below 0.08) or too thin are not in the silhouettes of 1: fly.svg\n"
             "2 enclose twice what they cover or more, which leaves gaps; --fill-holes counts it as theirs: "
             "bicycle.svg, chair.svg\n"

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# unwritable_outputs_test.sh TESSERA NEW_FOLDER: an output that cannot be written is found before any work is done: the
-# program says so, and nothing else.
+# unwritable_outputs_test.sh TESSERA NEW_FOLDER: an output that cannot be written is found before any work is done. The program prints that
+# error and nothing else.
 set -uo pipefail
 tessera=$1
 folder=$2
 # shellcheck source=tests/cli/command_fixture.sh
 source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
 
-# before_work MESSAGE COMMAND...
+# before_work MESSAGE COMMAND...: the command fails at once with MESSAGE
 before_work() {
   run "${ends_by:-1}" "${@:2}"
   [[ ! -s output ]] || fail "work was done before: ${*:2}"
@@ -23,7 +23,7 @@ write_job '64, 48' '14, 40' 64
 run 0 collage job.toml --out result --quiet
 cp own.h5 another.h5
 
-# A folder has the name of the file, or of the temporary one.
+# A folder has the name of the output file or of its temporary file.
 for taken in taken.png taken.json free.png.tmp free.left_out.txt free.json.tmp free.toml.tmp found/sun_found.png; do
   mkdir -p "$taken/inside"
 done
@@ -55,7 +55,7 @@ for command in "library build drawings -o" "library subset own.h5 --include * -o
   set +f
 done
 ends_by=2 before_work 'cannot write into the folder own.h5: own.h5 is a file; give another output' collage job.toml --out own.h5
-# Where no folder can be made, whoever asks.
+# /proc, where no user can make a folder.
 for command in "draw result --to" "collage job.toml --out" "campaign job.toml --seeds 1 --out" "nest own.h5 --strip 100 --out"; do
   # shellcheck disable=SC2086
   before_work '; give another output' $command /proc/folder
@@ -80,7 +80,7 @@ for name in layout.json.tmp card.txt.tmp layout.svg layout.svg.tmp layout_12.dxf
   before_work "cannot write nested/$name: is a folder; remove it" nest own.h5 --strip 100 --effort best --out nested
   rm -r nested
 done
-# The pieces do not fit: who solves first says so, and the exit code is another one.
+# The pieces do not fit: a run that solves first says so, and ends with another exit code.
 for name in jigsaw.toml jigsaw_pieces.geojson; do
   mkdir -p "$name.tmp/inside"
   before_work "cannot write $name: $name.tmp $in_the_way" puzzle solve own.h5 --job jigsaw.toml --job-only

@@ -1,6 +1,5 @@
-// write_hostile_jobs COUNT: writes job_1.toml to job_COUNT.toml into the working directory, by the generator of
-// tests/job/hostile_job.h. Some name own.h5 as their library and mask.svg as their canvas, others a pipe, a device or a
-// folder.
+// write_hostile_jobs COUNT: writes job_1.toml to job_COUNT.toml into the working directory, with the generator of tests/job/hostile_job.h.
+// Some jobs name own.h5 as library and mask.svg as canvas, others a pipe, a device or a folder.
 #include <cstdlib>
 #include <fstream>
 #include <string>

@@ -1,4 +1,4 @@
-// The suite of all matchers, on workers that are threads of this process.
+// The suite of all matchers, with workers that are threads of this process.
 #include <thread>
 
 #include "comm/in_process_communicator.h"
@@ -15,7 +15,7 @@ namespace test_distributed_matchers {
 using tessera::test::MatcherKind;
 using tessera::test::MatcherSuite;
 
-/// A master's communicator and its workers, each a thread with a reference matcher for its part.
+/// A master's communicator and its workers. Each worker is a thread with a reference matcher for its part.
 class ThreadedJob {
  public:
   ThreadedJob(const MatchingContext& context, std::uint32_t first, const std::vector<ShapeModel>& models, int workers)
@@ -32,7 +32,7 @@ class ThreadedJob {
 
   ~ThreadedJob() {
     master_->tell_end(Ending::orderly);
-    EXPECT_TRUE(master_->see_off(60));
+    EXPECT_TRUE(master_->wait_for_goodbyes(60));
   }
 
  protected:

@@ -1,4 +1,4 @@
-// A worker's replacer for tests of matching.
+// A worker's replacer for tests that use only matching.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace tessera::comm::test {
 
-/// Leaves every window as empty as it finds it.
+/// Leaves every window as it is.
 class IdleReplacer : public Replacer {
  public:
   int breadth() const override { return 1; }

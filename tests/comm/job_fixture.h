@@ -1,4 +1,4 @@
-// A job of run_rank on each rank: the master's part and the workers' part as functions.
+// Runs run_rank on each rank, with the master's part and the workers' part as functions.
 #pragma once
 
 #include <functional>
@@ -11,10 +11,10 @@ namespace tessera::comm::test {
 
 struct JobOutcome {
   RankResult result;
-  std::vector<std::string> reported;  // lines; only rank 0 reports
+  std::vector<std::string> reported;  // the lines that rank 0 reports
 };
 
-/// To be called on every rank. `worker` may return, throw or serve.
+/// Call it on every rank. `worker` may return, throw or serve.
 inline JobOutcome run_job(Communicator& ranks, const std::function<int(Communicator&)>& master,
                           const std::function<void(Communicator&)>& worker) {
   JobOutcome outcome;

@@ -1,5 +1,5 @@
-// A job for mpi_job_test.sh: mpi_job HOW FILE; rank 0 writes FILE at its end.
-#include <boost/mpi/config.hpp>  // mpi.h without its old C++ interface
+// The job of mpi_job_test.sh. Usage: mpi_job HOW FILE. Rank 0 writes FILE at its end.
+#include <boost/mpi/config.hpp>  // has mpi.h leave out its old C++ interface
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -32,13 +32,13 @@ int lead(Communicator& ranks, const std::string& how, const std::string& file) {
   try {
     if (how != "done" && !how.starts_with("stopped")) ranks.receive(1, Tag::turn);
   } catch (const tessera::Interrupted&) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(700));  // pictures take their time
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));  // simulates the drawing of pictures
   }
   std::ofstream(file) << "written\n";
   return 0;
 }
 
-/// Rank 1 is told to leave before rank 2 has sent it what cannot leave without rank 1's help.
+/// The master tells rank 1 to leave before rank 2's large message to it is through. That message needs rank 1's help.
 int exchange(Communicator& ranks) {
   if (ranks.rank() == 1) ranks.receive(2, Tag::turn);
   std::this_thread::sleep_for(std::chrono::seconds(1));
@@ -53,13 +53,13 @@ int work(Communicator& ranks, const std::string& how) {
     if (how == "worker_bug") throw std::logic_error("oops");
     if (how == "worker_dies") std::raise(SIGKILL);
   }
-  // Too busy to see that the job is over.
+  // This rank is too busy to notice that the job is over.
   if (ranks.rank() == 2 && how == "interrupted") std::this_thread::sleep_for(std::chrono::seconds(20));
   ranks.receive(0, Tag::turn);
   return 0;
 }
 
-/// Little where a rank is stopped.
+/// The patience with stopped ranks: short where `how` stops a rank.
 tessera::comm::MpiPatience patience_of(const std::string& how) {
   tessera::comm::MpiPatience patience;
   if (how.starts_with("stopped_starting")) patience.start_s = 2;
@@ -67,7 +67,7 @@ tessera::comm::MpiPatience patience_of(const std::string& how) {
   return patience;
 }
 
-/// Stops this process where it is, if it is that rank and the job is to go so: `how` is "stopped_WHERE_RANK".
+/// Stops this process at `where`, if `how` is "stopped_WHERE_RANK" with this rank.
 void stop_if_told(const std::string& where) {
   const char* rank = std::getenv("OMPI_COMM_WORLD_RANK");
   const char* how = std::getenv("MPI_JOB_HOW");
@@ -76,7 +76,7 @@ void stop_if_told(const std::string& where) {
 
 }  // namespace
 
-// MPI's own names, which a program may define (the profiling interface): the library has them as PMPI_...
+// The profiling interface of MPI: a program may define MPI's own names, and the library has the same functions as PMPI_...
 extern "C" int MPI_Init_thread(int* argc, char*** argv, int required, int* provided) {
   stop_if_told("starting");
   return PMPI_Init_thread(argc, argv, required, provided);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# mpi_job_test.sh MPIRUN MPI_JOB: how a job of three ranks ends under mpirun: exit code, one line of error from one
-# rank, and what is written when mpirun is told to stop.
+# mpi_job_test.sh MPIRUN MPI_JOB: checks how a job of three ranks ends under mpirun.
+# It checks the exit code, the one error line of one rank, and the written file after mpirun was told to stop.
 set -uo pipefail
 mpirun=$1
 job=$2
@@ -17,7 +17,7 @@ fail() {
 
 start() { timeout 60 "${on_ranks[@]}" 3 "$job" "$1" "$folder/$1" 2>"$folder/errors"; }
 
-# expect HOW CODE LINE: the job ends with that exit code; its errors are one line that matches LINE, or none
+# expect HOW CODE LINE: the job ends with this exit code. Its errors are one line that matches LINE, or none.
 expect() {
   start "$1"
   local code=$?
@@ -44,7 +44,7 @@ start worker_dies
 [[ $? == 137 ]] || fail "worker_dies: exit code"
 echo "ok worker_dies"
 
-# Where MPI waits for a rank that does not come, whichever it is; what rank 0 wrote before is there.
+# One rank does not come to a point where MPI waits for it. The test tries each rank; the file that rank 0 wrote before is there.
 hangs() { # HOW CODE LINE WITHIN_S
   SECONDS=0
   expect "$1" "$2" "$3"
@@ -53,7 +53,7 @@ hangs() { # HOW CODE LINE WITHIN_S
 hangs stopped_starting_1 1 'rank 0 has waited 2 s for the other ranks to start MPI: .*' 8
 [[ ! -e $folder/stopped_starting_1 ]] || fail "it ran without rank 1"
 hangs stopped_starting_0 1 'rank 1 has waited 7 s for the other ranks to start MPI: .*' 13
-# mpirun calls it a failure that rank 0 leaves without the others.
+# mpirun reports a failure if rank 0 leaves without the other ranks.
 hangs stopped_ending_1 1 "rank 0 has waited 2 s for the other ranks to end MPI: .*; the run's files are written" 8
 [[ -s $folder/stopped_ending_1 ]] || fail "nothing was written before the end"
 
@@ -63,7 +63,7 @@ for ((i = 0; i < 200; ++i)); do
   grep -qs running "$folder/output" && break
   sleep 0.05
 done
-kill -TERM $started # what mpirun does on Ctrl-C too, which a background process does not get
+kill -TERM $started # mpirun does the same on Ctrl-C, but a background process does not get that signal
 SECONDS=0
 wait $started
 [[ -s $folder/interrupted ]] || fail "interrupted: rank 0 could not write"

@@ -1,5 +1,5 @@
-// on_all_ranks over MPI, and the main function of tests that mpirun starts. An expectation that fails on any rank is
-// printed by that rank and ends the job: the others may be waiting for it.
+// on_all_ranks over MPI, and the main function of tests that mpirun starts. The rank of a failed expectation prints it and ends the job,
+// because other ranks may wait for that rank.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -13,7 +13,7 @@ namespace tessera::comm::test {
 void on_all_ranks(const std::function<void(Communicator&)>& body) {
   MpiCommunicator ranks;
   body(ranks);
-  ranks.wait_until_sent(60);  // flush() would throw: the job may be over
+  ranks.wait_until_sent(60);  // flush() would throw, as the job may be over
 }
 
 namespace {

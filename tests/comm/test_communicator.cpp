@@ -74,12 +74,13 @@ constexpr std::size_t kTwoMayBeUnderWay = Communicator::kMostUnderWay / 2 + 1;
 
 TEST(Communicator, LargeMessagesBothWaysDoNotLockUp) {
   on_all_ranks([](Communicator& ranks) {
-    if (ranks.rank() > 1) return;  // two ranks say it all
+    if (ranks.rank() > 1) return;  // two ranks are enough here
     const int other = ranks.size() == 1 ? 0 : 1 - ranks.rank();
     Bytes sent(kLargeSize, char(ranks.rank()));
     ranks.send(other, Tag::update_field, std::move(sent));
     ranks.send(other, Tag::dock_reply, pattern(3'000'000, ranks.rank()));
-    EXPECT_EQ(ranks.receive(other, Tag::dock_reply), pattern(3'000'000, other));  // not in the order sent
+    EXPECT_EQ(ranks.receive(other, Tag::dock_reply),
+              pattern(3'000'000, other));  // another order than the one of sending
     const Bytes received = ranks.receive(other, Tag::update_field);
     ASSERT_EQ(received.size(), kLargeSize);
     EXPECT_EQ(received[kLargeSize / 2], char(other));
@@ -106,7 +107,7 @@ TEST(Communicator, BroadcastGivesEveryRankTheFirstOnesBytes) {
 
 TEST(Communicator, NobodyPassesABarrierBeforeAllHaveCome) {
   on_all_ranks([](Communicator& ranks) {
-    // Whoever is past barrier i finds that all others have sent their message of round i before they came.
+    // After barrier i a rank finds the messages of round i from all others, because they sent them before their barrier.
     for (int round = 0; round < 10; ++round) {
       for (int to = 0; to < ranks.size(); ++to) ranks.send(to, Tag::turn, pattern(8, round));
       ranks.barrier();
@@ -153,7 +154,7 @@ TEST(NodeTurn, OneWorkerOfTheNodeGoesFirst) {
       }
       return;
     }
-    // Everyone but the first finds the first one's note when its turn comes.
+    // Every rank except the node's first one finds the note of that one.
     bool note = false;
     first_worker_of_node_first(ranks, [&] {
       if (ranks.rank() == 1) {

@@ -1,4 +1,4 @@
-// Of several ranks that fail, the first one tells why: the others mostly fail because it did.
+// When several ranks fail, the first failure is reported: the others mostly fail because of it.
 #include <gtest/gtest.h>
 
 #include <new>
@@ -24,7 +24,7 @@ TEST(FirstFailure, IsTheOneThatTheMasterTells) {
   }
 }
 
-/// As of a rank whose program is another one.
+/// A rank of another program version sends such bytes.
 TEST(FirstFailure, IsToldWithItsRankWhereItCannotBeRead) {
   InProcessNetwork network(2);
   const std::unique_ptr<Communicator> master = network.connect(0);
@@ -37,7 +37,7 @@ TEST(FirstFailure, IsToldWithItsRankWhereItCannotBeRead) {
   }
 }
 
-/// Another machine may have the memory; the job is not at fault.
+/// Lack of memory is a failure of the machine, not of the job: another machine may have enough.
 TEST(FirstFailure, WantOfMemoryIsTheMachines) {
   try {
     throw std::bad_alloc();

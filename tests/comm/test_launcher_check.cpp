@@ -1,4 +1,4 @@
-// Launchers that would start several masters are refused; every way to start one process, or Open MPI's ranks, is not.
+// The check refuses launchers that would start several masters. It accepts every way to start one process or Open MPI's ranks.
 #include "comm/launcher_check.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ TEST(LauncherCheck, srun_whose_pmix_open_mpi_does_not_find_is_refused) {
 
 TEST(LauncherCheck, one_process_is_fine_wherever_it_runs) {
   EXPECT_EQ(problem({}), "");
-  // A batch script's own process, salloc's shell, a step of one task, a shell by srun --pty.
+  // The accepted ways: a batch script's own process, salloc's shell, a step of one task, a shell by srun --pty.
   EXPECT_EQ(
       problem({{"SLURM_JOB_ID", "7"}, {"SLURM_NTASKS", "3"}, {"SLURM_PROCID", "0"}, {"SLURM_TASKS_PER_NODE", "3"}}),
       "");

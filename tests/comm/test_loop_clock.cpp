@@ -1,4 +1,4 @@
-// Where the ranks' time went: each rank's stages add up to its loop, and what was sent is what the others got.
+// Times of the ranks: each rank's stages add up to its loop, and the bytes sent equal the bytes received.
 #include "comm/teams/loop_clock.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ constexpr std::chrono::milliseconds kNap{20};
 constexpr double kNap_s = 0.02;
 constexpr double kRounding_s = 1e-6;
 
-/// Takes its time to count; has nothing to dock or refine.
+/// A matcher that takes time to count, and has nothing to dock or refine.
 class SlowCounter : public tessera::test::IdleMatcher {
  public:
   explicit SlowCounter(ShapeRange shapes) : shapes_(shapes) {}
@@ -42,7 +42,7 @@ class SlowCounter : public tessera::test::IdleMatcher {
   std::size_t samples_ = 0;
 };
 
-/// Takes its time, whatever it is asked.
+/// A replacer that takes time for every question.
 class SlowReplacer : public test::IdleReplacer {
  public:
   std::vector<ReplacementOutcome> take_replaced() override {
@@ -61,7 +61,7 @@ double sum_of_stages(const Times& times, const Stages& stages) {
   return sum_s;
 }
 
-/// A loop of two regions with one round each; counts in `run` what a master would.
+/// Plays a loop of two regions with one round each, and counts in `run` as a master does.
 void play_loop(Matcher& team, Replacer& replacers, RunStatistics& run) {
   const Stopwatch loop;
   for (run.rounds = 0; run.rounds < 2; ++run.rounds) {
@@ -73,7 +73,7 @@ void play_loop(Matcher& team, Replacer& replacers, RunStatistics& run) {
     team.take_count();
     run.prune_s += stage.lap();
     team.post_dock({});
-    const Stopwatch ahead;  // the master has work of its own while it waits
+    const Stopwatch ahead;  // the master does work of its own while it waits
     std::this_thread::sleep_for(kNap / 10);
     run.ahead_s += ahead.seconds();
     team.take_dock();
@@ -95,7 +95,7 @@ void expect_master(const MasterTimes& master, int asked) {
   EXPECT_LT(master.sent_fields.bytes, master.sent.bytes);
 }
 
-/// With so many workers below it.
+/// Expects the times of a worker that asks `asked` workers below it.
 void expect_worker(const WorkerTimes& worker, int asked) {
   EXPECT_NEAR(sum_of_stages(worker, kWorkerStages), worker.loop_s, kRounding_s);
   EXPECT_GE(worker.count_s, 2 * kNap_s * 0.99);

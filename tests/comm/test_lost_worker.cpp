@@ -1,4 +1,4 @@
-// A worker that is not heard of ends every wait of rank 0, and is told once.
+// A worker that rank 0 no longer hears of ends every wait of rank 0, and is reported once.
 #include <gtest/gtest.h>
 
 #include "comm/in_process_communicator.h"

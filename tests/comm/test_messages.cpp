@@ -1,4 +1,4 @@
-// Whatever goes through a message comes out bit for bit, not-a-number and negative zero included.
+// Every value comes out of a message bit for bit, also not-a-number and negative zero.
 #include "comm/messages.h"
 
 #include <gtest/gtest.h>
@@ -59,7 +59,7 @@ DistanceHistogram any_histogram() {
   return histogram;
 }
 
-/// Bit equality: operator== calls -0 and 0 equal and no NaN equal to itself. Only for types without padding.
+/// Compares bits: operator== calls -0 and 0 equal and no NaN equal to itself. It is only for types without padding.
 template <class T>
 bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
   static_assert(sizeof(T) % sizeof(float) == 0);
@@ -199,9 +199,9 @@ TEST(Messages, TheSmallOnes) {
   const ShapeRange range = there_and_back(ShapeRange{7, 4000000000u});
   EXPECT_EQ(range.begin, 7u);
   EXPECT_EQ(range.end, 4000000000u);
-  const StandingLimits limits{3, 0.9f, 45.5f, {ShapeId{1}, ShapeId{4000000000u}}};
+  const StanceLimits limits{3, 0.9f, 45.5f, {ShapeId{1}, ShapeId{4000000000u}}};
   EXPECT_EQ(there_and_back(limits), limits);
-  EXPECT_EQ(there_and_back(StandingLimits{}), StandingLimits{}) << "infinity";
+  EXPECT_EQ(there_and_back(StanceLimits{}), StanceLimits{}) << "infinity";
   const FieldStart start{1012, 1013, {-5.5f, -0.f}};
   EXPECT_EQ(there_and_back(start), start);
   const RankSite site{"node7", {{"gpu", "H100", "CUDA", "535.1", 4000000000u}, {"cpu", "", "PoCL", "3.1", 0}}};
@@ -220,7 +220,7 @@ TEST(Messages, TheSmallOnes) {
 }
 
 TEST(Messages, VectorsTravelInOneCopy) {
-  // A field costs its own bytes and a few more: nothing for each number.
+  // A field costs its own bytes and a few more, but none for each number.
   const FieldPatch patch{{0, 0, 100, 100}, std::vector<float>(10000, 1.f)};
   EXPECT_LT(encode(patch).size(), 40000u + 64u);
   ReplacementWindow window;
@@ -229,7 +229,7 @@ TEST(Messages, VectorsTravelInOneCopy) {
   EXPECT_LT(encode(std::vector<TargetSample>(100)).size(), 100 * sizeof(TargetSample) + 64);
 }
 
-/// Whether reading throws what a user can mend, and no other exception.
+/// Returns whether reading throws an EnvironmentError and no other exception.
 template <class T>
 bool is_refused(const Bytes& bytes) {
   try {
@@ -262,7 +262,7 @@ TEST(Messages, one_with_more_than_its_values_is_refused) {
   EXPECT_TRUE(is_refused<Failure>(bytes));
 }
 
-/// Whatever bytes arrive, reading ends with a value or with the one error.
+/// Any bytes end in a value or in the one kind of error.
 TEST(Messages, any_bytes_are_read_or_refused) {
   EXPECT_TRUE(rc::check([] {
     const auto bytes = *rc::gen::arbitrary<Bytes>();
@@ -277,7 +277,7 @@ TEST(Messages, any_bytes_are_read_or_refused) {
   }));
 }
 
-/// Memory for what a message claims to hold would be out of reach.
+/// A message may claim more elements than it holds. The reader allocates no memory for such a claim.
 TEST(Messages, numbers_beyond_the_message_take_no_memory) {
   const auto claim = [](auto... numbers) {
     Bytes bytes;
@@ -317,7 +317,7 @@ TEST(Failures, KeepTheirKindAndText) {
   EXPECT_EQ(described([] { throw EnvironmentError("b"); }), (Failure{1, "b"}));
   EXPECT_EQ(described([] { throw std::bad_alloc(); }), (Failure{1, "out of memory"}));
   EXPECT_EQ(described([] { throw std::logic_error("c"); }), (Failure{1, "internal error: c"}));
-  const std::string refused = "the system gives no further thread or process: Resource temporarily unavailable";
+  const std::string refused = "the system starts no further thread or process: Resource temporarily unavailable";
   EXPECT_EQ(described([] { throw std::system_error(EAGAIN, std::generic_category()); }),
             (Failure{1, refused + " (ulimit -u, or the container's limit)"}));
   EXPECT_EQ(described([] { throw std::system_error(EIO, std::generic_category()); }),

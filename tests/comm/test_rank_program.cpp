@@ -14,7 +14,7 @@ using test::JobOutcome;
 using test::on_all_ranks;
 using test::run_job;
 
-/// Rank 0 ended with this code and these lines; the others left in order, in silence.
+/// Expects that rank 0 ended with this exit code and these lines, and that the other ranks left in order and silently.
 void expect_outcome(const Communicator& ranks, const JobOutcome& outcome, int exit_code,
                     const std::vector<std::string>& lines) {
   EXPECT_EQ(outcome.result.ending, Ending::orderly);
@@ -68,7 +68,7 @@ TEST(RankProgram, AWorkersErrorBecomesRankZerosWithItsName) {
         ranks,
         [](Communicator& c) {
           EXPECT_THROW(c.receive(1, Tag::turn), InputError);
-          c.receive(1, Tag::turn);  // throws again: this job is over
+          c.receive(1, Tag::turn);  // throws again because this job is over
           return 0;
         },
         [culprit](Communicator& c) {

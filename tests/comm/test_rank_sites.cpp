@@ -1,4 +1,4 @@
-// Rank 0 learns where every rank runs.
+// Rank 0 learns the machine of every rank.
 #include "comm/teams/rank_sites.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Which worker counts as lost, by a clock of the tests' own.
+// The rules by which a worker counts as lost, tested with a simulated clock.
 #include "comm/rank_watch.h"
 
 #include <gtest/gtest.h>
@@ -10,12 +10,12 @@ constexpr double kSilence_s = 10;
 constexpr Heartbeat kBusy{.waiting = false, .for_s = 3};
 constexpr Heartbeat kIdle{.waiting = true, .for_s = 0};
 
-/// Rank 0 of three ranks waits.
+/// The watch of rank 0 in a job of three ranks.
 class RankWatchTest : public testing::Test {
  protected:
   RankWatchTest() { watch_.begin_wait(); }
 
-  /// Looks ten times a second.
+  /// Waits, and calls the watch ten times a second.
   void wait(double seconds) {
     for (int i = 0; i < int(10 * seconds); ++i) watch_.waited(0.1);
   }
@@ -51,7 +51,7 @@ TEST_F(RankWatchTest, silence_from_the_start_counts) {
 }
 
 TEST_F(RankWatchTest, silence_counts_only_while_rank_0_waits) {
-  for (int round = 0; round < 100; ++round) {  // it computes for a minute, then waits for a moment
+  for (int round = 0; round < 100; ++round) {  // each time it computes for a minute and then waits for a moment
     watch_.begin_wait();
     watch_.waited(0.05);
   }
@@ -75,7 +75,7 @@ TEST_F(RankWatchTest, a_worker_that_never_answers_is_lost) {
   watch_.heard(2, {.waiting = false, .for_s = RankWatch::kMostBusy * kSilence_s + 1});
   ASSERT_TRUE(watch_.lost());
   EXPECT_EQ(watch_.lost()->rank, 2);
-  EXPECT_EQ(watch_.lost()->what, "has been busy with one question for 601 s");
+  EXPECT_EQ(watch_.lost()->what, "has been busy with one request for 601 s");
 }
 
 TEST_F(RankWatchTest, whoever_waits_for_an_hour_is_not_busy) {
@@ -98,7 +98,7 @@ TEST_F(RankWatchTest, a_message_that_all_wait_for_is_lost) {
     watch_.heard(1, {.waiting = true, .for_s = idle_s});
     watch_.heard(2, {.waiting = true, .for_s = idle_s});
   };
-  all_idle_for(100);  // rank 0 computed meanwhile
+  all_idle_for(100);  // rank 0 computed in the meantime
   wait(9);
   EXPECT_FALSE(watch_.lost());
   all_idle_for(109);

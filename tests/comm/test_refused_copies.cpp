@@ -1,4 +1,4 @@
-// Open MPI is told to do without copies between processes where the kernel refuses them, and nowhere else.
+// Open MPI is told to avoid copies between processes where the kernel refuses them, and only there.
 #include "comm/refused_copies.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace test_refused_copies {
 
 constexpr const char* kMechanism = "OMPI_MCA_btl_vader_single_copy_mechanism";
 
-/// As the filter of a container: the system call is there, and forbidden.
+/// Acts as a container's filter: the system call exists but is forbidden.
 void refuse_copies() {
   const scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ALLOW);
   seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(process_vm_readv), 0);

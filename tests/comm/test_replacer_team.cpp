@@ -1,5 +1,5 @@
-// Replacement trials on any number of ranks: what one rank alone would answer comes back, in the order of the question,
-// and a worker's errors too.
+// Replacement trials on any number of ranks. The answers equal those of one rank, in the order of the questions; a worker's errors come
+// back, too.
 #include "comm/teams/replacer_team.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ std::unique_ptr<Matcher> no_matcher() {
   return std::make_unique<ReferenceMatcher>(MatchingContext{}, 0, std::vector<ShapeModel>{});
 }
 
-/// Answers with what shows who was asked what: each window's box, and how many windows came with it.
+/// A replacer whose answers show which windows it got: each window's box, and the number of windows in its question.
 class EchoReplacer : public Replacer {
  public:
   explicit EchoReplacer(int breadth) : breadth_(breadth) {}
@@ -47,14 +47,14 @@ class EchoReplacer : public Replacer {
   std::vector<ReplacementWindow> windows_;
 };
 
-/// Fails in the middle of the work.
+/// A replacer that fails during its work.
 class FailingReplacer : public EchoReplacer {
  public:
   using EchoReplacer::EchoReplacer;
   std::vector<ReplacementOutcome> take_replaced() override { throw EnvironmentError("the memory was lost"); }
 };
 
-/// Runs `master` with the workers' replacers, made by `make_replacer` on each of them, as one.
+/// Runs `master` with all workers' replacers as one. `make_replacer` makes them on each worker.
 JobOutcome with_team(Communicator& ranks, const std::function<void(Replacer&)>& master,
                      const std::function<std::unique_ptr<Replacer>(Communicator&)>& make_replacer) {
   return run_job(
@@ -66,7 +66,7 @@ JobOutcome with_team(Communicator& ranks, const std::function<void(Replacer&)>& 
       [&](Communicator& c) { serve(c, no_matcher(), make_replacer(c)); });
 }
 
-/// On all ranks where there are workers, and no error comes.
+/// Runs with_team on all ranks of jobs that have workers, and expects no error.
 void with_team_everywhere(const std::function<void(Replacer&, int workers)>& master,
                           const std::function<std::unique_ptr<Replacer>(Communicator&)>& make_replacer) {
   on_all_ranks([&](Communicator& ranks) {
@@ -81,7 +81,7 @@ void with_team_everywhere(const std::function<void(Replacer&, int workers)>& mas
 
 std::unique_ptr<Replacer> echo_of_rank(Communicator& c) { return std::make_unique<EchoReplacer>(c.rank()); }
 
-/// Windows of one trial each, which their boxes tell apart.
+/// Windows of one trial each. Their boxes tell them apart.
 std::vector<ReplacementWindow> numbered_windows(std::size_t count) {
   std::vector<ReplacementWindow> windows(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -126,10 +126,11 @@ TEST(ReplacerTeam, EachWorkerHasAsMuchAsItIsBroad) {
       echo_of_rank);
 }
 
-/// Owns the shapes too.
+/// A replacer that also owns its shapes.
 class WorkersReplacer : public Replacer {
  public:
-  explicit WorkersReplacer(Communicator& ranks) : own_(shapes_, 1 + ranks.rank() % 3, [&ranks] { ranks.look(); }) {}
+  explicit WorkersReplacer(Communicator& ranks)
+      : own_(shapes_, 1 + ranks.rank() % 3, [&ranks] { ranks.check_arrivals(); }) {}
 
   int breadth() const override { return own_.breadth(); }
   void post_replace(std::vector<ReplacementWindow> windows) override { own_.post_replace(windows); }
@@ -154,7 +155,7 @@ TEST(ReplacerTeam, AnyNumberOfRanksAnswersAsOneDoes) {
       [](Communicator& c) { return std::make_unique<WorkersReplacer>(c); });
 }
 
-/// The last worker, which has none below it but may be below another, fails; the others are at work for ever.
+/// The last worker fails while the others work for ever. It asks no other worker, but another worker may ask it.
 TEST(ReplacerTeam, AWorkersErrorEndsTheJobWhileOthersWork) {
   on_all_ranks([](Communicator& ranks) {
     if (ranks.size() == 1) return;

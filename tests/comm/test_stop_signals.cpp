@@ -1,4 +1,4 @@
-// What signals do to a process: told by children, which they end.
+// The effects of signals on a process, seen in child processes that the signals end.
 #include "comm/stop_signals.h"
 
 #include <fcntl.h>
@@ -12,15 +12,15 @@
 namespace tessera::comm {
 namespace test_stop_signals {
 
-int cleaned_up = -1;  // where the child says that it cleaned up
+int cleaned_up = -1;  // the child writes here when it cleans up
 
 struct End {
-  int signal = 0;  // 0: it ended by itself
+  int signal = 0;  // 0: the child ended by itself
   int exit_code = 0;
   bool cleaned_up = false;
 };
 
-/// Runs `act` in a child whose stderr is silent.
+/// Runs `act` in a child process whose stderr is discarded.
 template <class Act>
 End in_child(Act act) {
   int ends[2];
@@ -129,7 +129,7 @@ TEST(StopSignals, AreDelayedWhileFilesAreWritten) {
       const StopDelay delay;
       raise(SIGTERM);
       if (!stop_signalled()) return 1;
-      [[maybe_unused]] const ssize_t written = write(cleaned_up, "x", 1);  // as if files were written
+      [[maybe_unused]] const ssize_t written = write(cleaned_up, "x", 1);  // stands for the writing of files
     }
     return 7;
   });

@@ -1,5 +1,4 @@
-// A matcher on other ranks behaves as it does on this rank: the same requests reach it, and the same replies and errors
-// come back.
+// A matcher on other ranks behaves like a local one: the same requests reach it, and the same replies and errors come back.
 #include "comm/teams/worker_team.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +21,7 @@ using test::IdleReplacer;
 using test::on_all_ranks;
 using test::run_job;
 
-/// Answers with what it was told, in a form that shows it.
+/// A matcher whose answers show the requests that it got.
 class EchoMatcher : public Matcher {
  public:
   explicit EchoMatcher(ShapeRange shapes) : shapes_(shapes) {}
@@ -33,7 +32,7 @@ class EchoMatcher : public Matcher {
     origin_ = origin;
   }
   void update_field(const FieldPatch& patch) override { write_patch(patch, field_); }
-  void limit(const StandingLimits& limits) override { limits_ = limits; }
+  void limit(const StanceLimits& limits) override { limits_ = limits; }
 
   void post_count(const CountRequest& request) override {
     if (!request.samples.empty()) samples_ = request.samples;
@@ -49,7 +48,7 @@ class EchoMatcher : public Matcher {
   }
 
   void post_dock(const DockRequest& request) override { request_ = request; }
-  /// One docking for each sample and shape, best first; its pose shows the field and how many shapes are used up.
+  /// Returns one docking for each sample and shape, best first. Its pose shows the field and the number of shapes used up.
   DockReply take_dock() override {
     DockReply reply;
     for (std::uint32_t t = 0; t < request_.samples.size(); ++t) {
@@ -84,11 +83,11 @@ class EchoMatcher : public Matcher {
   std::vector<TargetSample> samples_;
   CountRequest counted_;
   DockRequest request_;
-  StandingLimits limits_;
+  StanceLimits limits_;
   std::vector<Docking> dockings_;
 };
 
-/// Worker `rank`'s part of `shapes` shapes.
+/// Returns the part of the `shapes` shapes that worker `rank` has.
 ShapeRange part_of(std::uint32_t shapes, const Communicator& ranks) {
   const std::uint32_t workers = std::uint32_t(ranks.size() - 1);
   const std::uint32_t worker = std::uint32_t(ranks.rank() - 1);
@@ -105,7 +104,7 @@ CountRequest count_of_edges(std::initializer_list<std::uint32_t> edges) {
   return {samples_of_edges(edges), std::vector<std::uint32_t>(edges.size(), 9), 3};
 }
 
-/// Runs `master` with the workers' matchers, made by `make_matcher` on each of them, as one.
+/// Runs `master` with all workers' matchers as one. `make_matcher` makes them on each worker.
 template <class MakeMatcher>
 void with_team(const std::function<void(Matcher&)>& master, MakeMatcher make_matcher) {
   on_all_ranks([&](Communicator& ranks) {
@@ -122,7 +121,7 @@ void with_team(const std::function<void(Matcher&)>& master, MakeMatcher make_mat
   });
 }
 
-/// Two shapes only: with three workers one has none.
+/// With only two shapes, one of three workers has none.
 constexpr std::uint32_t kEchoShapes = 2;
 
 void with_echo_team(const std::function<void(Matcher&)>& master) {
@@ -148,7 +147,7 @@ TEST(WorkerTeam, CountsReachAllWorkersAndAreAdded) {
   });
 }
 
-/// The samples are told once.
+/// The samples are sent only once.
 TEST(WorkerTeam, CountsGoOnWithTheSamplesOfTheLastOne) {
   with_echo_team([](Matcher& team) {
     team.post_count(count_of_edges({7, 8, 11}));
@@ -161,7 +160,7 @@ TEST(WorkerTeam, CountsGoOnWithTheSamplesOfTheLastOne) {
   });
 }
 
-/// Counts in three steps.
+/// A matcher that counts in three steps.
 class SteppingMatcher : public EchoMatcher {
  public:
   using EchoMatcher::EchoMatcher;
@@ -250,7 +249,7 @@ TEST(WorkerTeam, AQuestionMayBePostedBeforeTheLastOneIsTaken) {
 }
 
 TEST(WorkerTeam, LargeMessagesBothWaysDoNotLockUp) {
-  constexpr int kNodes = 5000;  // of a field of 100 MB
+  constexpr int kNodes = 5000;  // gives a field of 100 MB
   constexpr std::uint32_t kShapes = 60;
   on_all_ranks([](Communicator& ranks) {
     if (ranks.size() != 2) return;
@@ -262,7 +261,8 @@ TEST(WorkerTeam, LargeMessagesBothWaysDoNotLockUp) {
           worker->start_field(kNodes, kNodes, {});
           const FieldPatch whole{{0, 0, kNodes, kNodes}, std::vector<float>(std::size_t(kNodes) * kNodes, 2.f)};
           worker->update_field(whole);
-          for (int i = 0; i < 2; ++i) worker->post_refine(std::vector<Docking>(1'000'000));  // 40 MB, 60 MB back
+          for (int i = 0; i < 2; ++i)
+            worker->post_refine(std::vector<Docking>(1'000'000));  // sends 40 MB and gets 60 MB back
           worker->update_field(whole);
           for (int i = 0; i < 2; ++i)
             EXPECT_EQ(c.receive(1, Tag::refine_reply).size() / 1'000'000, sizeof(RefinedDocking));
@@ -274,7 +274,7 @@ TEST(WorkerTeam, LargeMessagesBothWaysDoNotLockUp) {
   });
 }
 
-/// Fails in the middle of the work.
+/// A matcher that fails during its work.
 class FailingMatcher : public EchoMatcher {
  public:
   using EchoMatcher::EchoMatcher;
@@ -322,7 +322,7 @@ TEST(WorkerTeam, AWorkerThatCannotStartEndsTheJob) {
   });
 }
 
-/// Shapes `range` of the scene.
+/// The reference matcher for the shapes `range` of the scene.
 ReferenceMatcher reference_matcher(const MatchingScene& scene, ShapeRange range) {
   return {scene.context, range.begin, {scene.models.begin() + range.begin, scene.models.begin() + range.end}};
 }

@@ -1,5 +1,5 @@
-// What every Matcher must do, whatever it computes with. Include it in one file of a test binary and instantiate
-// MatcherSuite with the kinds to test.
+// The contract of every Matcher, for all implementations. Include it in one file of a test binary, and instantiate MatcherSuite with the
+// kinds to test.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -26,17 +26,17 @@ struct MatcherKind {
 
 inline std::ostream& operator<<(std::ostream& out, const MatcherKind& kind) { return out << kind.name; }
 
-/// A scene, and the reference's round on it: made once, for all kinds.
+/// A scene and the reference's round on it, made once for all kinds.
 struct KnownRound {
-  explicit KnownRound(MatchingScene of, const StandingLimits& within = {}) : scene(std::move(of)), limits(within) {
+  explicit KnownRound(MatchingScene of, const StanceLimits& within = {}) : scene(std::move(of)), limits(within) {
     ReferenceMatcher reference(scene.context, 0, scene.models);
     set_field(reference, scene.field);
-    if (limits != StandingLimits{}) reference.limit(limits);
+    if (limits != StanceLimits{}) reference.limit(limits);
     round = run_round(reference, scene);
   }
 
   MatchingScene scene;
-  StandingLimits limits;
+  StanceLimits limits;
   Round round;
 };
 
@@ -47,7 +47,7 @@ class MatcherSuite : public testing::TestWithParam<MatcherKind> {
     return made;
   }
 
-  /// With the whole library of `scene` on its field.
+  /// A matcher with the whole library and the field of `scene`.
   std::unique_ptr<Matcher> matcher_of(const MatchingScene& scene) const {
     std::unique_ptr<Matcher> matcher = GetParam().make(scene.context, 0, scene.models);
     set_field(*matcher, scene.field);
@@ -62,7 +62,7 @@ class MatcherSuite : public testing::TestWithParam<MatcherKind> {
 
   void expect_the_references_round(const KnownRound& known) const {
     const std::unique_ptr<Matcher> matcher = matcher_of(known.scene);
-    if (known.limits != StandingLimits{}) matcher->limit(known.limits);
+    if (known.limits != StanceLimits{}) matcher->limit(known.limits);
     EXPECT_FALSE(known.round.refined.empty());
     expect_same_round(run_round(*matcher, known.scene), known.round);
   }
@@ -95,7 +95,7 @@ TEST_P(MatcherSuite, GivesTheReferencesRoundWithOtherSettings) {
   expect_the_references_round(known);
 }
 
-/// One angle, or hardly more; the interval's end may be anywhere. One scale, or hardly more.
+/// Rounds with one angle or hardly more, at any end of the interval, and some with hardly more than one scale.
 inline std::vector<KnownRound> rounds_within_narrow_ranges() {
   std::vector<KnownRound> rounds;
   for (const float half_width_rad : {0.f, 0.002f, 0.1f}) {
@@ -115,8 +115,9 @@ TEST_P(MatcherSuite, GivesTheReferencesRoundWithinNarrowRanges) {
   for (const KnownRound& known : rounds) expect_the_references_round(known);
 }
 
-/// Three classes of shapes: quarter turns in two sizes, one that is weighted and nearly upright, one that may not stand
-/// in the second region; and what the limits of a round take away.
+/// Three classes of shapes: quarter turns in two sizes; one that is weighted and nearly upright; one that may not stand in the second
+/// region.
+/// The limits of a round take some of it away.
 inline MatchingScene scene_with_wishes() {
   CollageSettings settings = scene_settings();
   settings.pieces.several.rotation_rad = {{0, 0}, {1.5707964f, 1.5707964f}, {3.1415927f, 3.1415927f}, {-1.6f, -1.5f}};
@@ -147,7 +148,7 @@ TEST_P(MatcherSuite, GivesTheReferencesRoundWithWishes) {
   EXPECT_GT(stood.size(), 7u) << "stances of all classes";
 }
 
-/// Of many colours, with a hole where nothing is wished for.
+/// A target of many colours, with a hole where no colour is wished for.
 inline MatchingScene scene_with_colours(float weight = 1) {
   CollageSettings settings = scene_settings();
   std::vector<Lab> of_shapes;
@@ -183,8 +184,8 @@ TEST_P(MatcherSuite, GivesTheReferencesRoundWithColours) {
       << "slots are spent on what has the colour";
 }
 
-inline StandingLimits every_third_of_80_used_up() {
-  StandingLimits limits;
+inline StanceLimits every_third_of_80_used_up() {
+  StanceLimits limits;
   for (std::uint32_t shape = 0; shape < 80; shape += 3) limits.used_up.push_back(ShapeId{shape});
   return limits;
 }
@@ -195,16 +196,16 @@ TEST_P(MatcherSuite, GivesTheReferencesRoundWithColoursWithinLimits) {
   for (const Docking& docking : known.round.docked.dockings) EXPECT_NE(index_of(docking.shape) % 3, 0u);
 }
 
-/// Most differences are worth more than kEvenFading halvings.
+/// With this weight, most differences cost more than kEvenFading halvings.
 TEST_P(MatcherSuite, GivesTheReferencesRoundWithHeavyColours) {
   static const KnownRound known(scene_with_colours(12));
   expect_the_references_round(known);
 }
 
-/// The order of shapes by colour is kept, whatever the limits; which of them are listed is not.
+/// Matchers keep the order of shapes by colour under all limits, but not the list of shapes that may stand.
 TEST_P(MatcherSuite, ColoursAfterOtherLimitsAreThoseOfTheLimits) {
   static const MatchingScene scene = scene_with_colours();
-  StandingLimits limits;
+  StanceLimits limits;
   for (std::uint32_t shape = 0; shape < 40; ++shape) limits.used_up.push_back(ShapeId{shape});
   const auto matcher = matcher_of(scene), fresh = matcher_of(scene);
   const Round before = run_round(*matcher, scene);
@@ -215,7 +216,7 @@ TEST_P(MatcherSuite, ColoursAfterOtherLimitsAreThoseOfTheLimits) {
   expect_same_round(run_round(*matcher, scene), before);
 }
 
-/// From small ones alone on the left to all sizes on the right.
+/// Sizes by place: only small pieces on the left, all sizes on the right.
 inline MatchingScene scene_with_sizes_by_place() {
   CollageSettings settings = scene_settings();
   SizeMap map{Grid<float>(13, 13), 0.05f};
@@ -252,7 +253,7 @@ TEST_P(MatcherSuite, GivesTheReferencesRoundWithinLimits) {
   }
 }
 
-/// Of a job that searches for sizes, down to where targets are smoothed as little as they can be and other levels serve.
+/// A job that searches for sizes. It goes down to sizes at which targets are smoothed as little as possible and other levels are used.
 inline MatchingScene scene_that_fits_all() {
   CollageSettings settings = scene_settings();
   settings.pieces.min_scale_px = 4 * settings.pieces.min_scale_px;
@@ -265,8 +266,8 @@ inline MatchingScene scene_that_fits_all() {
   return scene;
 }
 
-inline StandingLimits size_factor(float factor) {
-  StandingLimits limits;
+inline StanceLimits size_factor(float factor) {
+  StanceLimits limits;
   limits.size_factor = factor;
   return limits;
 }
@@ -278,7 +279,7 @@ TEST_P(MatcherSuite, GivesTheReferencesRoundAtASmallerFactor) {
   expect_the_references_round(least);
 }
 
-/// But for PADs' numbers: other levels lie before them.
+/// Only the numbers of the PADs differ, because other levels precede them.
 TEST_P(MatcherSuite, AFactorIsAsIfTheJobHadTheseSizes) {
   static const MatchingScene scene = scene_that_fits_all();
   const auto sized = matcher_of(scene);
@@ -295,7 +296,7 @@ TEST_P(MatcherSuite, AFactorIsAsIfTheJobHadTheseSizes) {
   }
 }
 
-/// Pairs that were found before must not come back.
+/// Pairs that were found before the limits must not come back.
 TEST_P(MatcherSuite, LimitsHoldFromThenOnAndMayBeTakenBack) {
   const auto matcher = matcher_of(scene());
   const Round before = run_round(*matcher, scene());
@@ -363,7 +364,7 @@ TEST_P(MatcherSuite, BinLimitsAndDrawsChooseTheKindOfDocking) {
   for (const Docking& docking : pads.dockings) EXPECT_LT(docking.source, kTangentSource);
 }
 
-/// Instead of the best, whatever the order is in which a device finds them.
+/// The first draws are kept instead of the best ones, whatever the order in which a device finds them.
 TEST_P(MatcherSuite, KeepsTheFirstDrawnWhereTheseAreWanted) {
   const auto matcher = matcher_of(scene());
   ReferenceMatcher reference = reference_of(scene());
@@ -383,7 +384,7 @@ TEST_P(MatcherSuite, KeepsTheFirstDrawnWhereTheseAreWanted) {
     EXPECT_LT(first[i - 1].source, first[i].source);
   }
   EXPECT_TRUE(other);
-  for (const Docking& docking : best) {  // none of them was passed over that was drawn before the last that was kept
+  for (const Docking& docking : best) {  // no earlier draw than the last one kept was left out
     const auto of_sample = [&](const Docking& d) { return d.sample == docking.sample; };
     const auto last = std::find_if(first.rbegin(), first.rend(), of_sample);
     ASSERT_NE(last, first.rend());
@@ -424,14 +425,15 @@ TEST_P(MatcherSuite, DocksTheSameWithOrWithoutCounting) {
   }
 }
 
-/// Farther, then less far: what is there already may be used, and no more may be counted; some samples are left out.
+/// Asks for long distances, then for shorter ones. A matcher may reuse its counts, but may not count beyond the question. Some samples are
+/// left out.
 TEST_P(MatcherSuite, CountsAsFarAsItIsAsked) {
   const auto matcher = matcher_of(scene());
   ReferenceMatcher reference = reference_of(scene());
   reference.post_count(count_all(scene().samples));
   const std::vector<DistanceHistogram> all = reference.take_count();
   std::size_t ended = 0;
-  std::vector<TargetSample> samples = scene().samples;  // told once
+  std::vector<TargetSample> samples = scene().samples;  // sent only once
   for (const std::uint32_t far : {7u, 2u, 25u, 1u, 60u, 11u}) {
     CountRequest request{std::exchange(samples, {}), {}};
     std::vector<DistanceHistogram> expected;
@@ -485,7 +487,7 @@ TEST_P(MatcherSuite, RefinedDockingsKeepTheirOrderAndAreFeasible) {
   EXPECT_GT(feasible, 20);
 }
 
-/// Measuring a refined docking on the field as it was gives what refining gave; on a covered one something else.
+/// Measuring a refined docking on the unchanged field gives the terms of its refinement; on a covered field it gives others.
 TEST_P(MatcherSuite, MeasuresDockingsOnTheFieldAsItIs) {
   const auto matcher = matcher_of(scene());
   std::vector<Docking> dockings;
@@ -510,7 +512,7 @@ TEST_P(MatcherSuite, SeesWhatIsWrittenIntoTheField) {
   const Grid<float> covered(scene().field.value.width(), scene().field.value.height(), -50.f);
   matcher->update_field(read_patch(covered, covered.bounds()));
   EXPECT_TRUE(run_round(*matcher, scene()).docked.dockings.empty());
-  const int middle = covered.height() / 3;  // back in two parts
+  const int middle = covered.height() / 3;  // the field comes back in two parts
   matcher->update_field(read_patch(scene().field.value, {0, 0, covered.width(), middle}));
   matcher->update_field(read_patch(scene().field.value, {0, middle, covered.width(), covered.height()}));
   expect_same_round(run_round(*matcher, scene()), before);

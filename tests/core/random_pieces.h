@@ -1,4 +1,4 @@
-// Pieces by chance, for the tests of fields and of the curves that are traced on them.
+// Random pieces for tests of fields and of the curves traced on them.
 #pragma once
 
 #include <rapidcheck.h>
@@ -20,11 +20,11 @@ inline const std::vector<Shape>& four_shapes() {
 }
 
 struct Piece {
-  int shape;  // of the four
+  int shape;  // index into four_shapes()
   Similarity pose;
 };
 
-/// Where a piece may stand: so many steps from the canvas' upper left corner.
+/// Possible places of a piece, in steps from the canvas' upper left corner.
 struct Places {
   float step_px;
   int columns, rows;

@@ -1,4 +1,4 @@
-// Pieces of simple shapes, for the tests of how they move together and of how they become ones that may stand.
+// Pieces of simple shapes for tests of relaxation and clearing.
 #pragma once
 
 #include <rapidcheck.h>
@@ -34,7 +34,7 @@ inline const std::vector<ContactShape>& contact_shapes() {
 }
 
 inline constexpr std::size_t kDisc = 0;
-inline const float kDiscRadius = 1 / std::sqrt(std::numbers::pi_v<float>);  // of the disc of unit area
+inline const float kDiscRadius = 1 / std::sqrt(std::numbers::pi_v<float>);  // radius of the disc of area 1
 
 inline const auto do_not_look = [] {};
 
@@ -54,7 +54,7 @@ inline std::vector<std::size_t> all_of(const std::vector<RelaxedPiece>& pieces) 
 
 inline float any_number(int low, int high) { return 0.01f * float(*rc::gen::inRange(100 * low, 100 * high)); }
 
-/// One in each of 14 of the 16 cells of a canvas of this width: they overlap each other and the edge.
+/// One piece in each of 14 of the 16 cells of a canvas of this width. They overlap each other and the edge.
 inline std::vector<RelaxedPiece> any_pieces(float canvas_px) {
   std::vector<RelaxedPiece> pieces;
   for (int k = 0; k < 14; ++k) {

@@ -1,4 +1,4 @@
-// Windows of simple shapes, for the tests of replacement trials.
+// Windows of simple shapes for tests of replacement trials.
 #pragma once
 
 #include <cmath>
@@ -32,13 +32,13 @@ inline const HoleShapes& shapes_by_id() {
   return all;
 }
 
-inline LaidPiece laid(std::size_t shape, const Similarity& where) {
-  LaidPiece piece;
+inline ContactPiece laid(std::size_t shape, const Similarity& where) {
+  ContactPiece piece;
   piece.lay(hole_shapes()[shape].contact, where);
   return piece;
 }
 
-/// Of the outline itself, as it lies.
+/// The exact box of the placed outline.
 inline Box box_of(ShapeId shape, const Similarity& where) {
   std::vector<Vec2> points;
   for (const Vec2 p : relaxed_pieces::shapes()[index_of(shape)].outline.curves.front())
@@ -51,7 +51,7 @@ inline bool holds(const Box& outer, const Box& inner, float inside_px) {
          inner.high.x <= outer.high.x - inside_px && inner.high.y <= outer.high.y - inside_px;
 }
 
-/// The canvas' edge on every second node of what `box` and so much beyond it cover.
+/// The canvas' edge distances at every second px, over `box` and `beyond_px` around it.
 inline EdgeField edge_field(const FreeField& free, const Box& box, float beyond_px) {
   constexpr float kNode_px = 2;
   const Vec2 low = (box.low - Vec2{beyond_px, beyond_px}) * (1 / kNode_px);
@@ -72,7 +72,7 @@ inline WindowPiece window_piece(std::size_t shape, const Similarity& where, cons
   return {ShapeId(shape), ShapeId(shape), where, poses};
 }
 
-/// As if the canvas held the window's pieces alone.
+/// Counts the drawings as if the canvas held only the window's pieces.
 inline void count_drawn(ReplacementWindow& window) {
   std::map<ShapeId, double> area_px2;
   for (const IncomingShape& in : window.incoming) area_px2[in.drawing];
@@ -83,7 +83,7 @@ inline void count_drawn(ReplacementWindow& window) {
   for (const auto& [drawing, of_drawing_px2] : area_px2) window.drawn.push_back({drawing, of_drawing_px2});
 }
 
-/// The whole of a square canvas, without pieces: trials are cold, and every shape may come in.
+/// A window of a whole square canvas without pieces. Its trials are cold, and every shape may come in.
 inline ReplacementWindow empty_window(int canvas_px = kCanvas_px) {
   ReplacementWindow window;
   const float size_px = float(canvas_px);
@@ -105,7 +105,7 @@ inline ReplacementWindow empty_window(int canvas_px = kCanvas_px) {
 inline constexpr float kDiscPitch_px = 40;
 inline const float kDiscScale_px = kDiscPitch_px / 2 / relaxed_pieces::kDiscRadius;
 
-/// Discs that touch, in 5 rows of 5, without the one in the middle.
+/// Touching discs in 5 rows of 5, without the middle one.
 inline std::vector<WindowPiece> discs_round_a_hole() {
   std::vector<WindowPiece> discs;
   for (int k = 0; k < 25; ++k) {

@@ -1,5 +1,4 @@
-// The three layers of the target, on canvases with edges and without: kept up to date placement by placement they are
-// those that are made afresh.
+// The three layers of the target on canvases with edges and without. Layers updated placement by placement equal layers made afresh.
 #pragma once
 
 #include <rapidcheck.h>
@@ -31,7 +30,7 @@ struct Target {
   }
 };
 
-/// To the bit; within a property of RapidCheck.
+/// Expects equality to the bit. Call it within a property of RapidCheck.
 inline void expect_updating_equals_tracing_afresh(const Canvas& canvas, const PieceSettings& settings,
                                                   const std::vector<Piece>& pieces) {
   Target updated(canvas, settings);

@@ -35,7 +35,7 @@ RecordedDisk::~RecordedDisk() { recording = nullptr; }
 
 }  // namespace tessera::test
 
-// The program's own definitions go before those of the C library.
+// These definitions take precedence over those of the C library.
 extern "C" {
 
 int fsync(int file) {

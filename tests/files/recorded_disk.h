@@ -1,5 +1,5 @@
-// What a program asks of the disk, in its order: for the tests of what must be on the disk before what. The functions
-// fsync, renameat and linkat of the whole test program are those of recorded_disk.cpp.
+// Records the program's requests to the disk in order, for tests of what must be on the disk first.
+// The test program takes fsync, renameat and linkat from recorded_disk.cpp.
 #pragma once
 
 #include <mutex>
@@ -8,7 +8,7 @@
 
 namespace tessera::test {
 
-/// While it lives, all flushes, renames and hard links of this program are recorded. One at a time.
+/// While an object of this class lives, it records all flushes, renames and hard links of this program. Only one may live at a time.
 class RecordedDisk {
  public:
   RecordedDisk();
@@ -16,14 +16,14 @@ class RecordedDisk {
   RecordedDisk(const RecordedDisk&) = delete;
   RecordedDisk& operator=(const RecordedDisk&) = delete;
 
-  /// "flush a.txt.tmp (3 bytes)", "flush folder", "link a b", "rename a.txt.tmp a.txt": names without their folders,
-  /// and the size at the moment of the flush.
+  /// The steps: "flush a.txt.tmp (3 bytes)", "flush folder", "link a b", "rename a.txt.tmp a.txt". Names have no folders; the size is that
+  /// at the flush.
   const std::vector<std::string>& steps() const { return steps_; }
 
-  /// Every flush of a file fails from now on, with the reason ENOSPC: a disk that finds out late that it is full.
+  /// Makes every later flush of a file fail with ENOSPC, as on a disk that reports late that it is full.
   void fail_flushes() { flushes_fail_ = true; }
 
-  /// By any thread.
+  /// Any thread may call it.
   void record(const std::string& step) {
     const std::lock_guard lock(mutex_);
     steps_.push_back(step);

@@ -1,4 +1,4 @@
-// Files appear whole or not at all.
+// A file appears whole or not at all.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
@@ -99,7 +99,7 @@ TEST(AtomicFile, NothingIsFollowedThatOthersPutUnderTheTemporaryNameOrTheLastOne
   }
 }
 
-/// Somebody puts a link back as fast as it can. Where a file is written, it has our bytes; where not, we are told.
+/// An attacker keeps putting a link back as fast as possible. Each write either gives a file with our bytes or reports its failure.
 TEST(AtomicFile, AnAttackerWhoNeverRestsChangesNothing) {
   const test::ScratchFolder folder;
   const test::PlantedFiles planted;

@@ -1,5 +1,5 @@
-// What is on the disk before what: after a power cut there is a whole file under every name, and what the program
-// called done is still there.
+// The order of writes to the disk. After a power cut every name has a whole file, and everything that the program reported as done is
+// there.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -65,7 +65,7 @@ TEST(DurableFiles, ACheckpointIsOnTheDiskBeforeAnyOtherLosesItsName) {
   EXPECT_EQ(disk.steps().back(), "flush folder");
 }
 
-/// Disks that give out their room late report a full disk at the flush.
+/// Some disks reserve space late and report a full disk only at the flush.
 TEST(DurableFiles, AFlushThatFailsLeavesBothCheckpoints) {
   const test::ScratchFolder scratch;
   const CheckpointFolder folder(scratch.path(""));
@@ -93,7 +93,7 @@ TEST(DurableFiles, AFlushThatFailsLeavesTheFileThatWasThere) {
   EXPECT_FALSE(std::filesystem::exists(temporary_path(path)));
 }
 
-/// Not one wait for the disk for each file.
+/// The disk is not waited for once per file.
 TEST(DurableFiles, OfManyFilesAllAreFlushedTogetherBeforeTheFirstIsRenamed) {
   constexpr std::size_t kFiles = 200;
   const test::ScratchFolder folder;

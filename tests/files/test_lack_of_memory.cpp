@@ -1,4 +1,4 @@
-// OpenCV's lack of memory is everybody's.
+// Lack of memory inside OpenCV is reported like any other lack of memory.
 #include "files/lack_of_memory.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What a signal would leave behind is known, and goes.
+// The program notes files that a signal would leave behind, and removes them.
 #include "files/leftover_file.h"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ TEST_F(LeftoverFiles, OfAChildProcessStay) {
   EXPECT_TRUE(is_there("noted"));
 }
 
-/// More than there is room for.
+/// Notes more files than there are slots.
 TEST_F(LeftoverFiles, MayBeMany) {
   std::vector<std::optional<LeftoverFile>> all(200);
   for (std::size_t i = 0; i < all.size(); ++i) all[i].emplace(folder_.write("file_" + std::to_string(i), "x"));
@@ -97,7 +97,7 @@ TEST_F(LeftoverFiles, AnOutputFolderThatCannotBeIsTold) {
   EXPECT_NO_THROW(OutputFolder(""));
 }
 
-// Slots are used again: that of "out" comes after that of "out/in", and then before it.
+// Slots are reused: the slot of "out" comes once after and once before that of "out/in".
 TEST_F(LeftoverFiles, FoldersGoInWhicheverOrderTheyAreNoted) {
   for (const bool outer_first : {true, false}) {
     fs::create_directories(folder_.path("out/in/one"));
@@ -144,7 +144,7 @@ TEST_F(NewFolders, AreEmptyAndForOneRun) {
   EXPECT_THROW(NewFolder(folder_.path("")), InputError);
   fs::create_directory(folder_.path("empty"));
   const NewFolder empty(folder_.path("empty"));
-  const pid_t other = fork();  // a lock is a process'
+  const pid_t other = fork();  // a lock belongs to a process
   if (other == 0) {
     try {
       const NewFolder same(folder_.path("empty"));

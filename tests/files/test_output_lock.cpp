@@ -1,4 +1,4 @@
-// One output, one run: whoever comes second is told whose it is; what a dead process left is taken over.
+// One run at a time writes an output. A second run learns which run holds it; the output of a dead process is taken over.
 #include "files/output_lock.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ class OutputLockTest : public testing::Test {
     return "";
   }
 
-  /// A process that holds the lock until it is killed, and a child of its own if asked for.
+  /// Starts a process that holds the lock until it is killed, with a child of its own if asked for.
   pid_t start_holder(bool with_child) const {
     int ends[2];
     EXPECT_EQ(pipe(ends), 0);
@@ -119,8 +119,8 @@ TEST_F(OutputLockTest, is_removed_where_a_library_ends_the_process) {
 TEST_F(OutputLockTest, of_another_machine_is_left_to_the_user) {
   leave_by_another_machine();
   EXPECT_EQ(complaint(),
-            "result: another run may still be at work here: process 71 on node7, Slurm job 12, of which "
-            "this machine cannot tell; if it is over, remove " +
+            "result: another run may still be at work here: process 71 on node7, Slurm job 12, and "
+            "this machine cannot tell whether it has ended; if it has, remove " +
                 path_);
   EXPECT_TRUE(std::filesystem::exists(path_));
 }

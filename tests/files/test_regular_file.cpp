@@ -1,4 +1,4 @@
-// Files that others name: only regular ones are opened.
+// Paths from outside: only regular files are opened.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -29,7 +29,7 @@ TEST(RegularFile, IsReadAlsoThroughALink) {
   EXPECT_TRUE(read_regular_file(folder.write("empty", ""), 0).empty());
 }
 
-/// /dev/stdin and its like lead to whatever is open there.
+/// Links such as /dev/stdin lead to a file that is already open.
 TEST(RegularFile, IsReadThroughALinkOfTheKernel) {
   const test::ScratchFolder folder;
   const FileDescriptor file = open_regular_file(folder.write("file", "abc"));

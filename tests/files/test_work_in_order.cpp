@@ -1,4 +1,4 @@
-// Results of several threads come in order, and an early end is an end.
+// Results of several threads come in order, and an early end stops the work.
 #include <gtest/gtest.h>
 
 #include <algorithm>

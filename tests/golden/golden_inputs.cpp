@@ -1,6 +1,7 @@
-// golden_inputs FOLDER: writes what the golden jobs read, made from formulas: the library shapes.h5; mask.png, a canvas
-// with three holes at the resolution that the program draws masks at, so that nothing is scaled; picture.png and
-// sizes.png, to be laid over a canvas.
+// golden_inputs FOLDER: writes the inputs of the golden jobs, made from formulas.
+// - shapes.h5, the library
+// - mask.png, a canvas with three holes at the resolution at which the program draws masks, so that nothing is scaled
+// - picture.png and sizes.png, to be laid over a canvas
 #include <cstdio>
 #include <opencv2/imgproc.hpp>
 #include <string>
@@ -27,7 +28,7 @@ void write_library(const std::string& path) {
   writer.finish();
 }
 
-/// For a canvas of 160 x 120 px.
+/// The mask of a canvas of 160 x 120 px.
 void write_mask(const std::string& path) {
   cv::Mat mask(240, 320, CV_8UC4, cv::Scalar::all(0));
   const cv::Scalar inside(0, 0, 0, 255);
@@ -52,7 +53,7 @@ void write_picture(const std::string& path) {
   if (!tessera::test::write_image(path, picture)) throw tessera::EnvironmentError("cannot write " + path);
 }
 
-/// From small on the left to large on the right.
+/// Sizes that grow from left to right.
 void write_sizes(const std::string& path) {
   cv::Mat sizes(120, 160, CV_8U);
   for (int x = 0; x < sizes.cols; ++x) sizes.col(x) = 60 + x;

@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
-# golden_test.sh TESSERA GOLDEN_INPUTS NEW_FOLDER [MPIRUN]: runs the jobs in jobs/ and compares the digests of their
-# pieces.geojson with digests.txt. With MPIRUN six jobs alone, on 3 ranks.
-# golden_test.sh --renew TESSERA GOLDEN_INPUTS NEW_FOLDER: writes digests.txt instead. scripts/renew-golden.sh does
-# this.
+# golden_test.sh TESSERA GOLDEN_INPUTS NEW_FOLDER [MPIRUN]: runs the jobs in jobs/ and compares the digests of their pieces.geojson with
+# digests.txt. With MPIRUN it runs only six jobs, on 3 ranks.
+# golden_test.sh --renew TESSERA GOLDEN_INPUTS NEW_FOLDER: writes digests.txt instead. scripts/renew-golden.sh does this.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 renew=no
@@ -21,7 +20,7 @@ cd "$folder"
 "$golden_inputs" .
 cp "$here"/jobs/*.toml .
 
-# line JOB: runs it and prints its line of digests.txt.
+# line JOB: runs JOB and prints its line of digests.txt.
 line() {
   local command=("$tessera" collage "$1.toml" --out "$1" --quiet)
   [[ -z $mpirun ]] || command=("${on_ranks[@]}" 3 "${command[@]}")
@@ -36,7 +35,7 @@ jobs=()
 for job in *.toml; do jobs+=("${job%.toml}"); done
 [[ -z $mpirun ]] || jobs=(balanced colours fit_all outward paper_improved seamless)
 for job in "${jobs[@]}"; do
-  echo "running $job"  # where one hangs the log says which
+  echo "running $job"  # if a job hangs, the log names it
   line "$job" >>found.txt
 done
 

@@ -1,5 +1,5 @@
-// One line for each of libm's functions that Tessera calls: its name and a digest of the bits that it gives here for
-// 100,000 arguments. Two runs in different surroundings show which functions are computed differently there.
+// Prints one line for each function of libm that Tessera calls: its name and a digest of its results for 100,000 arguments.
+// Two runs in different environments show which functions give different bits there.
 #include <bit>
 #include <cmath>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# other_libm_test.sh LIBM_BITS TESSERA GOLDEN_INPUTS NEW_FOLDER: golden_test.sh with libm as it is on a CPU without FMA and
-# AVX2, where it rounds some functions differently. What decides about a collage must not depend on them. Where the
-# functions give the same bits here either way, the jobs would show nothing: then the test is skipped.
+# other_libm_test.sh LIBM_BITS TESSERA GOLDEN_INPUTS NEW_FOLDER: runs golden_test.sh with libm as on a CPU without FMA and AVX2.
+# There libm rounds some functions differently, and no decision about a collage may depend on them.
+# If the functions give the same bits here either way, the jobs would show nothing, and the test is skipped.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 libm_bits=$1

@@ -1,4 +1,4 @@
-// Job files as an attacker or a broken program would write them, from a seed: the same on every machine.
+// Job files as an attacker or a broken program would write them. They follow from a seed, the same on every machine.
 #pragma once
 
 #include <cmath>
@@ -17,7 +17,7 @@ class HostileJob {
  public:
   explicit HostileJob(std::uint32_t seed) : random_(seed) {}
 
-  /// The text of a whole file. `library` and `canvas`: values of those two keys in a file that is otherwise in order.
+  /// The text of a whole file. `library` and `canvas` are the values of those two keys in an otherwise valid file.
   std::string make(const std::string& library, const std::string& canvas = "") {
     std::string text = "[library]\nfile = '" + library + "'\n";
     if (!canvas.empty()) text += "[canvas]\nfile = '" + canvas + "'\n";
@@ -26,7 +26,7 @@ class HostileJob {
     return below(4) == 0 ? damaged(text) : text;
   }
 
-  /// "section.key=value" with a value that the key may or may not take.
+  /// "section.key=value" with a value that the key may accept or refuse.
   std::string make_override() {
     const JobKey& key = any_key();
     return key.full_name() + "=" + value_for(key);
@@ -59,7 +59,7 @@ class HostileJob {
     return key.section.empty() ? line + text : text + "[" + key.section + "]\n" + line;
   }
 
-  /// So that legal jobs stay among the others, however many keys there are.
+  /// A file with one extreme but legal value, so that some jobs stay legal, however many keys there are.
   std::string with_extreme(const std::string& text) {
     const JobKey& key = any_key();
     return with_line(text, key, key.name + " = " + extreme_of(key) + "\n");
@@ -79,7 +79,7 @@ class HostileJob {
     return with_line(text, key, name + " = " + value_for(key) + "\n");
   }
 
-  /// By a file's bytes: cut off, with other bytes in it, in another encoding.
+  /// Damages the bytes of a file: cuts it, changes bytes, or uses another encoding.
   std::string damaged(std::string text) {
     switch (below(8)) {
       case 0: return text.substr(0, below(std::uint32_t(text.size())));
@@ -98,7 +98,7 @@ class HostileJob {
     return text;
   }
 
-  /// Of a table that may come any number of times.
+  /// A row of a table that may occur any number of times.
   std::string row() {
     const JobTable& table = any(job_tables());
     std::string text = "[[" + table.name + "]]\n";
@@ -126,7 +126,7 @@ class HostileJob {
     }
   }
 
-  /// Just allowed.
+  /// A value at the limit of the allowed range.
   std::string extreme_of(const JobKey& key) {
     const std::string end = number_text(below(2) == 0 ? key.min : key.max);
     switch (key.kind) {
@@ -146,7 +146,7 @@ class HostileJob {
       case JobKind::word: return "\"" + any(key.words) + "\"";
       case JobKind::file: return "\"" + std::string(2000, 'f') + "/../own.h5\"";
       case JobKind::texts:
-        if (key.name == "not_anew") return "[]";  // all others take patterns
+        if (key.name == "not_anew") return "[]";  // all other keys take patterns
         return "[\"*\", \"" + std::string(2000, '*') + "[\", \"[[:alpha:]]\"]";
       case JobKind::indices: return "[" + end + "]";
       case JobKind::files: return "[\"own.h5\", \"own.h5\"]";
@@ -234,7 +234,7 @@ class HostileJob {
     return list;
   }
 
-  /// What breaks parsers: the same key twice, depth, and what is not closed.
+  /// Structures that break parsers: duplicate keys, deep nesting, unclosed brackets.
   static const std::vector<std::string>& structures() {
     static const std::vector<std::string> list = {
         "[pieces]\nuses = 1\nuses = 2",

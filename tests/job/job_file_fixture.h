@@ -1,4 +1,4 @@
-// A job file in a folder of its own, for the tests of what it may say.
+// A job file in a temporary folder, for tests of its accepted and refused content.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ class JobFile : public testing::Test {
     return load_job(folder_.write("job.toml", text), overrides);
   }
 
-  /// The message of the InputError, without the folder of the test; empty where there is none.
+  /// The message of the InputError without the test's folder; empty if there is none.
   std::string mistake(const std::string& text, const std::vector<std::string>& overrides = {}) const {
     std::string message = test::message_of([&] { load(text, overrides); });
     const auto at = message.find(folder_.path(""));

@@ -1,4 +1,4 @@
-// Canvases from masks: which part is filled, the size in the box, and files that leave nothing to fill.
+// Canvases from masks: the filled part, the size in the box, and files that leave nothing to fill.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -39,7 +39,7 @@ class CanvasFile : public testing::Test {
   test::ScratchFolder folder_;
 };
 
-/// Signed distance at the canvas position nearest to (x, y).
+/// The signed distance at the node nearest to (x, y), in canvas px.
 float distance_at(const Canvas& canvas, float x, float y) {
   const CanvasField& field = canvas.distance;
   return field.value(int(std::lround(x - field.origin.x)), int(std::lround(y - field.origin.y)));
@@ -110,7 +110,7 @@ TEST_F(CanvasFile, alpha_of_an_image_is_a_mask) {
   EXPECT_NEAR(canvas.area_px2, 2821, 30);
 }
 
-/// 420 x 297 mm are 2000 x 1414.286 px: a page of that aspect is not made less wide for the sake of 0.286 px.
+/// 420 x 297 mm give 2000 x 1414.286 px. A page of that aspect must not lose width because of the 0.286 px.
 TEST_F(CanvasFile, fills_a_box_on_paper_to_its_last_mm) {
   CanvasSpec spec{.width_px = 2000,
                   .height_px = 1414,
@@ -177,7 +177,7 @@ TEST_F(CanvasFile, the_edge_for_pictures_is_the_drawings_own) {
                              .height_px = 300,
                              .file = svg("<path fill-rule=\"evenodd\" "
                                          "d=\"M10 5h80v40h-80z M38 25a12 12 0 0 0 24 0a12 12 0 0 0 -24 0z\"/>")});
-  ASSERT_EQ(edge.size(), 2u);  // the rectangle and the hole in it
+  ASSERT_EQ(edge.size(), 2u);  // the rectangle, and the hole in it
   double farthest = 0;
   for (std::size_t i = 0; i < edge[1].size(); ++i) {
     const Vec2 p = edge[1][i];
@@ -185,7 +185,7 @@ TEST_F(CanvasFile, the_edge_for_pictures_is_the_drawings_own) {
     farthest = std::max(farthest, std::abs(std::hypot(p.x - 100., p.y - 50.) - 24));
     farthest = std::max(farthest, std::abs(std::hypot((p.x + next.x) / 2 - 100., (p.y + next.y) / 2 - 50.) - 24));
   }
-  EXPECT_LT(farthest, 0.01);  // canvas px: a tenth of a px of a picture that is ten times as large
+  EXPECT_LT(farthest, 0.01);  // canvas px; a tenth of a px of a picture ten times as large
   for (const Vec2 p : edge[0]) {
     const bool at_side = std::min(std::abs(p.x - 20), std::abs(p.x - 180)) < 0.1f;
     const bool above_or_below = std::min(std::abs(p.y - 10), std::abs(p.y - 90)) < 0.1f;
@@ -254,7 +254,7 @@ TEST_F(CanvasFile, large_canvases_fit_into_the_memory_of_a_drawing) {
   EXPECT_NEAR(double(canvas.area_px2) / (4096. * 4096), 3.1416 * 20 * 20 / 2500, 0.001);
 }
 
-/// Beyond what a drawing may have, the page is drawn smaller and its edge interpolated.
+/// Beyond the size limit of drawings, the page is drawn smaller and its edge is interpolated.
 TEST_F(CanvasFile, may_be_as_large_as_a_rectangle) {
   const std::string file =
       svg("<rect x=\"10\" y=\"1\" width=\"1000\" height=\"11\"/>"
@@ -279,7 +279,7 @@ TEST_F(CanvasFile, may_be_as_large_as_a_rectangle) {
   }
 }
 
-/// Of the drawing, its box at twice the resolution included.
+/// The limit of a drawing also applies to its box at twice the resolution.
 TEST_F(CanvasFile, fits_a_large_box_by_its_shorter_side) {
   const std::string file = svg("<circle r=\"20\" cx=\"25\" cy=\"25\"/>", "width=\"50\" height=\"50\"");
   const Canvas canvas = load_canvas({.width_px = 12000, .height_px = 300, .file = file});
@@ -288,7 +288,7 @@ TEST_F(CanvasFile, fits_a_large_box_by_its_shorter_side) {
   EXPECT_NEAR(canvas.area_px2, 3.1416 * 120 * 120, 100);
 }
 
-/// Red above green above blue, in a field of nothing.
+/// Red above green above blue, on a transparent ground.
 const char* const kStripes =
     "<path fill=\"#e00000\" d=\"M5 5h90v14h-90z\"/><path fill=\"#00a000\" d=\"M5 19h90v14h-90z\"/>"
     "<path fill=\"#0000e0\" d=\"M5 33h90v12h-90z\"/>";
@@ -306,7 +306,7 @@ TEST_F(CanvasFile, large_regions_lie_where_small_ones_do) {
   }
 }
 
-/// In an image, too, no region is taken for a background, and what is enclosed belongs to the nearest colour.
+/// In an image, too, no region counts as background, and enclosed areas belong to the nearest colour.
 TEST_F(CanvasFile, regions_of_an_opaque_image_are_told_by_their_colours) {
   cv::Mat map(100, 200, CV_8UC3, cv::Scalar(0xe0, 0, 0));         // a sea up to all edges
   map(cv::Rect(50, 20, 100, 60)) = cv::Scalar(0xa0, 0xff, 0xf0);  // a pale island

@@ -1,5 +1,4 @@
-// 200 job files that nobody should write: each is refused in one line that says where, what and what is allowed, or it
-// is a legal job.
+// 200 harmful job files. Each is refused in one line that names the place, the value found and the values allowed, or it is a legal job.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,17 +17,17 @@ namespace test_hostile_jobs {
 
 constexpr std::uint32_t kJobs = 200;
 constexpr std::size_t kLongestMessage = 700;  // bytes, without the file's path
-constexpr double kLongest_s = 5;              // much less, but for a loaded machine
+constexpr double kLongest_s = 5;              // much less, except on a loaded machine
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-/// What a terminal and a log can show: one line, and UTF-8 where what was found is.
+/// Expects text that terminals and logs can show: one line without control characters.
 void expect_readable(const std::string& message) {
   EXPECT_LT(message.size(), kLongestMessage) << message;
   for (const unsigned char c : message) EXPECT_TRUE(c >= 0x20 && c != 0x7f) << message;
 }
 
-/// Of what is known only when all is read: no word of its line, but of its key.
+/// Such mistakes appear only after the whole file is read. Their messages name the key, but no line.
 bool is_of_the_whole_job(const std::string& message) {
   return has(message, ": both are given; ") || has(message, ": library.wishes: ") ||
          has(message, ": library.colours: ") || has(message, ": canvas.size_") || has(message, ": start.remove: ") ||
@@ -43,7 +42,7 @@ void expect_says_what_is_allowed(const std::string& message, const std::string& 
   expect_readable(message);
 }
 
-double most_of(const JobKey& key) { return key.max + 1e-6 * std::abs(key.max); }  // float's rounding
+double most_of(const JobKey& key) { return key.max + 1e-6 * std::abs(key.max); }  // allows for float's rounding
 double least_of(const JobKey& key) { return key.min - 1e-6 * std::abs(key.min); }
 
 void expect_legal(const Job& job) {
@@ -109,7 +108,7 @@ TEST(HostileJobs, InArgumentsToo) {
   EXPECT_GT(tally.accepted, int(kJobs / 20));
 }
 
-/// A checkpoint and the master's message hold a job, too: what is too deep for the parser must not reach it.
+/// Checkpoints and the master's message hold a job, too. Text that is too deep for the parser must not reach it.
 TEST(HostileJobs, AsTextToo) {
   std::string deep = "a";
   for (int i = 0; i < 500'000; ++i) deep += ".a";

@@ -1,4 +1,4 @@
-// The table of keys: its defaults are allowed, its documentation is whole, and misspelt names find their way.
+// The table of keys: its defaults are allowed, its documentation is complete, and misspelt names get a suggestion.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

@@ -1,4 +1,4 @@
-// Keys that are given beside the job file: for a run, and where a result is drawn.
+// Keys given besides the job file: for a run, and to draw a result.
 #include <filesystem>
 
 #include "job_file_fixture.h"

@@ -1,4 +1,4 @@
-// The way from a job back to TOML.
+// The conversion of a job back to TOML.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace tessera {
 namespace test_job_round_trip {
 
-/// A value that the key takes, not always a round one.
+/// A value that the key accepts, not always a round number.
 JobValue random_value(const JobKey& key) {
   const auto number = [&] {
     const double share = double(*rc::gen::inRange(0, 1000001)) / 1e6;
@@ -71,11 +71,11 @@ RC_GTEST_FIXTURE_PROP(JobFile, comes_back_from_toml_bit_by_bit, ()) {
   }
   for (const JobTable& table : job_tables()) job.tables[table.name] = {random_row(table), random_row(table)};
   if (job.start.keep == StartKeep::free) job.start.remove.clear();
-  job.wishes.clear();                            // no such file
-  job.quality = QualityWord::none;               // improve.trials has what it says
-  job.library_colours = {"#012345", "#ffffff"};  // of a palette the colours themselves come back
+  job.wishes.clear();                            // there is no such file
+  job.quality = QualityWord::none;               // improve.trials holds its value
+  job.library_colours = {"#012345", "#ffffff"};  // for a palette the job stores the colours themselves
   *rc::gen::arbitrary<bool>() ? job.library.clear() : job.library_files.clear();
-  if (*rc::gen::arbitrary<bool>()) {  // the two do not go together
+  if (*rc::gen::arbitrary<bool>()) {  // these two exclude each other
     job.canvas.seamless = Seamless::none;
   } else {
     job.settings.start.grow_outward = false;

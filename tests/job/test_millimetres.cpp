@@ -1,4 +1,4 @@
-// Lengths in mm: which keys take them, what they become in px, and every kind of mistake.
+// Lengths in mm: the keys that take them, their values in px, and every kind of mistake.
 #include "job/millimetres.h"
 
 #include "job_file_fixture.h"
@@ -19,7 +19,7 @@ class Millimetres : public JobFile {
 };
 
 struct Length {
-  std::string key;  // without its unit, behind what must stand before it
+  std::string key;  // without its unit, after the text that must precede it
   std::string in_mm, in_px;
 };
 
@@ -111,7 +111,7 @@ TEST_F(Millimetres, are_for_lengths_of_the_canvas_alone) {
 TEST_F(Millimetres, of_the_canvas_have_its_aspect_and_bounds) {
   EXPECT_EQ(mistake("[canvas]\nsize_mm = [600, 400]\nsize_px = [1000, 1000]"),
             "job.toml: canvas.size_px: found [1000, 1000], allowed with a canvas.size_mm of [600.000, 400.000]: "
-            "its aspect, as [1000, 667]");
+            "the same aspect ratio, such as [1000, 667]");
   for (const char* size_px : {"[1000, 666]", "[1000, 667]", "[1000, 668]"}) {
     EXPECT_NO_THROW(load("[canvas]\nsize_mm = [600, 400]\nsize_px = " + std::string(size_px)));
   }
@@ -125,7 +125,7 @@ TEST_F(Millimetres, of_the_canvas_have_its_aspect_and_bounds) {
   }
 }
 
-/// Where a result is drawn, too.
+/// The sizes are also known where a result is drawn.
 TEST_F(Millimetres, are_known_of_a_result) {
   Job job = job_from_toml(to_toml(load(poster_)), "job.toml");
   set_drawing_keys(job, {"output.outline_mm=1.5"});

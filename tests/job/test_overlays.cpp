@@ -1,4 +1,4 @@
-// colour.image and pieces.size_map: from the file to what pieces are compared with.
+// colour.image and pieces.size_map: from the file to the data that pieces are compared with.
 #include "job/canvas/overlays.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ class Overlaid : public testing::Test {
  protected:
   Overlaid() {
     job_.path = "a.toml";
-    job_.settings.pieces.min_scale_px = 16;  // a texel for 2 px
+    job_.settings.pieces.min_scale_px = 16;  // gives a texel for 2 px
   }
 
   std::string library(bool known, std::uint32_t colours = 0) const {
@@ -74,7 +74,7 @@ void expect_red(const Texel& texel) {
   EXPECT_FLOAT_EQ(texel.weight, 1);
 }
 
-/// Red on the left, black on the right; higher than the canvas.
+/// A picture that is red on the left and black on the right, and higher than the canvas.
 cv::Mat two_halves(cv::Size size) {
   cv::Mat bgr(size, CV_8UC3, cv::Scalar(0, 0, 0));
   bgr(cv::Rect(0, 0, size.width / 2, size.height)) = cv::Scalar(0, 0, 255);
@@ -96,7 +96,7 @@ TEST_F(Overlaid, CoversTheCanvas) {
   EXPECT_EQ((*job_.settings.colour.of_shapes)[1].mean, (Lab{20, 1, 2}));
 }
 
-/// What a result keeps of the picture in this file.
+/// The picture in this file as a result keeps it.
 cv::Mat kept(const Canvas& canvas, Job job, const std::string& file) {
   job.colour.image = file;
   return test::decoded(*read_overlays(canvas, job, job.settings.pieces.min_scale_px).shown_png);
@@ -145,7 +145,7 @@ TEST_F(Overlaid, MayBeAnSvg) {
   EXPECT_EQ(colour_of(file, {150, 50}).weight, 0);
 }
 
-/// Sums of pixels are rounded otherwise by other machines, but not by a step.
+/// Other machines may round sums of pixels differently, but by less than a step.
 TEST_F(Overlaid, ValuesComeInSteps) {
   cv::Mat noise(173, 311, CV_8UC3);
   cv::theRNG().state = 7;
@@ -161,7 +161,7 @@ TEST_F(Overlaid, ValuesComeInSteps) {
   for (const float v : job_.settings.pieces.size_map->part.data()) ASSERT_EQ(v * 1024, std::round(v * 1024));
 }
 
-/// What decides whether a run may go on.
+/// The digest decides whether a run may continue.
 TEST_F(Overlaid, DigestKnowsPictureAndLibrary) {
   const auto digest = [&](const cv::Mat& bgr) {
     colour_of(image("a.png", bgr), {0, 0});
@@ -187,7 +187,7 @@ TEST_F(Overlaid, SizesGoByLightness) {
   grey(cv::Rect(100, 0, 100, 100)) = 255;
   grey(cv::Rect(0, 50, 100, 50)) = 102;
   job_.size_map = image("sizes.png", grey);
-  set_overlays(overlays(), LibraryFile(library(false)), job_);  // colours are not asked for
+  set_overlays(overlays(), LibraryFile(library(false)), job_);  // the job does not need colours
   const SizeMap& sizes = *job_.settings.pieces.size_map;
   EXPECT_EQ(sizes.part.width(), 25) << "two for the smallest piece";
   EXPECT_FLOAT_EQ(sizes.at({50, 20}), 0);

@@ -1,4 +1,4 @@
-// The palettes of silhouettes, and when a library is one of silhouettes.
+// The palettes of silhouettes, and which libraries consist of silhouettes.
 #include <gtest/gtest.h>
 
 #include "job/job_file.h"
@@ -45,7 +45,7 @@ TEST_F(Palettes, ComeFromFilesBesideTheJob) {
   EXPECT_EQ(job_from_toml(again, "again").colour.palette, Colours{folder_.path("sea.gpl")});
 }
 
-/// A result is drawn again, and other ranks read the job, where the file may not be.
+/// A result is drawn later, and other ranks read the job, in places where the file may be missing.
 TEST_F(Palettes, OfTheLibrarysChoiceAreInTheJob) {
   EXPECT_EQ(load_library_colours(job("\"ink\"")), Colours{}) << "all";
   folder_.write("lines.txt", "#0000FF\n#00ff00\n");
@@ -79,7 +79,7 @@ TEST_F(Palettes, SayWhatIsWrong) {
   }
 }
 
-/// Of shapes with these lightnesses and spreads.
+/// Writes shapes with these lightnesses and spreads. Returns whether their library counts as one of silhouettes.
 bool one_colour(const std::string& path, const std::vector<std::pair<float, float>>& colours) {
   LibraryWriter writer(path, {});
   Shape shape = test::RandomShape(1, 5).make();

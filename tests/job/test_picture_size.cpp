@@ -1,4 +1,4 @@
-// How large the pictures become, in px and on paper.
+// The size of the pictures, in px and on paper.
 #include "job/picture_size.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ TEST(PictureSize, on_paper_follows_from_the_resolution) {
 }
 
 TEST(PictureSize, on_paper_is_that_of_the_canvas) {
-  CanvasSpec spec{.width_px = 300, .height_px = 300, .file = "mask.svg"};  // a box in which the page is less high
+  CanvasSpec spec{.width_px = 300, .height_px = 300, .file = "mask.svg"};  // the page is lower than this box
   EXPECT_EQ(on_paper({}, spec, kCanvas).width_mm, 0);
   spec.width_mm = spec.height_mm = 60;
   EXPECT_EQ(on_paper({}, spec, kCanvas).width_mm, 60);
@@ -34,7 +34,7 @@ TEST(PictureSize, on_paper_is_that_of_the_canvas) {
 }
 
 TEST(PictureSize, on_paper_stays_what_was_asked) {
-  // 210 x 297 mm as 1414 x 2000 px, which are 209.979 mm wide.
+  // 210 x 297 mm as 1414 x 2000 px; at that scale the px are 209.979 mm wide.
   CanvasSpec spec{.width_px = 1414, .height_px = 2000, .file = ""};
   spec.width_mm = 210;
   spec.height_mm = 297;
@@ -45,11 +45,11 @@ TEST(PictureSize, on_paper_stays_what_was_asked) {
   EXPECT_NEAR(page_size_mm({.width_mm = 105}, spec, canvas).height, 148.5, 1e-9);
   EXPECT_NEAR(page_size_px(spec, canvas).width, 1414.1414, 1e-4);
   EXPECT_NEAR(page_size_px(spec, canvas).height, 2000, 1e-9);
-  // A page within the box has one of its sides.
+  // A page within the box shares one of its sides.
   EXPECT_EQ(
       page_size_mm(on_paper({}, spec, make_rectangle_canvas(1414, 1000)), spec, make_rectangle_canvas(1414, 1000)),
       cv::Size2d(210, 148.5));
-  // Without a size on paper, and where copies are to meet, the canvas is the page.
+  // The canvas is the page if there is no size on paper, or if copies must meet.
   EXPECT_EQ(page_size_mm({}, {}, kCanvas), cv::Size2d(0, 0));
   EXPECT_EQ(page_size_mm({.width_mm = 60}, {}, kCanvas), cv::Size2d(60, 40));
   EXPECT_EQ(page_size_px({}, kCanvas), cv::Size2d(300, 200));

@@ -1,4 +1,4 @@
-// The key `quality`: how many trials each word gives, and what wins over it.
+// The key `quality`: the number of trials for each word, and what takes precedence over it.
 #include "job/quality_word.h"
 
 #include "job/pieces/variations.h"
@@ -11,12 +11,12 @@ using Texts = std::vector<std::string>;
 
 class QualityOfAJob : public JobFile {
  protected:
-  /// Of a job of 1000 x 1000 px. `top` stands at top level.
+  /// Loads a job of 1000 x 1000 px, with the lines `top` at top level.
   Job load(const std::string& top, const std::string& sections = "", const Texts& overrides = {}) const {
     return JobFile::load(top + minimal_ + kSizes_ + sections, overrides);
   }
 
-  /// With "good".
+  /// The trials of a job with "good".
   int trials(const std::string& sections, const Texts& overrides = {}) const {
     return JobFile::load("quality = 'good'\n" + minimal_ + sections, overrides).settings.improve.trials;
   }
@@ -64,8 +64,8 @@ TEST_F(QualityOfAJob, goes_by_what_the_command_line_says_of_canvas_and_sizes) {
 }
 
 struct Case {
-  std::string of_file;  // the word; "-": no such key
-  std::string keys;     // of [improve]
+  std::string of_file;  // the word; "-": the key is missing
+  std::string keys;     // lines of [improve]
   Texts overrides;
   int trials;
   double seconds;
@@ -73,56 +73,57 @@ struct Case {
 
 TEST_F(QualityOfAJob, yields_to_numbers_beside_it_and_to_the_command_line) {
   const std::string few = "trials = 50\n", brief = "seconds = 9\n";
-  const std::vector<Case> cases = {// The file alone.
-                                   {"-", "", {}, 300, 0},
-                                   {"-", "relax = false\n", {}, 300, 0},
-                                   {"-", few, {}, 50, 0},
-                                   {"-", "trials = 0\n", {}, 0, 0},
-                                   {"-", brief, {}, 0, 9},
-                                   {"-", "seconds = 0\n", {}, 0, 0},
-                                   {"", "", {}, 0, 0},
-                                   {"", "relax = false\n", {}, 0, 0},
-                                   {"good", few, {}, 50, 0},
-                                   {"draft", few, {}, 50, 0},
-                                   {"good", "trials = 0\n", {}, 0, 0},
-                                   {"good", brief, {}, 0, 9},
-                                   {"draft", brief, {}, 0, 9},
-                                   {"good", few + brief, {}, 50, 9},
-                                   {"", few + brief, {}, 50, 9},
-                                   {"good", "relax = false\n", {}, 300, 0},
-                                   // A word of the command line wins over all of the file.
-                                   {"-", "", {"quality=best"}, 2400, 0},
-                                   {"-", few, {"quality=best"}, 2400, 0},
-                                   {"-", brief, {"quality=best"}, 2400, 0},
-                                   {"-", few + brief, {"quality=best"}, 2400, 0},
-                                   {"-", few + brief, {"quality=draft"}, 0, 0},
-                                   {"draft", "", {"quality=good"}, 300, 0},
-                                   {"draft", few, {"quality=good"}, 300, 0},
-                                   {"-", few, {"quality=best", " quality = 'good' "}, 300, 0},
-                                   // An empty word leaves it to [improve].
-                                   {"-", "", {"quality="}, 0, 0},
-                                   {"good", "", {"quality="}, 0, 0},
-                                   {"good", "", {"quality=''"}, 0, 0},
-                                   {"good", few, {"quality="}, 50, 0},
-                                   {"-", few, {"quality=best", "quality="}, 50, 0},
-                                   {"good", few, {"quality=", "quality=best"}, 2400, 0},
-                                   // Numbers of the command line win over every word, and where there is none.
-                                   {"-", "", {"improve.trials=7"}, 7, 0},
-                                   {"-", "", {"improve.trials=0"}, 0, 0},
-                                   {"-", "", {"improve.seconds=3"}, 0, 3},
-                                   {"-", "", {"improve.relax=false"}, 300, 0},
-                                   {"best", "", {"improve.trials=7"}, 7, 0},
-                                   {"best", few, {"improve.trials=7"}, 7, 0},
-                                   {"best", "", {"improve.trials=0"}, 0, 0},
-                                   {"best", "", {"improve.seconds=3"}, 0, 3},
-                                   {"best", few, {"improve.seconds=3"}, 50, 3},
-                                   {"-", "", {"quality=best", "improve.trials=7"}, 7, 0},
-                                   {"-", "", {"improve.trials=7", "quality=best"}, 7, 0},
-                                   {"good", brief, {"improve.trials=7", "quality=draft"}, 7, 9},
-                                   {"-", "", {"quality=best", "improve.seconds=3"}, 0, 3},
-                                   {"-", few, {"improve.seconds=3", "quality=best"}, 50, 3},
-                                   {"good", "", {"quality=", "improve.trials=7"}, 7, 0},
-                                   {"-", few, {"quality=good", "improve.relax=false"}, 300, 0}};
+  const std::vector<Case> cases = {
+      // The file alone.
+      {"-", "", {}, 300, 0},
+      {"-", "relax = false\n", {}, 300, 0},
+      {"-", few, {}, 50, 0},
+      {"-", "trials = 0\n", {}, 0, 0},
+      {"-", brief, {}, 0, 9},
+      {"-", "seconds = 0\n", {}, 0, 0},
+      {"", "", {}, 0, 0},
+      {"", "relax = false\n", {}, 0, 0},
+      {"good", few, {}, 50, 0},
+      {"draft", few, {}, 50, 0},
+      {"good", "trials = 0\n", {}, 0, 0},
+      {"good", brief, {}, 0, 9},
+      {"draft", brief, {}, 0, 9},
+      {"good", few + brief, {}, 50, 9},
+      {"", few + brief, {}, 50, 9},
+      {"good", "relax = false\n", {}, 300, 0},
+      // A word on the command line takes precedence over the whole file.
+      {"-", "", {"quality=best"}, 2400, 0},
+      {"-", few, {"quality=best"}, 2400, 0},
+      {"-", brief, {"quality=best"}, 2400, 0},
+      {"-", few + brief, {"quality=best"}, 2400, 0},
+      {"-", few + brief, {"quality=draft"}, 0, 0},
+      {"draft", "", {"quality=good"}, 300, 0},
+      {"draft", few, {"quality=good"}, 300, 0},
+      {"-", few, {"quality=best", " quality = 'good' "}, 300, 0},
+      // An empty word leaves the number to [improve].
+      {"-", "", {"quality="}, 0, 0},
+      {"good", "", {"quality="}, 0, 0},
+      {"good", "", {"quality=''"}, 0, 0},
+      {"good", few, {"quality="}, 50, 0},
+      {"-", few, {"quality=best", "quality="}, 50, 0},
+      {"good", few, {"quality=", "quality=best"}, 2400, 0},
+      // Numbers on the command line take precedence over every word, and also work without a word.
+      {"-", "", {"improve.trials=7"}, 7, 0},
+      {"-", "", {"improve.trials=0"}, 0, 0},
+      {"-", "", {"improve.seconds=3"}, 0, 3},
+      {"-", "", {"improve.relax=false"}, 300, 0},
+      {"best", "", {"improve.trials=7"}, 7, 0},
+      {"best", few, {"improve.trials=7"}, 7, 0},
+      {"best", "", {"improve.trials=0"}, 0, 0},
+      {"best", "", {"improve.seconds=3"}, 0, 3},
+      {"best", few, {"improve.seconds=3"}, 50, 3},
+      {"-", "", {"quality=best", "improve.trials=7"}, 7, 0},
+      {"-", "", {"improve.trials=7", "quality=best"}, 7, 0},
+      {"good", brief, {"improve.trials=7", "quality=draft"}, 7, 9},
+      {"-", "", {"quality=best", "improve.seconds=3"}, 0, 3},
+      {"-", few, {"improve.seconds=3", "quality=best"}, 50, 3},
+      {"good", "", {"quality=", "improve.trials=7"}, 7, 0},
+      {"-", few, {"quality=good", "improve.relax=false"}, 300, 0}};
   for (const Case& c : cases) {
     const std::string top = c.of_file == "-" ? "" : "quality = '" + c.of_file + "'\n";
     const ImproveSettings improve = load(top, "[improve]\n" + c.keys, c.overrides).settings.improve;
@@ -146,7 +147,7 @@ TEST_F(QualityOfAJob, is_a_number_in_the_job_that_is_written) {
       << "a word that had no say";
 }
 
-/// Results of versions that did not know the key hold the number alone.
+/// Results of versions without this key hold only the number.
 TEST_F(QualityOfAJob, does_not_count_in_a_written_job_without_the_key) {
   for (const char* word : {"draft", "good", "best"}) {
     const Job job = load(std::string("quality = '") + word + "'\n");
@@ -191,7 +192,7 @@ TEST_F(QualityOfAJob, varies_in_a_campaign) {
   EXPECT_EQ(load("", "", variations[1].overrides).settings.improve.trials, 300);
 }
 
-/// docs/gallery shows it so.
+/// docs/gallery shows the job with this number.
 TEST(DemosJob, has_300_trials) {
   EXPECT_EQ(load_job(TESSERA_SOURCE_DIR "/jobs/animals.toml", {}).settings.improve.trials, 300);
 }

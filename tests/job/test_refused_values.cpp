@@ -1,4 +1,4 @@
-// Values that no key takes, in the job file and as an argument.
+// Values that no key accepts, in the job file and as an argument.
 #include "job_file_fixture.h"
 
 namespace tessera {

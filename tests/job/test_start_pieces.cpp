@@ -1,4 +1,4 @@
-// The pieces of an earlier result, as the program wrote them, as people edit them, and as nobody should.
+// The pieces of an earlier result: as the program wrote them, as people edit them, and invalid ones.
 #include "job/pieces/start_pieces.h"
 
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ class StartPieces : public testing::Test {
   test::ScratchFolder folder_;
 };
 
-/// To the last bit, so that what stays where it is has the same polygon.
+/// The poses are equal to the last bit, so that unmoved pieces keep their polygons.
 TEST_F(StartPieces, AreThoseThatAResultHas) {
   test::SampleCollage collage;
   collage.report.placements[0].canvas_from_shape = {12.345678f, -34.56789f, 50.0001f, 0.1f};
@@ -74,7 +74,7 @@ TEST_F(StartPieces, AreThoseThatAResultHas) {
   }
 }
 
-/// As they read and change it: an exact pose that says something else is of before.
+/// People read and change the rounded numbers. If an exact pose differs from them, it is out of date.
 TEST_F(StartPieces, WhatPeopleChangeCounts) {
   const std::string before = R"(,"canvas_from_shape":[0.0,40.0,50.5,-20.00049],"score":0.5,"matched_px":3})";
   const auto piece = [&](const std::string& numbers) {
@@ -198,7 +198,7 @@ TEST_F(StartPieces, ThoseThatTheFileLocksStandThoughOthersAreFree) {
                  "locked: found 1, allowed: true or false");
 }
 
-/// A result has them among its pieces.
+/// A result holds the given pieces among its pieces.
 TEST_F(StartPieces, ThoseOfGivenDoNotStandTwice) {
   Job job;
   job.canvas.seamless = Seamless::x;
@@ -255,7 +255,7 @@ TEST_F(StartPieces, MistakesNameTheFeatureTheKeyAndWhatIsAllowed) {
   expect_mistake("7", "shape: found nothing");
 }
 
-/// As other programs write them: what stands beside the features and the poses is passed over, however long it is.
+/// Other programs add members beside the features and the poses. The reader skips them, however long they are.
 TEST_F(StartPieces, OtherMembersOfGeoJsonArePassedOver) {
   const std::string many = "[" + repeated("7,", 100) + "{\"shape\":[" + repeated("7,", 100) + "7]}]";
   const std::string with_notes =

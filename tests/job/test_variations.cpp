@@ -1,4 +1,4 @@
-// Campaigns: seeds and values become jobs with names.
+// Campaigns: seeds and values become named jobs.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

@@ -1,4 +1,4 @@
-// From names in a job's tables to classes of shapes and regions.
+// The resolution of names in a job's tables to classes of shapes and regions.
 #include "job/pieces/wish_resolution.h"
 
 #include <gtest/gtest.h>
@@ -59,7 +59,7 @@ TEST_F(WishResolution, LaterTablesWinKeyByKey) {
   EXPECT_TRUE(of(3).poses.rotation_rad.empty());
 }
 
-/// Whatever else is said of them, and by their very names.
+/// start.not_anew wins over other wishes for a shape, and takes names instead of patterns.
 TEST_F(WishResolution, WhatIsNotToComeInHasNoWeight) {
   const std::string start = "[start]\npieces = 'old'\nnot_anew = ['owl']\n";
   const Job job = resolved(start + "[[shapes]]\nnames = 'o*'\nweight = 2\n");
@@ -75,7 +75,7 @@ TEST_F(WishResolution, WhatIsNotToComeInHasNoWeight) {
             std::string::npos);
 }
 
-/// What tables say one after the other, of each shape alone.
+/// A shape's class follows from all tables about it, in their order.
 TEST_F(WishResolution, ClassesAreOfTheShapesThatTheSameTablesAreAbout) {
   const std::vector<std::vector<std::string>> names = {{"*"}, {"owl*"}, {"cat", "owl"}, {"c*"}, {"owl_2"}, {"?o?"}};
   std::string tables;
@@ -183,7 +183,7 @@ TEST_F(WishResolution, TheLastTableThatNamesAGroupHolds) {
   EXPECT_EQ(shape_groups(resolved(""), {"owl"}), (std::vector<std::string>{""}));
 }
 
-/// Styles that differ by bits of the palette, each a unit of distance.
+/// Styles that differ in bits of the palette; each bit is a distance of 1.
 std::vector<NamedShape> styled_shapes() {
   std::vector<NamedShape> shapes = kShapes;
   const float bits[] = {1, 2, 3.1f, 1.1f};
@@ -249,7 +249,7 @@ TEST_F(WishResolution, NamesThatThereAreNotAreTold) {
             std::string::npos);
 }
 
-/// Names of shapes that the job left out.
+/// The table names shapes that the job left out.
 TEST_F(WishResolution, AWishForAShapeThatWasLeftOutGoesToNoOther) {
   Job job = resolved("[[shapes]]\nnames = 'c[ao]?'\nuses = 9\ngroup = 'them'\n");
   EXPECT_EQ(job.settings.wishes.classes[job.settings.wishes.class_of_shape[0]].uses, 9);

@@ -1,4 +1,4 @@
-// In which range of sizes a card judges balance.
+// The range of sizes in which a card judges the balance.
 #include "job/pieces/wished_sizes.h"
 
 #include "job/pieces/wish_resolution.h"

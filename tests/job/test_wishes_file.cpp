@@ -1,4 +1,4 @@
-// Wishes in a table beside the library: as spreadsheets write it, and as they should not.
+// Wishes in a table beside the library: as spreadsheets write them, and invalid ones.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -56,7 +56,7 @@ class WishesFile : public testing::Test {
     return load_job(folder_.write("job.toml", "[library]\nfile = 'x.h5'\nwishes = 'wishes.csv'\n" + more), {});
   }
 
-  /// Without the folder.
+  /// The message, without the folder.
   std::string mistake(const std::string& table) {
     std::string message = message_of([&] { job_with(table); });
     for (std::size_t at; (at = message.find(folder_.path(""))) != std::string::npos;) {
@@ -166,7 +166,7 @@ TEST_F(WishesFile, SaysWhereAndWhatIsWrong) {
   EXPECT_NE(mistake("names\n" + std::string(2'000'000, 'x')).find("allowed: a CSV file"), std::string::npos);
 }
 
-/// As spreadsheets write it in countries where the decimal point is a comma.
+/// Spreadsheets write this in countries with a decimal comma.
 TEST_F(WishesFile, MayHaveSemicolonsAndDecimalCommas) {
   Job job = job_with("names;weight;scale_px;uses\ncat;0,5;30,5;3\n\"owl; barn\";2;[20, 80];[1, 2]\n");
   const std::vector<JobRow>& rows = job.tables["shapes"];
@@ -224,7 +224,7 @@ TEST_F(WishesFile, NamesThatThereAreNotAreToldWithTheirLine) {
             std::string::npos);
 }
 
-/// Tables that nobody should write: each is refused in one short line, or a legal job.
+/// Invalid tables. Each is refused in one short line, or it is a legal job.
 TEST_F(WishesFile, OfAnyBytesIsRefusedInOneLineOrLegal) {
   const std::vector<std::string> parts = {"names",
                                           "weight",
@@ -278,7 +278,7 @@ TEST_F(WishesFile, OfAnyBytesIsRefusedInOneLineOrLegal) {
   EXPECT_LT(legal, 200);
 }
 
-/// The parser must not meet keys of many levels: it would use up the stack.
+/// The parser must not see keys of many levels, as they would use up the stack.
 TEST(DeepKeys, AreRefusedWhereverTheyStand) {
   std::string dots = "a";
   for (int i = 0; i < 9000; ++i) dots += ".a";

@@ -1,4 +1,4 @@
-// The picture that lies under the pieces: how large its tiles are, how they meet, in pixels and as vectors.
+// The picture below the pieces: the size of its tiles, and how they meet, in pixels and as vectors.
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>
@@ -19,14 +19,14 @@ using namespace test;
 
 const cv::Vec3b kBackground(0xc0, 0xe0, 0xff);
 
-/// Noise, so that no part of it is like another.
+/// Noise, of which no two parts are alike.
 cv::Mat noise(cv::Size size) {
   cv::Mat bgr(size, CV_8UC3);
   cv::RNG(7).fill(bgr, cv::RNG::UNIFORM, 0, 256);
   return bgr;
 }
 
-/// The canvas of 200 x 100 px without pieces, at 1 px of the picture for each.
+/// The canvas of 200 x 100 px without pieces, drawn at 1 px per canvas px.
 struct WithGround : SampleCollage {
   WithGround() {
     report.placements.clear();
@@ -99,7 +99,7 @@ TEST(Ground, ShownSmallerItIsAveraged) {
   EXPECT_LT(deviation[1], 1);
 }
 
-/// Its tiles are 66.7 x 33.3 px: what the picture shows at its right and lower edge goes on at the left and upper one.
+/// The tiles have 66.7 x 33.3 px. At its right and lower edge the picture continues at the left and upper edge.
 TEST(Ground, OnASeamlessCanvasHasNoSeam) {
   WithGround collage;
   collage.canvas = make_seamless_canvas(200, 100, true, true);
@@ -201,7 +201,7 @@ TEST(Ground, MayBeADrawing) {
   EXPECT_LT(mean_difference(picture, drawn(svg, 200)), 0.5);
 }
 
-/// 10 x 5.5 units: the last row of its pixels is half of one, and would be a line between the tiles.
+/// The drawing has 10 x 5.5 units. Its last row of pixels is half empty and would be a line between the tiles.
 TEST(Ground, TilesOfADrawingMeet) {
   WithGround collage;
   const std::string page = std::string(kXmlns) +
@@ -212,7 +212,7 @@ TEST(Ground, TilesOfADrawingMeet) {
   EXPECT_EQ(largest_difference(picture, cv::Mat(picture.size(), CV_8UC3, cv::Scalar(0x30, 0x20, 0x10))), 0);
 }
 
-/// What `library build` refuses: it is the ground that fills its frame.
+/// A photo that fills its frame is allowed here, though `library build` refuses it.
 TEST(Ground, MayBeAPhoto) {
   WithGround collage;
   cv::Mat photo;

@@ -1,4 +1,4 @@
-// Patches of colour over pieces: the same in pixels and in an SVG's image.
+// Patches of colour over pieces: the same in pixels and in the image of an SVG.
 #include "layers/tone_patch.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace tessera {
 namespace test_tone_patch {
 
-/// Red on the left, green on the right, a quarter of each.
+/// A patch that is red on the left and green on the right, a quarter opaque each.
 TonePatch red_and_green() {
   TonePatch patch;
   for (int i = 0; i < kColourCells; ++i) {
@@ -31,7 +31,7 @@ TEST(TonePatch, WithoutOpacityIsEmpty) {
 TEST(TonePatch, IsMixedWithWhatLiesBelow) {
   cv::Mat bgra = tile(80, 80, {200, 200, 200, 255});
   lay_patch(red_and_green(), {200, 400}, 2, bgra);
-  const int mixed = 150, brighter = 214;  // 200 and a quarter of 0 or 255
+  const int mixed = 150, brighter = 214;  // 200 mixed with a quarter of 0 or 255
   const auto near = [](const cv::Vec4b& pixel, int blue, int green, int red) {
     return std::abs(pixel[0] - blue) <= 1 && std::abs(pixel[1] - green) <= 1 && std::abs(pixel[2] - red) <= 1;
   };
@@ -51,7 +51,7 @@ TEST(TonePatch, LeavesTransparencyAlone) {
   EXPECT_NEAR(pixel[2], 63, 1) << "37 and a quarter of 100";
 }
 
-/// Rows do not depend on where a tile begins.
+/// Rows do not depend on the place where a tile begins.
 TEST(TonePatch, IsTheSameInAnyTile) {
   TonePatch patch = red_and_green();
   patch.canvas_from_cells = {7, -4, 120, 4, 7, 190};

@@ -14,7 +14,7 @@ Stored checked(const Bytes& content, const ChunkPacking& packing) {
   return {with_checksum(packing.deflated ? deflated(content) : content)};
 }
 
-/// Puts what `make` makes of a good chunk in its place.
+/// Replaces a valid chunk by the result of `make` for it.
 template <class Make>
 Forgery on_chunk(const std::string& path, ForgingChance& chance, const std::string& what, Make make) {
   const Column& column = chance.any_column();

@@ -1,4 +1,4 @@
-// Libraries with a chunk that is not what its packing declares, with a valid checksum.
+// Libraries with a chunk that does not match its declared packing, but has a valid checksum.
 #pragma once
 
 #include "support/forging_chance.h"

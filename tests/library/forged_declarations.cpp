@@ -3,7 +3,7 @@
 namespace tessera::test {
 namespace {
 
-/// The filters of another program, or of one that means harm.
+/// Filters as another or a harmful program could declare them.
 hid_t filters_of_way(std::size_t way, const std::vector<hsize_t>& chunk) {
   const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
   H5Pset_chunk(properties, int(chunk.size()), chunk.data());
@@ -28,13 +28,13 @@ hid_t type_of_way(std::size_t way, const Column& column) {
   return type;
 }
 
-/// Such columns may be missing: older libraries have none.
+/// Columns that may be missing, as in older libraries.
 bool is_new(const Column& column) {
   return column.path == "/shapes/part_digest" || column.path == "/artwork/path_from_library" ||
          column.path == "/artwork/sha256" || column.path == "/artwork/reader";
 }
 
-/// Rows at the end of what offsets lead to are nobody's.
+/// Columns whose rows are found by offsets: extra rows at their ends belong to no shape.
 bool led_to_by_offsets(const Column& column) {
   return column.path == "/outline/points" || column.path == "/artwork/thumbnail_png" ||
          column.path == "/artwork/original" || column.path == "/outline/first_point";
@@ -73,7 +73,7 @@ Forgery giant(const std::string& path, ForgingChance& chance) {
     H5Dset_extent(open.set, open.dims.data());
     H5Dclose(open.set);
     if (chance.below(2) != 0) return;
-    for (const Column& other : chance.columns()) {  // so that the columns agree
+    for (const Column& other : chance.columns()) {  // makes the columns agree
       OpenColumn with = open_column(file, other);
       with.dims[0] = open.dims[0];
       H5Dset_extent(with.set, with.dims.data());
@@ -89,7 +89,7 @@ Forgery other_type(const std::string& path, ForgingChance& chance) {
   change_library(path, [&](hid_t file) {
     const hid_t type = type_of_way(way, column);
     const OpenColumn open = open_column(file, column);
-    const hid_t space = H5Dget_space(open.set);  // it may grow, as chunks that are larger than the data set demand
+    const hid_t space = H5Dget_space(open.set);  // this space may grow, as required by chunks larger than the data set
     H5Dclose(open.set);
     const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
     H5Pset_chunk(properties, int(open.chunk.size()), open.chunk.data());

@@ -1,4 +1,4 @@
-// Libraries whose data sets are declared in another way: filters, lengths, types, layouts, links, attributes.
+// Libraries whose data sets have other declarations: filters, lengths, types, layouts, links, attributes.
 #pragma once
 
 #include "support/forging_chance.h"
@@ -6,11 +6,11 @@
 
 namespace tessera::test {
 
-/// The same numbers, packed in another way.
+/// Stores the same numbers with other filters.
 Forgery other_filters(const std::string& path, ForgingChance& chance);
 Forgery giant(const std::string& path, ForgingChance& chance);
 Forgery other_type(const std::string& path, ForgingChance& chance);
-/// Bytes in one piece, in the header, in another file, or borrowed from one.
+/// Stores the bytes contiguously, in the header, in another file, or as a view of another file.
 Forgery other_layout(const std::string& path, ForgingChance& chance);
 Forgery other_link(const std::string& path, ForgingChance& chance);
 Forgery forged_attribute(const std::string& path, ForgingChance& chance);

@@ -18,7 +18,7 @@ Forgery cut(const std::string& path, ForgingChance& chance) {
   return {"cut to " + std::to_string(left) + " of " + std::to_string(size) + " bytes"};
 }
 
-/// Anywhere in the file; what lies in unused bytes means nothing.
+/// Changes bytes anywhere in the file. A change in unused bytes has no effect.
 Forgery flipped_bytes(const std::string& path, ForgingChance& chance) {
   std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
   const auto size = std::filesystem::file_size(path);

@@ -1,4 +1,4 @@
-// Libraries as an attacker makes them: a good one, changed at one place, with valid checksums. Seeded.
+// Libraries as an attacker makes them: a valid file, changed at one place, with valid checksums. All choices follow from a seed.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace tessera::test {
 
-/// Changes the library at `path`; the seed says in which of 16 ways, and where.
+/// Changes the library at `path`; the seed selects one of 16 ways, and the place.
 Forgery forge_library(const std::string& path, std::uint32_t seed);
 
 }  // namespace tessera::test

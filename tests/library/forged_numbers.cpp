@@ -13,7 +13,7 @@ bool has_digest(const Column& column) {
          column.path.starts_with("/levels") || column.path == "/shapes/part_digest";
 }
 
-/// Changes an element of the column.
+/// Changes one element of the column.
 template <class Change>
 Forgery put(const std::string& path, ForgingChance& chance, const Column& column, Change change_element) {
   bool older = false;
@@ -78,7 +78,7 @@ Forgery astray_offset(const std::string& path, ForgingChance& chance) {
 }
 
 Forgery forged_thumbnail(const std::string& path, ForgingChance& chance) {
-  constexpr std::size_t kHeader_bytes = 33;  // signature and header of the first one
+  constexpr std::size_t kHeader_bytes = 33;  // the signature and the header of the first thumbnail
   const Column column = layout::library_columns(5).thumbnail_bytes;
   std::size_t at = 0;
   change_library(path, [&](hid_t file) {

@@ -1,4 +1,4 @@
-// Libraries with another number or byte in a chunk, packed and summed as if it belonged there.
+// Libraries with a changed number or byte in a chunk, packed and with a valid checksum.
 #pragma once
 
 #include "support/forging_chance.h"
@@ -6,11 +6,11 @@
 
 namespace tessera::test {
 
-/// A number that is none, or out of all proportion.
+/// Writes not-a-number, or a number far too large or too small.
 Forgery absurd_number(const std::string& path, ForgingChance& chance);
 Forgery flipped_content(const std::string& path, ForgingChance& chance);
 Forgery astray_offset(const std::string& path, ForgingChance& chance);
-/// Claims to be huge, or is not RGBA, or brings more along.
+/// Writes a thumbnail that claims a huge size, is not RGBA, or holds more data.
 Forgery forged_thumbnail(const std::string& path, ForgingChance& chance);
 
 }  // namespace tessera::test

@@ -1,5 +1,4 @@
-// The metadata blocks of an HDF5 file, and how to change one so that its checksum holds: what HDF5 itself has to
-// survive.
+// The metadata blocks of an HDF5 file, and a change of one with a valid checksum. HDF5 itself has to survive it.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +8,15 @@
 #include <utility>
 #include <vector>
 
-/// HDF5's own, exported by the library but not declared.
+/// A function of HDF5 that the library exports but does not declare.
 extern "C" std::uint32_t H5_checksum_metadata(const void* bytes, std::size_t count, std::uint32_t start);
 
 namespace tessera::test {
 
-/// Begin and length without checksum.
+/// The begin and the length of a block without its checksum.
 using MetadataBlock = std::pair<std::size_t, std::size_t>;
 
-/// Object headers, B-trees, heaps and chunk indices that are followed by their checksum.
+/// Finds object headers, B-trees, heaps and chunk indices, each followed by its checksum.
 inline std::vector<MetadataBlock> metadata_blocks(const std::string& file) {
   constexpr std::size_t kLongest = 1500;
   std::vector<MetadataBlock> blocks;
@@ -39,7 +38,7 @@ inline std::vector<MetadataBlock> metadata_blocks(const std::string& file) {
   return blocks;
 }
 
-/// Changes up to three bytes of a block and its checksum.
+/// Changes up to three bytes of a block, and its checksum accordingly.
 inline void forge_metadata(std::string& file, const MetadataBlock& block, std::mt19937& random) {
   const auto [begin, count] = block;
   constexpr unsigned char kBytes[] = {0, 1, 0x7f, 0x80, 0xff};

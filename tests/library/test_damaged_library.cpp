@@ -1,5 +1,5 @@
-// Library files that are cut, changed, forged or something else altogether: one InputError that says so, never a crash,
-// never wrong shapes.
+// Library files that are cut, changed, forged or of another kind. Each gives one InputError that names the reason, never a crash or wrong
+// shapes.
 #include <gtest/gtest.h>
 #include <hdf5.h>
 #include <sys/stat.h>
@@ -32,7 +32,7 @@ class DamagedLibrary : public testing::Test {
     bytes_.assign(std::istreambuf_iterator<char>(file), {});
   }
 
-  /// The message of the InputError that opening and reading everything gives; empty where none.
+  /// The message of the InputError when the file is opened and read completely; empty if there is none.
   std::string complaint() const {
     try {
       const LibraryFile library(path_);
@@ -62,7 +62,7 @@ class DamagedLibrary : public testing::Test {
     H5Pclose(access);
   }
 
-  /// Puts one number into element `index` of the data set, which must exist.
+  /// Writes one number into element `index` of the data set, which must exist.
   template <class Number>
   void put(const std::string& data_set, std::vector<hsize_t> index, hid_t type, Number number) const {
     change([&](hid_t file) {
@@ -143,7 +143,7 @@ TEST_F(DamagedLibrary, CutOffAnywhere) {
   expect_complaint("not an HDF5 file");
 }
 
-// Every byte of data and of metadata is covered by a checksum: a change is found, or was in an unused byte.
+// Checksums cover every byte of data and metadata: a change is found, or it hit an unused byte.
 TEST_F(DamagedLibrary, ChangedBytesAreFoundOrMeanNothing) {
   const Shape first = LibraryFile(path_).read(0, 1, kEverything).at(0);
   std::mt19937 random(7);
@@ -151,7 +151,7 @@ TEST_F(DamagedLibrary, ChangedBytesAreFoundOrMeanNothing) {
   constexpr int kTries = 300;
   for (int i = 0; i < kTries; ++i) {
     std::string damaged = bytes_;
-    // Half of them in the first part of the file, where most of the metadata lies.
+    // Half of the changes hit the first part of the file, where most of the metadata lies.
     const std::size_t at = random() % (i % 2 ? damaged.size() : 8192);
     damaged[at] = char(damaged[at] ^ char(1u << random() % 8));
     folder_.write("library.h5", damaged);
@@ -267,7 +267,7 @@ TEST_F(DamagedLibrary, NotANumber) {
   expect_complaint("data set /levels/3/lengths: a value is out of range");
 }
 
-// With valid checksums: only the stored digest tells.
+// The checksums are valid; only the stored digest reveals the change.
 TEST_F(DamagedLibrary, PartsThatAreNotThoseThatWereWritten) {
   put("/field/distance", {1, 100, 4}, H5T_NATIVE_INT16, std::int16_t(1));
   expect_complaint("damaged: shape 1 is not the one that was written");

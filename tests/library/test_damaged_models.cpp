@@ -1,4 +1,4 @@
-// Models in a library file that are damaged, forged or of something else are told or made anew; no other file is opened.
+// Damaged, forged or foreign models in a library file are reported or made again; no other file is opened.
 #include <gtest/gtest.h>
 #include <hdf5.h>
 
@@ -18,7 +18,7 @@
 namespace tessera {
 namespace test_damaged_models {
 
-/// A small library, to be damaged.
+/// A small library that the tests damage.
 class DamagedModels : public testing::Test {
  protected:
   static constexpr std::uint32_t kFew = 7;
@@ -39,7 +39,7 @@ class DamagedModels : public testing::Test {
     file.put(char(byte ^ 0x10));
   }
 
-  /// All that a matcher asks for.
+  /// Reads everything that a matcher asks for.
   void read_everything() const {
     const LibraryFile library(path_);
     const auto stored = library.stored_models(context_);
@@ -98,7 +98,7 @@ TEST_F(DamagedModels, OfSinglePadsAndShapesAreTold) {
   EXPECT_THROW(stored->pads({3, 4}), InputError);
 }
 
-/// Rows that are right, but of another shape.
+/// The rows are valid, but belong to another shape.
 TEST_F(DamagedModels, InWrongPlacesAreTold) {
   std::fstream file(path_, std::ios::in | std::ios::out | std::ios::binary);
   std::vector<char> row(SegmentLayout::kContourBytes);
@@ -110,7 +110,7 @@ TEST_F(DamagedModels, InWrongPlacesAreTold) {
   expect_damage("a contour");
 }
 
-/// Rows of which the digests are right: anyone can compute them.
+/// Forged rows with valid digests, which anyone can compute.
 class ForgedModels : public DamagedModels {
  protected:
   ForgedModels() {
@@ -124,7 +124,7 @@ class ForgedModels : public DamagedModels {
     }
   }
 
-  /// Reads the file with what `forge` makes of a shape's model.
+  /// Reads the file after `forge` changed the model of a shape, and expects a refusal.
   template <class Forge>
   void expect_refused(const std::string& what, Forge&& forge) {
     std::vector<ShapeModel> forged = models_;
@@ -168,14 +168,14 @@ TEST_F(ForgedModels, OfNumbersThatNoModelHasAreTold) {
   read_everything();
 }
 
-/// An index has no room for them.
+/// An index has no room for additional bits.
 TEST_F(ForgedModels, WithMoreBitsThanALibraryKeepsAreTold) {
   const auto level = std::size_t(context_.levels[0]);
   expect_refused("PADs", [&](ShapeModel& model) { model.levels[level].samples[5].pad.element[2] ^= 1; });
   expect_refused("PADs", [&](ShapeModel& model) { model.levels[level].samples[5].scale_length *= 1 + 1.f / 1024; });
 }
 
-/// Whatever column it is that was changed since: a choice of all shapes, of which models are made, must not differ.
+/// Any column may have changed since. Models made for a choice of all shapes must not differ.
 TEST_F(DamagedModels, OfOtherLengthsAndColoursAreTold) {
   const auto scale_third = [&](const char* column, hid_t type, auto factor) {
     const Hdf5Handle file(H5Fopen(path_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), "file");
@@ -197,7 +197,7 @@ TEST_F(DamagedModels, OfOtherLengthsAndColoursAreTold) {
   expect_damage("a sketch");
 }
 
-/// The file that was opened and checked is read, not what its name leads to since.
+/// The file that was opened and checked is read, even if its name leads to another file since.
 TEST_F(DamagedModels, AreNotThoseOfAFileThatCameLater) {
   const LibraryFile library(path_);
   test::write_many_shapes(folder_.path("later.h5"), kFew + 20);
@@ -207,7 +207,7 @@ TEST_F(DamagedModels, AreNotThoseOfAFileThatCameLater) {
   EXPECT_EQ(stored->models({0, kFew}, {}).size(), kFew);
 }
 
-/// Opening them would open other files, or wait for a pipe.
+/// Links would open other files or wait for a pipe.
 TEST_F(DamagedModels, ThatAreLinksAreTold) {
   {
     const Hdf5Handle file(H5Fopen(path_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), "file");
@@ -270,7 +270,7 @@ TEST_F(DamagedModels, ThatAreMissingAreMadeAnew) {
   }
   const LibraryFile library(path_);
   EXPECT_EQ(library.stored_models(context_), nullptr);
-  EXPECT_FALSE(models_of(library, context_)->reads_singly());
+  EXPECT_FALSE(models_of(library, context_)->supports_random_access());
 }
 
 }  // namespace test_damaged_models

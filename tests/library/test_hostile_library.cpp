@@ -1,5 +1,5 @@
-// Libraries that someone made to harm: each is refused with its name, or read as it was before; no crash, no hang, no
-// more than 1 GB, and no shape whose field is not its outline's.
+// Harmful libraries. The program refuses each with its name, or reads it as before; without a crash, a hang, or more than 1 GB.
+// No shape gets a field that is not its outline's.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -63,7 +63,7 @@ class HostileLibrary : public test::HostileFile {
     good_ = LibraryFile(path_).read(0, 100, kEverything);
     std::ifstream file(path_, std::ios::binary);
     bytes_.assign(std::istreambuf_iterator<char>(file), {});
-    rank_pool().resize(rank_cores());  // ends the writer's threads: beside threads the sanitizer allows no trial
+    rank_pool().resize(rank_cores());  // ends the writer's threads, as the sanitizer allows no fork beside threads
   }
 
   std::string read(bool may_differ) const override {
@@ -73,7 +73,7 @@ class HostileLibrary : public test::HostileFile {
     const std::vector<Shape> shapes = library.read(0, library.size(), kEverything);
     LibraryShapes placed(library);
     for (std::uint32_t i = 0; i < library.size(); ++i) {
-      placed.shape(ShapeId{i});  // throws where its parts contradict each other
+      placed.shape(ShapeId{i});  // throws if the shape's parts contradict each other
       artwork_original(shapes[i].artwork);
       if (!may_differ && (shapes.size() != good_.size() || !same(shapes[i], good_[i]))) return "other shapes";
     }
@@ -97,10 +97,10 @@ TEST_F(HostileLibrary, IsFineBefore) { EXPECT_EQ(use(false), ""); }
 
 TEST_F(HostileLibrary, TwoHundredForgeries) { EXPECT_GT(try_forgeries(0, 208), 208u * 2 / 3); }
 
-// Behind the label "long".
+// ctest runs it under the label "long".
 TEST_F(HostileLibrary, DISABLED_ThousandsOfForgeries) { EXPECT_GT(try_forgeries(1000, 4000), 4000u * 2 / 3); }
 
-// HDF5 itself crashes at one or two in a hundred of these.
+// HDF5 itself crashes in one or two of a hundred such cases.
 TEST_F(HostileLibrary, ForgedMetadata) {
   const std::vector<test::MetadataBlock> blocks = test::metadata_blocks(bytes_);
   ASSERT_GT(blocks.size(), 100u);
@@ -113,8 +113,7 @@ TEST_F(HostileLibrary, ForgedMetadata) {
   }
 }
 
-// What is read must be one shape: a field that is too shallow lets pieces overlap, and the run ends as if all were
-// well.
+// All parts of a shape must belong together. A field that is too shallow would let pieces overlap, and the run would report no error.
 TEST_F(HostileLibrary, AFieldThatIsNotItsOutlines) {
   std::vector<Shape> shapes = good_;
   const auto refusal = [&] {
@@ -144,7 +143,7 @@ TEST_F(HostileLibrary, AFieldThatIsNotItsOutlines) {
   EXPECT_NE(refusal().find("its outline's area is not 1"), std::string::npos);
 }
 
-// A library that asks for a thousand times its size does not get it.
+// A library that asks for a thousand times its size in memory does not get it.
 TEST_F(HostileLibrary, ManyRowsThatInflateWell) {
   test::change_library(path_, [](hid_t file) {
     const hid_t set = H5Dopen2(file, "/artwork/original", H5P_DEFAULT);
@@ -158,7 +157,7 @@ TEST_F(HostileLibrary, ManyRowsThatInflateWell) {
   EXPECT_NE(use(false).find("allowed are 16 times its size"), std::string::npos) << use(false);
 }
 
-/// A chunk is what HDF5 would make of it, or it is refused: another program must not see another shape in it.
+/// A chunk is read as HDF5 reads it, or refused: another program must not see another shape in it.
 TEST_F(HostileLibrary, ChunksThatHdf5WouldReadOtherwise) {
   using Bytes = std::vector<std::uint8_t>;
   const test::Column column = layout::library_columns(5).outline_points;
@@ -178,7 +177,7 @@ TEST_F(HostileLibrary, ChunksThatHdf5WouldReadOtherwise) {
   EXPECT_EQ(refusal(1, test::packed), chunk + "filters are skipped");
   const auto with_a_tail = [](Bytes content, const ChunkPacking& packing) {
     Bytes stored = test::packed(content, packing);
-    stored.resize(stored.size() - 4);  // its checksum
+    stored.resize(stored.size() - 4);  // removes its checksum
     stored.push_back(7);
     return test::with_checksum(stored);
   };

@@ -1,4 +1,4 @@
-// From files to a library: which files, in which order, under which names, and what becomes of the others.
+// From files to a library: which files, in which order, under which names, and the reasons why others are left out.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -36,7 +36,7 @@ std::string bytes_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// A file's name says what becomes of it: a number is the seed of its silhouette, words are trouble.
+/// Loads a test file by its content: a number is the seed of its silhouette, words mean trouble.
 std::variant<ArtworkShape, SkipReason> fake_load(const std::string& path) {
   const std::string content = bytes_of(path);
   if (content == "hairlines") return SkipReason::hairlines;
@@ -116,7 +116,7 @@ TEST_F(LibraryBuilder, NamesPicturesInOtherFormats) {
   EXPECT_EQ(report.files, 6u) << "all but the text";
 }
 
-/// As for names in a library: a file that has the pattern itself as its name is meant, and no other.
+/// Patterns work as for names in a library: if a file's name equals the pattern, it is the only match.
 TEST_F(LibraryBuilder, AnExactNameWinsOverAPattern) {
   for (const char* name : {"logo [final].svg", "logo f.svg", "logo i.svg"}) write(name, name);
   EXPECT_EQ(found("logo [final].svg").paths, std::vector<std::string>{folder_.path("in/logo [final].svg")});
@@ -212,7 +212,7 @@ TEST_F(LibraryBuilder, WritesNothingWithoutShapes) {
   EXPECT_FALSE(std::filesystem::exists(folder_.path("out.h5")));
 }
 
-/// Pieces of a puzzle that are alike are all needed; they repeat each other.
+/// All pieces of a puzzle are needed, even if they are alike; they repeat each other.
 TEST_F(LibraryBuilder, KeepsTwinsWhereTheyAreWished) {
   for (const char* name : {"a.svg", "b.svg", "c.svg"}) write(name, *name == 'b' ? "2" : "1");
   LibraryBuildSettings settings;
@@ -257,7 +257,7 @@ TEST_F(LibraryBuilder, ASignalLeavesNothing) {
   const std::string unfinished = folder_.path("out.h5.tmp");
   const BuildProgress signalled = [&](std::size_t, std::size_t) {
     EXPECT_TRUE(std::filesystem::exists(unfinished));
-    remove_leftover_files();  // as the signal's handler does
+    remove_leftover_files();  // as the signal handler does
     EXPECT_FALSE(std::filesystem::exists(unfinished));
   };
   EXPECT_THROW(build_library(found(), folder_.path("out.h5"), {}, kFake, signalled), EnvironmentError);
@@ -277,7 +277,7 @@ std::string svg(const std::string& path_data, const std::string& fill) {
          "'/></svg>";
 }
 
-// The whole way with real drawings: the same silhouette twice in one colour and once in another one, and rubbish.
+// The whole way with real drawings: one silhouette twice in one colour and once in another, and invalid files.
 TEST_F(LibraryBuilder, BuildsFromRealDrawings) {
   const std::string drop = "M50 5 C80 40 90 60 90 70 A40 25 0 1 1 10 70 C10 60 20 40 50 5Z";
   write("blue.svg", svg(drop, "#0000ff"));
@@ -317,8 +317,8 @@ TEST_F(LibraryBuilder, BuildsFromRealDrawings) {
   EXPECT_LT(mean[0], 250);  // but not only
 }
 
-/// librsvg 2.54 panics: in a process that was forked from this one that would have run this one's clean-up, which
-/// removes the half library.
+/// librsvg 2.54 panics on this file. In a process forked from this one, a panic would run this process' clean-up, which removes the
+/// half-written library.
 TEST_F(LibraryBuilder, APanicCostsItsOwnFile) {
   std::string matrix;
   for (int i = 0; i < 100 * 100; ++i) matrix += "1 ";
@@ -364,7 +364,7 @@ TEST(LibraryNames, ArePrintableAndShort) {
   for (int i = 0; i < 150; ++i) umlauts += "ü";
   const std::string first = names.unique(umlauts, "/" + umlauts + "/a.svg");
   const std::string second = names.unique(umlauts, "/" + umlauts + "/a.svg");
-  EXPECT_EQ(printable_utf8(first), first);  // not cut within a character
+  EXPECT_EQ(printable_utf8(first), first);  // the text is not cut inside a character
   EXPECT_EQ(printable_utf8(second), second);
   EXPECT_NE(first, second);
   EXPECT_LT(second.size(), layout::kNameBytes);

@@ -1,4 +1,4 @@
-// What is written to a library comes back, in any range and any part; unfinished libraries leave nothing.
+// A written library is read back in any range and any part; an unfinished library leaves no file.
 #include <gtest/gtest.h>
 #include <hdf5.h>
 #include <rapidcheck/gtest.h>
@@ -121,7 +121,7 @@ TEST(LibraryWriter, RefusesStylesThatNoReaderWouldTake) {
   }
 }
 
-// More shapes than fit into a chunk of any column but the smallest.
+// There are more shapes than fit into a chunk of any column except the smallest.
 TEST(LibraryFile, ReadsRangesAcrossChunks) {
   const ScratchFolder folder;
   const auto shapes = random_shapes(1, 150, 5);
@@ -171,7 +171,7 @@ TEST(LibraryFile, SummaryCountsWhatIsStored) {
 
 std::uint64_t content_digest(const std::string& path) { return LibraryFile(path).content_digest(); }
 
-/// A library as an older version wrote it.
+/// Makes the library look as an older version wrote it.
 void remove_new_data_sets(const std::string& path) {
   const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
   H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);
@@ -182,10 +182,10 @@ void remove_new_data_sets(const std::string& path) {
   H5Pclose(access);
 }
 
-// Ranks and checkpoints tell by the digest whether they have the same library: the size of the file says nothing.
+// Ranks and checkpoints compare libraries by the digest; the size of the file says nothing.
 TEST(LibraryFile, DigestChangesWithEveryPartThatDecides) {
   const ScratchFolder folder;
-  const auto shapes = random_shapes(12, 70, 5);  // more than are read at a time
+  const auto shapes = random_shapes(12, 70, 5);  // more than are read at once
   write_library(folder.path("a.h5"), shapes, {});
   const std::uint64_t digest = content_digest(folder.path("a.h5"));
   const auto changes = [&](auto change) {
@@ -228,7 +228,7 @@ TEST(LibraryFile, KeepsTheHashAndFindsWhatMovedWithIt) {
   auto shapes = random_shapes(14, 2, 5);
   shapes[0].artwork.path = folder.path("old/drawings/duck.svg");
   shapes[0].artwork.sha256.emplace().fill(7);
-  shapes[0].artwork.reader = 1;  // copied from an older library
+  shapes[0].artwork.reader = 1;  // this one was copied from an older library
   write_library(folder.path("old/a.h5"), shapes, {});
   std::filesystem::rename(folder.path("old"), folder.path("new"));
   const auto read = LibraryFile(folder.path("new/a.h5")).read(0, 2, kEverything);
@@ -243,7 +243,7 @@ TEST(LibraryFile, KeepsTheHashAndFindsWhatMovedWithIt) {
 TEST(LibraryFile, IsReadByH5dump) {
   const ScratchFolder folder;
   auto shapes = random_shapes(10, 2, 5);
-  shapes[1].name = "duck";  // h5dump escapes what is not ASCII
+  shapes[1].name = "duck";  // h5dump escapes characters outside ASCII
   write_library(folder.path("a.h5"), shapes, {});
   FILE* dump = ::popen(("h5dump -d /shapes/name -d /field/scale " + folder.path("a.h5")).c_str(), "r");
   ASSERT_NE(dump, nullptr);

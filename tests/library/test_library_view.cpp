@@ -1,4 +1,4 @@
-// Several libraries as one, chosen shapes, and copies of them: the same shapes under the same digests, each once.
+// Several libraries as one, chosen shapes, and copies of them: the same shapes with the same digests, each once.
 #include <gtest/gtest.h>
 #include <hdf5.h>
 
@@ -24,7 +24,7 @@ using Variants = std::vector<std::uint32_t>;
 
 const LibraryParts kEverything{.outline = true, .field = true, .levels = ~0u, .artwork = true, .original = true};
 
-/// Seeds tell silhouettes apart.
+/// A shape whose silhouette follows from the seed.
 Shape make_shape(const std::string& name, std::uint64_t seed, float lightness = 50) {
   Shape shape = RandomShape(seed, 5).make();
   shape.name = name;
@@ -74,7 +74,7 @@ TEST_F(LibraryViews, OfOneWholeFileIsTheFile) {
   EXPECT_EQ(LibraryView({{path}, {{"*"}, {}}}).content_digest(), file.content_digest());
 }
 
-/// A library that is built again, now with the sizes, still draws what was made from it.
+/// A library that is built again, now with sizes, still draws the collages made from it before.
 TEST_F(LibraryViews, DrawnSizesCountInTheDigestOnlyForThoseWhoUseThem) {
   std::vector<Shape> drawn = animals_;
   const auto digests = [&](bool drawn_sizes) {
@@ -155,7 +155,7 @@ TEST_F(LibraryViews, StylesCountInTheDigestOnlyForThoseWhoUseThem) {
   EXPECT_EQ(open_library_of(job).content_digest(), digest(other, false));
 }
 
-/// A unit of the palette's bits is a unit of style distance.
+/// Styles that differ in bits of the palette; each bit is a style distance of 1.
 TEST_F(LibraryViews, ChooseByStyle) {
   const std::string path = write("a.h5", animals_, {}, {}, {1, 5, 2.5f, 1.25f});
   const auto chosen = [&](const StyleChoice& style, const NameGlobs& globs = {}) {
@@ -222,7 +222,7 @@ TEST_F(LibraryViews, SayWhatNamesAreNear) {
             "exclude: nothing is left of the 4 shapes of " + path);
 }
 
-/// "logo [final]" as a pattern would be of "logo f" and "logo i".
+/// As a pattern, "logo [final]" would match "logo f" and "logo i".
 TEST_F(LibraryViews, TheNameOfAShapeThatWasLeftOutSelectsNoOther) {
   const std::string path =
       write("logos.h5", {make_shape("logo [final]", 1), make_shape("logo f", 2), make_shape("logo i", 3)});
@@ -269,7 +269,7 @@ TEST_F(LibraryViews, KeepVariantsOfWhatIsNotChosen) {
   EXPECT_EQ(LibraryView({{path}, {{}, {"red"}}}).variant_of(), (Variants{0, 1, 1}));
 }
 
-/// Copied are the columns: what was rounded once is not rounded again.
+/// The columns are copied, so rounded values are not rounded again.
 TEST_F(LibraryViews, AreCopiedToTheBit) {
   std::vector<Shape> many;
   Variants variant_of;

@@ -1,4 +1,4 @@
-// A pattern finds the names that it is of, and looks at few others.
+// A pattern finds all names that match it, and looks at few others.
 #include "library/name_index.h"
 
 #include <fnmatch.h>

@@ -19,7 +19,7 @@ TEST(ShapeModels, are_read_in_order_from_any_range) {
   LibraryWriter writer(path, PadParameters());
   for (std::size_t i = 0; i < kShapes; ++i) {
     bean.name = "bean " + std::to_string(i);
-    bean.perimeter = 1 + float(i);  // tells the models apart
+    bean.perimeter = 1 + float(i);  // makes the models different
     writer.append(bean);
   }
   writer.finish();

@@ -1,4 +1,4 @@
-// The models that a library file holds are those that its shapes give, however few are read.
+// The models stored in a library file equal those computed from its shapes, however few are read.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ void expect_same_sketch(const ShapeModel& a, const ShapeModel& b) {
   EXPECT_TRUE(same_points(a.interior, b.interior, kInteriorStride));
 }
 
-/// With their key points, or without.
+/// Compares PADs with their key points, or without.
 void expect_same_pads(const ShapeModel& a, const ShapeModel& b, bool keypoints) {
   ASSERT_EQ(a.levels.size(), b.levels.size());
   for (std::size_t k = 0; k < a.levels.size(); ++k) {
@@ -83,7 +83,7 @@ class StoredModelsTest : public testing::Test {
 
 TEST_F(StoredModelsTest, AreThoseOfTheShapes) {
   ASSERT_NE(stored_, nullptr);
-  EXPECT_TRUE(stored_->reads_singly());
+  EXPECT_TRUE(stored_->supports_random_access());
   for (const ShapeRange range : {ShapeRange{0, 3}, {kSegmentShapes - 2, kSegmentShapes + 2}, {kShapes - 1, kShapes}}) {
     const std::vector<ShapeModel> models = stored_->models(range, {});
     ASSERT_EQ(models.size(), range.size());
@@ -103,7 +103,7 @@ TEST_F(StoredModelsTest, AreReadInParts) {
     expect_same_pads(models[i], made_[i], false);
     EXPECT_NE(models[i].tangent, made_[i].tangent) << "what was not asked for is not read";
   }
-  // Some follow one another, so many that they are read in parts, and from one segment into the next.
+  // Some shapes follow one another. They are so many that they are read in parts, and reach from one segment into the next.
   std::vector<ShapeId> ids = {ShapeId{kShapes - 1}, ShapeId{3}, ShapeId{kSegmentShapes}, ShapeId{3}};
   for (std::uint32_t shape = kSegmentShapes - 70; shape < kSegmentShapes + 2; ++shape) ids.push_back(ShapeId{shape});
   const std::vector<ShapeModel> contours = stored_->contours(ids);
@@ -111,7 +111,7 @@ TEST_F(StoredModelsTest, AreReadInParts) {
   for (std::size_t i = 0; i < ids.size(); ++i) expect_same_contour(contours[i], made_[index_of(ids[i])]);
 }
 
-/// Without key points, of ranges in any order.
+/// Reads PADs without key points, for ranges in any order.
 TEST_F(StoredModelsTest, GivePadsAlone) {
   EXPECT_TRUE(stored_->models({0, 2}, {.contours = false, .pads = false, .keypoints = false})[1].levels.empty());
   for (const ShapeRange range : {ShapeRange{kSegmentShapes - 2, kSegmentShapes + 2}, {0, 3}, {kShapes - 1, kShapes}}) {
@@ -145,7 +145,7 @@ TEST_F(StoredModelsTest, GiveKeyPointsOfSinglePads) {
   EXPECT_EQ(stored_->keypoints(names), expected);
 }
 
-/// Of a whole segment as it would be made; of a part of one an order of that part.
+/// A whole segment has the order that would be computed for it; a part of a segment has an order of its own PADs.
 TEST_F(StoredModelsTest, GiveOrdersOfTheirPads) {
   for (std::size_t k = 0; k < context_.levels.size(); ++k) {
     std::vector<PadBytes> pads;

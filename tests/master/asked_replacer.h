@@ -1,4 +1,4 @@
-// Replacers that remember what they were asked.
+// A replacer that remembers its questions.
 #pragma once
 
 #include <functional>
@@ -21,12 +21,12 @@ inline ReplacementOutcome as_it_was(const ReplacementWindow& window) {
   return outcome;
 }
 
-/// Answers what it is told to; pieces stay as they are until then.
+/// Answers with the given function. By default the pieces stay as they are.
 class AskedReplacer : public Replacer {
  public:
   using Answer = std::function<ReplacementOutcome(const ReplacementWindow&)>;
 
-  /// With this breadth all windows of a batch are one question.
+  /// With the default breadth, all windows of a batch are one question.
   explicit AskedReplacer(Answer answer = as_it_was, int breadth = 1000)
       : answer_(std::move(answer)),
         breadth_(breadth) {}
@@ -48,7 +48,7 @@ class AskedReplacer : public Replacer {
   int breadth_;
 };
 
-/// Tries what it is asked to, with shapes of `library`, which outlives it.
+/// Answers with real trials, with the shapes of `library`, which must outlive it.
 inline AskedReplacer::Answer real_trials(const std::vector<Shape>& library, const StopCheck& check_stop = never_stop) {
   const auto made = std::make_shared<std::vector<HoleShape>>();
   HoleShapes shapes;

@@ -1,4 +1,4 @@
-// A state that is to be refused with a reason.
+// A test base for states that the loop must refuse with a reason.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 
 namespace tessera::test {
 
-/// Of a run that goes on from `state_`.
+/// A run that continues from `state_`.
 class ForeignStateTest : public testing::Test {
  protected:
   virtual void go_on() const = 0;

@@ -1,4 +1,4 @@
-// Whole collages that are interrupted and go on.
+// Whole collages that are interrupted and continued.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 
 namespace tessera::whole_collage {
 
-/// The same pieces on any division of the library, and when the run is interrupted every few steps.
+/// Expects the same pieces on any division of the library, also if the run is interrupted every few steps.
 inline void expect_repeatable(const Canvas& canvas, const CollageSettings& s, const master::CollageResult& whole) {
   namespace stopped = master::stopped_collage;
   EXPECT_EQ(run(canvas, s, {5}).placements, whole.placements);

@@ -1,4 +1,4 @@
-// A collage that is filled by a matcher which offers what the test tells it to.
+// A collage filled by a matcher that offers the test's candidates.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// A matcher that offers what a test tells it to, for tests of what the master makes of it.
+// A matcher that offers the test's candidates, for tests of the master.
 #pragma once
 
 #include <deque>
@@ -18,8 +18,8 @@ inline Placement piece(std::uint32_t shape, float scale_px, Vec2 centre) {
   return {ShapeId{shape}, Similarity{scale_px, 0, centre.x, centre.y}, 1, 1};
 }
 
-/// Where its two nearest edges touch those of a canvas at the upper left or, with the canvas' size, lower right corner:
-/// a piece that touches nothing is worth nothing.
+/// The centre at which the shape's two nearest edges touch the upper left (or lower right) corner of the canvas. A piece that touches
+/// nothing has no score.
 inline Vec2 centre_at_upper_left(const Shape& shape, float scale_px) {
   constexpr float kApart_px = 0.5f;
   return bounding_box(shape.outline.curves.front()).low * (-scale_px) + Vec2{kApart_px, kApart_px};
@@ -29,19 +29,19 @@ inline Vec2 centre_at_lower_right(const Shape& shape, float scale_px, Vec2 canva
   return canvas_px - bounding_box(shape.outline.curves.front()).high * scale_px - Vec2{kApart_px, kApart_px};
 }
 
-/// Answers each question for dockings with the next of `offers`, whatever the field is; with nothing where that is
-/// empty. What lies in the pool when a piece was placed beside it is given up.
+/// Answers each question for dockings with the next of `offers`, whatever the field is; an empty offer means no dockings.
+/// Pooled candidates that a placed piece touches are given up.
 class OfferingMatcher : public Matcher {
  public:
   explicit OfferingMatcher(const std::vector<Shape>& library) : library_(library) {}
 
   Offers offers;
-  int questions = 0;  // for dockings
+  int questions = 0;  // the number of questions for dockings
 
   ShapeRange shapes() const override { return {0, std::uint32_t(library_.size())}; }
   void start_field(int, int, Vec2) override {}
   void update_field(const FieldPatch&) override {}
-  void limit(const StandingLimits&) override {}
+  void limit(const StanceLimits&) override {}
   void post_count(const CountRequest& request) override { samples_ = test::samples_asked(request); }
   std::vector<DistanceHistogram> take_count() override { return std::vector<DistanceHistogram>(samples_); }
   void post_dock(const DockRequest&) override { ++questions; }

@@ -1,4 +1,4 @@
-// Batches of replacement trials on canvases with pieces side by side, for their tests.
+// Batches of replacement trials on canvases with pieces side by side.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace tessera::master::replacing_batches {
 
 using whole_collage::library;
 
-/// As many shapes as wished, each of them one of the library's; every second is the mirror image of that before it.
+/// Any number of shapes, repeated from the library. Every second one is the mirror image of the one before.
 class ManyShapes : public test::VectorShapes {
  public:
   ManyShapes() : VectorShapes(library()) {}
@@ -70,7 +70,7 @@ class Batches {
   ManyShapes shapes_;
 };
 
-/// Of four windows.
+/// A canvas that is cut into four windows.
 inline Canvas large_canvas() { return make_rectangle_canvas(800, 700); }
 
 }  // namespace tessera::master::replacing_batches

@@ -1,4 +1,4 @@
-// The rounds of a collage step by step, with the plain C++ matcher, for tests that look between the steps.
+// Runs the rounds of a collage step by step with the plain C++ matcher, for tests that look between the steps.
 #pragma once
 
 #include "master/collage.h"
@@ -18,7 +18,7 @@ class RoundsByHand {
     matcher_.start_field(field.value.width(), field.value.height(), field.origin);
   }
 
-  /// Matches what is stale and chooses; false where the pool is dry.
+  /// Matches the stale samples and chooses a candidate; false if the pool is dry.
   bool choose(Candidate& best) {
     send_field();
     const std::vector<TargetSample> samples = collage_.schedule().take();
@@ -27,7 +27,7 @@ class RoundsByHand {
     return collage_.choose(best);
   }
 
-  /// The terms of the candidates that `changed` touches, as they are now.
+  /// The present terms of the candidates that `changed` touches.
   std::vector<DockingTerms> measure(const Window& changed) { return measure(collage_.touched_by(changed)); }
 
   std::vector<DockingTerms> measure(const std::vector<Docking>& dockings) {

@@ -7,7 +7,7 @@
 
 namespace tessera::master::stopped_collage {
 
-using Cuts = std::vector<std::uint32_t>;  // where the library is divided among matchers
+using Cuts = std::vector<std::uint32_t>;  // the places at which the library is divided among matchers
 
 inline const std::vector<Shape>& library() {
   static const std::vector<Shape> shapes = test::synthetic_library(12);
@@ -42,7 +42,7 @@ inline CollageSettings with_few_uses() {
   return s;
 }
 
-/// Stops after so many rounds and trials.
+/// Stops after the given number of rounds and trials.
 class StopAfter : public SilentObserver {
  public:
   explicit StopAfter(std::size_t steps) : left_(steps) {}

@@ -1,4 +1,4 @@
-// Which candidates may stand as pieces, by their terms.
+// The candidates that may stand as pieces, judged by their terms.
 #include "master/rules/acceptance.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What a candidate is worth follows from the nodes of its window: a piece that touches none of them leaves its score.
+// A candidate's score follows from the nodes of its window: a piece that touches none of them does not change the score.
 #include <gtest/gtest.h>
 
 #include "core/collage/exact_terms.h"
@@ -12,9 +12,9 @@ using namespace whole_collage;
 
 bool holds(const Window& window, const Window& part) { return part.intersected(window) == part; }
 
-/// The windows are known from some boundary points, the exact areas are those of the whole outline.
+/// The windows follow from some boundary points, but the exact areas from the whole outline.
 TEST(CandidateWindows, HoldTheNodesThatAreCountedExactly) {
-  constexpr int kRim = 2;  // at the edge of the exact window, where nodes are looked at and not counted
+  constexpr int kRim = 2;  // the rim of the exact window, where nodes are read but not counted
   test::RoundsByHand rounds(make_rectangle_canvas(300, 220), settings(), library());
   int windows = 0;
   Candidate best;

@@ -77,7 +77,7 @@ TEST(Collage, RespectsUsesRotationAndPieces) {
   EXPECT_EQ(three.statistics.stopped_by, StopReason::pieces);
 }
 
-/// One angle for all: the search must be easier, not empty.
+/// With one angle for all, the search is easier, and must still find pieces.
 TEST(Collage, FillsWithUprightPieces) {
   const Canvas canvas = make_rectangle_canvas(300, 220);
   for (const float angle_rad : {0.f, 1.5707964f}) {

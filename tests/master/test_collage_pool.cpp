@@ -1,4 +1,4 @@
-// What becomes of the pool's candidates when a piece is placed beside them.
+// The pool's candidates when a piece is placed beside them.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -18,7 +18,7 @@ using namespace whole_collage;
 
 using Samples = std::set<SampleId>;
 
-/// Large pieces first: a few rounds touch many candidates, some of them checked exactly.
+/// Settings with large pieces first: a few rounds touch many candidates, and some of these are checked exactly.
 CollageSettings contrasting() {
   CollageSettings s = settings();
   s.objective.balance = 0;
@@ -39,7 +39,7 @@ Samples samples_of(const std::vector<PooledSample>& pool) {
   return samples;
 }
 
-/// Its candidates were found for another neighbourhood.
+/// The sample's candidates were found for another neighbourhood.
 TEST_F(CollagePool, ASampleThatIsRenewedLosesItsCandidatesAndIsMatchedAgain) {
   int renewed = 0;
   Candidate best;
@@ -57,7 +57,7 @@ TEST_F(CollagePool, ASampleThatIsRenewedLosesItsCandidatesAndIsMatchedAgain) {
   EXPECT_GT(renewed, 20) << "the test needs samples that had candidates";
 }
 
-/// As the matcher would say it, all of the boundary matched or a part of it.
+/// A refined docking as the matcher reports it, with the fraction `matched` of the boundary matched.
 RefinedDocking found_at(ShapeId shape, float scale_px, Vec2 centre, float matched) {
   Docking docking;
   docking.shape = shape;
@@ -68,7 +68,7 @@ RefinedDocking found_at(ShapeId shape, float scale_px, Vec2 centre, float matche
   return {docking, terms, true, Extent{-80, -80, 300, 220}, s.perimeter, s.radius};
 }
 
-/// The first one lies beside the canvas, where nothing can push it clear.
+/// The first candidate lies outside the canvas, where no push can make it clear.
 TEST_F(CollagePool, WhatCannotBeMadeClearIsGivenUpForTheNextBest) {
   CollageSettings s = settings();
   s.objective.overlap_weight = 0;
@@ -112,7 +112,7 @@ TEST_F(CollagePool, WhatTouchesTooLittleOrOverlapsTooMuchDoesNotEnter) {
   EXPECT_FALSE(enters(0.5f, 1.01f * kMaxOverlap));
 }
 
-/// Shape, source and place: no two candidates share all of them.
+/// Shape, source and place. No two candidates have the same name.
 using Name = std::tuple<ShapeId, std::uint32_t, float, float>;
 
 Name name_of(ShapeId shape, std::uint32_t source, const Similarity& pose) { return {shape, source, pose.tx, pose.ty}; }
@@ -125,7 +125,7 @@ std::map<Name, Candidate> candidates_by_name(const CheckpointState& state) {
   return result;
 }
 
-/// The exact areas belong to the field before.
+/// The exact areas belong to the earlier field.
 TEST_F(CollagePool, WhatIsMeasuredAgainIsScoredAgainAndCheckedAgain) {
   int exact_before = 0;
   Candidate best;
@@ -178,15 +178,15 @@ TEST_F(CollagePool, WhatIsNotTouchedIsStillTrue) {
   EXPECT_GT(untouched, 20u);
 }
 
-/// Those with one or none left are matched again where there were more to begin with; two are enough.
+/// A sample with at most one candidate left is matched again if it had more matches than were listed. Two are enough.
 TEST_F(CollagePool, ASampleIsMatchedAgainWhenItHasLessThanTwoLeftAndThereWereMore) {
-  std::map<std::size_t, int> seen;  // samples that lost some, by what they have left
+  std::map<std::size_t, int> seen;  // the samples that lost candidates, by the number left
   Candidate best;
   for (int round = 0; round < kRounds && rounds_.choose(best); ++round) {
     const Window changed = collage_.place(best);
     const CheckpointState before = rounds_.state();
     std::vector<DockingTerms> terms = rounds_.measure(changed);
-    for (std::size_t i = 0; i < terms.size(); i += 2) terms[i].overlap_px2 = 1e9f;  // every other one is given up
+    for (std::size_t i = 0; i < terms.size(); i += 2) terms[i].overlap_px2 = 1e9f;  // gives up every other candidate
     collage_.rescore(changed, terms);
     const CheckpointState after = rounds_.state();
     Samples expected(before.stale.begin(), before.stale.end());

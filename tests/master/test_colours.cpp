@@ -1,4 +1,4 @@
-// Collages whose pieces show a picture: dark pieces where it is dark.
+// Collages whose pieces show a picture: dark pieces in its dark areas.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ using namespace whole_collage;
 const Lab kDark{15, 0, 0};
 const Lab kLight{90, 5, 20};
 
-/// Every other one is dark.
+/// A library in which every other shape is dark.
 std::vector<Shape> two_coloured_library() {
   std::vector<Shape> shapes = library();
   for (std::size_t i = 0; i < shapes.size(); ++i) {
@@ -30,7 +30,7 @@ const Canvas& canvas() {
   return made;
 }
 
-/// Dark on the left.
+/// Settings with a picture that is dark on the left.
 CollageSettings coloured(float weight) {
   CollageSettings s = settings();
   std::vector<Lab> of_shapes;
@@ -51,7 +51,7 @@ master::CollageResult run_coloured(const CollageSettings& s, std::vector<std::ui
   return master::make_collage(canvas(), s, matcher, source, silent);
 }
 
-/// The part of the pieces' area that lies by its centre in the half of its own colour.
+/// The share of the pieces' area whose centre is in the half of its own colour.
 double in_place(const std::vector<Placement>& placements) {
   double right = 0, all = 0;
   for (const Placement& p : placements) {
@@ -79,7 +79,7 @@ TEST(Colours, DoNotDependOnTheDivisionOfTheLibrary) {
   EXPECT_EQ(run_coloured(coloured(1), {3, 4, 9}).placements, whole.placements);
 }
 
-/// Small pieces alone on the left.
+/// Only small pieces are allowed on the left.
 TEST(Colours, SizesGoByPlace) {
   CollageSettings s = settings();
   SizeMap map{Grid<float>(32, 24, 1.f), 0.1f};
@@ -100,7 +100,7 @@ TEST(Colours, SizesGoByPlace) {
   EXPECT_GT(quality(canvas(), result).coverage, 0.8);
 }
 
-/// Of all pairs of neighbours the part whose colours are alike.
+/// The share of pairs of neighbours with alike colours.
 double like_neighbours(const std::vector<Placement>& placements) {
   int like = 0, all = 0;
   for (const Placement& p : placements) {
@@ -131,7 +131,7 @@ TEST(Colours, NeighboursAreAlikeOrUnlike) {
   EXPECT_EQ(run_coloured(neighbours(0)).placements, run_coloured(settings()).placements);
 }
 
-/// A place whose colour nothing has is filled all the same.
+/// A place is filled even if no shape has its colour.
 TEST(Colours, LeaveNoPlaceEmpty) {
   CollageSettings s = coloured(3);
   s.colour.target = test::picture(320, 240, [](Vec2) { return test::opaque({50, -80, 70}); });

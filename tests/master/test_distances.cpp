@@ -1,4 +1,4 @@
-// How near pieces come to each other and to the canvas' edge, measured on the outlines as they are written.
+// The distances of pieces to each other and to the canvas' edge, measured on the written outlines.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -13,7 +13,7 @@ namespace test_distances {
 
 using namespace whole_collage;
 
-/// As written: with three decimals.
+/// The outlines as written, with three decimals.
 std::vector<Outline> written_outlines(const std::vector<Placement>& placements) {
   std::vector<Outline> outlines;
   for (const Placement& placement : placements) {
@@ -29,7 +29,7 @@ std::vector<Outline> written_outlines(const std::vector<Placement>& placements) 
   return outlines;
 }
 
-/// Between two of the pieces, or one of them and the edge of a rectangle, px.
+/// The least distance between two pieces, or between a piece and the edge of a rectangle, in px.
 double least_distance_px(const Canvas& canvas, const std::vector<Placement>& placements) {
   const std::vector<Outline> outlines = written_outlines(placements);
   double least = 1e9;
@@ -50,7 +50,7 @@ double least_distance_px(const Canvas& canvas, const std::vector<Placement>& pla
   return least;
 }
 
-/// The settings of the tests with the seeds 1 to `seeds`, one after the other.
+/// Runs `check` with the tests' settings for the seeds 1 to `seeds`.
 void for_seeds(std::uint64_t seeds, const std::function<void(CollageSettings)>& check) {
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -82,7 +82,7 @@ TEST(Distances, KeepsThePaddingWithAnySizesAndRotations) {
   });
 }
 
-/// How deep a vertex of one of the pieces lies in another, px; below 0 where none does.
+/// The largest depth of a piece's vertex in another piece, in px; negative if there is none.
 float deepest_vertex_px(const std::vector<Placement>& placements) {
   const std::vector<Outline> outlines = written_outlines(placements);
   float deepest = -1e9f;
@@ -96,7 +96,7 @@ float deepest_vertex_px(const std::vector<Placement>& placements) {
   return deepest;
 }
 
-/// However thin a tip is, no vertex of a piece lies deeper in another than is allowed.
+/// However thin a tip is, no vertex of a piece lies deeper in another piece than allowed.
 TEST(Distances, NoVertexLiesDeepInAnotherPiece) {
   const Canvas canvas = make_rectangle_canvas(300, 220);
   EXPECT_LE(deepest_vertex_px(run(canvas, settings()).placements), PieceSettings().overlap_px + 0.01f);
@@ -119,7 +119,7 @@ TEST(Distances, WithoutOverlapNoPieceReachesIntoAnother) {
   });
 }
 
-/// What pieces keep to when they are placed, they keep to when they move together.
+/// Relaxation keeps the same rules as placing.
 TEST(Distances, HoldAfterPiecesMovedTogether) {
   const Canvas canvas = make_rectangle_canvas(240, 160);
   for_seeds(2, [&](CollageSettings s) {
@@ -138,7 +138,7 @@ TEST(Distances, HoldAfterPiecesMovedTogether) {
   });
 }
 
-/// Of one size, each piece is as near as that to others that do not move in a trial; one is given.
+/// All pieces have one size and lie close to pieces that do not move in a trial. One piece is given.
 TEST(Distances, HoldBesidePiecesThatDoNotMove) {
   const Canvas canvas = make_rectangle_canvas(240, 160);
   for_seeds(3, [&](CollageSettings s) {
@@ -152,7 +152,7 @@ TEST(Distances, HoldBesidePiecesThatDoNotMove) {
   });
 }
 
-/// Lines that are thinner than the depth at which pieces may lie in each other: they must not lie on one another.
+/// The lines are thinner than the overlap allowed for pieces, but they must not lie on one another.
 TEST(Distances, LinesDoNotLieOnLines) {
   const std::vector<Shape> rings{test::make_test_shape("ring", test::ring_outline(0.96f))};
   CollageSettings s = settings();

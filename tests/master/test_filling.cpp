@@ -1,4 +1,4 @@
-// When the region counts as full.
+// The moment when a region counts as full.
 #include <gtest/gtest.h>
 
 #include "offered_filling.h"

@@ -1,5 +1,5 @@
-// fit = "all": sizes are searched for at which every piece that is wanted finds a place; where there are none, the attempt
-// that lacks the fewest pieces is kept.
+// fit = "all" searches for sizes at which every required piece finds a place. If there are none, it keeps the attempt that lacks the fewest
+// pieces.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ const std::vector<Shape>& bars() {
   return shapes;
 }
 
-/// Two lines of letters with what joins them: long, thin and with a comb's edge.
+/// Two lines of letters with a connecting bar: long and thin, with an edge like a comb.
 const std::vector<Shape>& phrases() {
   static const std::vector<Shape> shapes = [] {
     std::vector<Shape> made;
@@ -64,12 +64,12 @@ CollageSettings all_of_one_size(float scale_px) {
   return s;
 }
 
-/// At the sizes of the first attempt, as tessera collage runs it.
+/// Sets the sizes of the first attempt, as tessera collage does.
 CollageSettings sized(const CollageSettings& s, const Canvas& canvas, const std::vector<Shape>& library) {
   return with_sizes_times(first_size_factor(s, std::uint32_t(library.size()), canvas.area_px2), s);
 }
 
-/// Counts attempts in which a piece was placed.
+/// Counts the attempts in which a piece was placed.
 struct Attempts : SilentObserver {
   void progressed(const Progress& progress) override { most = std::max(most, progress.attempt); }
   int most = 0;
@@ -87,7 +87,7 @@ float largest_px(const CollageResult& result) {
   return largest;
 }
 
-/// The same pieces on another division of the library, stopped after every so many steps.
+/// Expects the same pieces on another division of the library, and if the run is stopped after every so many steps.
 void expect_repeatable(const CollageSettings& s, const Canvas& canvas, const std::vector<Shape>& library,
                        const CollageResult& whole, const std::vector<std::size_t>& stops_after = {1, 2}) {
   for (const std::size_t steps : stops_after) {
@@ -109,7 +109,7 @@ void expect_repeatable(const CollageSettings& s, const Canvas& canvas, const std
   }
 }
 
-/// The first sizes go by the area alone: 700 px long on a canvas of 400.
+/// The first sizes follow from the area alone: 700 px long bars on a canvas of 400 px.
 TEST(FitAll, LongBarsOfOneSizeFindAPlace) {
   const Canvas canvas = make_rectangle_canvas(400, 300);
   const CollageSettings s = sized(all_of_one_size(100), canvas, bars());
@@ -146,7 +146,7 @@ TEST(FitAll, EachAsOftenAsIsWantedWithoutTurning) {
   EXPECT_TRUE(missing_of(s, result, blobs().size()).empty());
 }
 
-/// With any number of uses the rest of the canvas is filled only when all are there.
+/// If shapes may be used any number of times, the rest of the canvas is filled after all required pieces have a place.
 TEST(FitAll, WhatMayComeAgainComesAfterTheSearch) {
   const Canvas canvas = make_rectangle_canvas(200, 150);
   CollageSettings s = all_of_one_size(100);
@@ -164,7 +164,7 @@ TEST(FitAll, WhatMayComeAgainComesAfterTheSearch) {
   expect_repeatable(s, canvas, blobs(), result, {7});
 }
 
-/// Two of a shape are to be farther apart than the canvas is wide: no size helps.
+/// Two pieces of a shape must be farther apart than the canvas is wide, so no size helps.
 TEST(FitAll, WhatCannotBeMetKeepsTheLargestOfTheBestAttempts) {
   const Canvas canvas = make_rectangle_canvas(120, 90);
   CollageSettings s = all_of_one_size(40);
@@ -191,7 +191,7 @@ TEST(FitAll, NoPieceBecomesSmallerThanTheJobAllows) {
   EXPECT_EQ(missing_of(s, result, bars().size()).size(), 3u);
 }
 
-/// The first attempt covers as much before all have a place.
+/// The first attempt reaches that coverage before all pieces have a place.
 TEST(FitAll, ALimitOfCoverageEndsAnAttemptAndNotTheSearch) {
   const Canvas canvas = make_rectangle_canvas(200, 150);
   CollageSettings s = all_of_one_size(60);
@@ -214,7 +214,7 @@ TEST(FitAll, ALimitOfPiecesEndsTheSearch) {
   EXPECT_EQ(attempts.most, 1);
 }
 
-/// Improving may exchange pieces; it never ends with fewer of those that are wanted.
+/// Improving may exchange pieces, but never ends with fewer of the required ones.
 TEST(FitAll, ImprovingLosesNoPieceThatIsWanted) {
   const Canvas canvas = make_rectangle_canvas(150, 120);
   for (const std::uint64_t seed : {1u, 2u}) {
@@ -247,7 +247,7 @@ TEST(FitAll, TheFirstSizesGoByUsesAndPadding) {
   EXPECT_NEAR(20 * first_size_factor(s, 10, 1e6), 2, 1e-6) << "no piece is smaller";
 }
 
-/// A state of a search, after its second attempt began.
+/// A state of a search whose second attempt has begun.
 class ForeignSearch : public test::ForeignStateTest {
  protected:
   void SetUp() override {

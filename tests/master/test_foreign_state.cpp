@@ -1,4 +1,4 @@
-// A state that does not belong to canvas and library, or was damaged, is refused with the reason.
+// A state that is damaged, or of another canvas or library, is refused with the reason.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -11,7 +11,7 @@ namespace test_foreign_state {
 
 using namespace stopped_collage;
 
-/// A state after some rounds, for damage.
+/// A state after some rounds, which the tests damage.
 class ForeignState : public test::ForeignStateTest {
  protected:
   void SetUp() override {

@@ -1,4 +1,4 @@
-// A question to the matcher that is given up, wherever it is, leaves a state from which the loop goes on.
+// A question to the matcher may be given up at any point. The state that remains lets the loop continue.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -11,7 +11,7 @@ namespace test_given_up_question {
 
 using namespace stopped_collage;
 
-/// Is told to stop at one of its questions: where it would be posted, or where its answer would be taken.
+/// A matcher that is interrupted at one of its calls, when a question is posted or an answer is taken.
 class InterruptedMatcher : public Matcher {
  public:
   InterruptedMatcher(Matcher& matcher, std::size_t calls) : matcher_(matcher), left_(calls) {}
@@ -23,7 +23,7 @@ class InterruptedMatcher : public Matcher {
     matcher.start_field(width, height, origin);
   }
   void update_field(const FieldPatch& patch) override { call().update_field(patch); }
-  void limit(const StandingLimits& limits) override { call().limit(limits); }
+  void limit(const StanceLimits& limits) override { call().limit(limits); }
   void post_count(const CountRequest& request) override { call().post_count(request); }
   std::vector<DistanceHistogram> take_count() override { return call().take_count(); }
   void post_dock(const DockRequest& request) override {
@@ -37,9 +37,9 @@ class InterruptedMatcher : public Matcher {
   std::vector<DockingTerms> take_measure() override { return call().take_measure(); }
 
   std::size_t calls_left() const { return left_; }
-  /// calls_left() when dockings were asked for that were drawn first.
+  /// The values of calls_left() at the questions for the first drawn dockings.
   const std::vector<std::size_t>& in_wide_gap_pass() const { return in_wide_gap_pass_; }
-  /// When a field was begun.
+  /// The values of calls_left() at the starts of a field.
   const std::vector<std::size_t>& at_starts() const { return at_starts_; }
 
  private:
@@ -56,7 +56,7 @@ class InterruptedMatcher : public Matcher {
 
 constexpr std::size_t kNever = std::numeric_limits<std::size_t>::max();
 
-/// Gives the question up with which the matcher was called for the `calls`-th time.
+/// Runs until the matcher is called for the `calls`-th time, and gives up that question.
 CollageResult run_until_call(const CollageSettings& s, std::size_t& calls, const Checkpoints& checkpoints) {
   const MatchingContext context = make_matching_context(s, std::uint32_t(library().size()));
   CompositeMatcher matcher = test::divided_matcher(library(), context, {});
@@ -78,10 +78,10 @@ void check_given_up_questions(const CollageSettings& s) {
     KeepLatest keeper;
     std::size_t calls = 1 + (all_calls - 1) * i / (kInterruptions - 1) - i % 3 * (i < kInterruptions - 1 && i > 0);
     const CollageResult interrupted = run_until_call(s, calls, {nullptr, &keeper});
-    EXPECT_TRUE(interrupted.unfinished && interrupted.gave_up_question) << i;
+    EXPECT_TRUE(interrupted.unfinished && interrupted.matcher_interrupted) << i;
     EXPECT_EQ(interrupted.statistics.stopped_by, StopReason::signal);
     const CheckpointState first = keeper.latest;
-    calls = 2 + i;  // and soon once more
+    calls = 2 + i;  // the second interruption comes soon
     if (!run_until_call(s, calls, {&first, &keeper}).unfinished) continue;
     ++interrupted_again;
     const CheckpointState second = keeper.latest;
@@ -101,7 +101,7 @@ TEST(GivenUpQuestion, ChangesNothingInATrial) { check_given_up_questions(improve
 
 TEST(GivenUpQuestion, ChangesNothingWithOtherSettingsToo) { check_given_up_questions(with_few_uses()); }
 
-/// The last calls are those of the passes in which nothing is found any more.
+/// The last calls belong to the passes that find no more pieces.
 TEST(GivenUpQuestion, MayBeAnyOfTheLastPasses) {
   std::size_t all_calls = kNever;
   const CollageResult whole = run_until_call(settings(), all_calls, {});
@@ -117,7 +117,7 @@ TEST(GivenUpQuestion, MayBeAnyOfTheLastPasses) {
   EXPECT_TRUE(in_empty_pass);
 }
 
-/// fit = "all": between two attempts at sizes, and where the best one is laid again.
+/// The interruption comes between two attempts at sizes (fit = "all"), or where the best attempt is laid again.
 TEST(GivenUpQuestion, MayBeTheFirstOfAnotherAttempt) {
   CollageSettings s = settings();
   s.pieces.fit_all = true;
@@ -140,7 +140,7 @@ TEST(GivenUpQuestion, MayBeTheFirstOfAnotherAttempt) {
   }
 }
 
-/// A library of lines alone is never filled without passes that look for wide gaps.
+/// A library of line art is never filled without passes that look for wide gaps.
 TEST(GivenUpQuestion, MayBeOneOfAWideGap) {
   const std::vector<Shape> lines = {test::make_library_shape("spectacles", test::spectacles_outline(0.2f))};
   CollageSettings s = settings();

@@ -49,7 +49,7 @@ TEST(Improving, CoversMoreWherePiecesMoveTogether) {
   EXPECT_GT(moving, quality(canvas, run(canvas, s)).coverage + 0.01);
 }
 
-/// Each keeps to the sizes and rotations of a stance, and those that are given do not move.
+/// Each piece keeps to the sizes and rotations of a stance, and given pieces do not move.
 TEST(Improving, PiecesMoveWithinTheirPoses) {
   const Canvas canvas = make_rectangle_canvas(300, 220);
   CollageSettings s = improved(8);
@@ -82,7 +82,7 @@ TEST(Improving, PiecesMoveTogetherAcrossASeam) {
   EXPECT_GT(q.coverage, quality(canvas, run(canvas, s)).coverage + 0.005);
 }
 
-/// The limits of [stop] hold while improving, too.
+/// The limits of [stop] also hold while improving.
 TEST(Improving, KeepsToTheLimitsOfStop) {
   const Canvas canvas = make_rectangle_canvas(300, 220);
   const CollageResult greedy = run(canvas, settings());

@@ -1,4 +1,4 @@
-// How many trials improving has: by regions, by number and by time.
+// The number of trials for improving: by regions, by number and by time.
 #include "master/improving_budget.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@ namespace test_improving_budget {
 
 using Replaced = ImprovingBudget::Replaced;
 
-/// 10,000 px2 in two regions, the second three times as large as the first.
+/// 10,000 px² in two regions, of which the second is three times as large as the first.
 Canvas two_regions() {
   Canvas canvas;
   canvas.area_px2 = 10'000;
@@ -41,7 +41,7 @@ TEST(ImprovingBudget, DividesTrialsByArea) {
   EXPECT_FALSE(budget.may_go_on(1, 50, 0));
 }
 
-/// A trial that moves all of its pieces, however small it is.
+/// Each region, however small, gets a trial that moves all of its pieces.
 TEST(ImprovingBudget, EachRegionHasATrialWhereThereAreAsMany) {
   Canvas canvas = two_regions();
   canvas.regions.push_back({{}, 1});
@@ -68,7 +68,7 @@ TEST(ImprovingBudget, WithoutRegionsTheCanvasHasAll) {
   EXPECT_FALSE(budget.may_go_on(0, 50, 0));
 }
 
-/// Whichever ends first; time is divided, too.
+/// The first limit that is reached counts; the time is divided among regions, too.
 TEST(ImprovingBudget, EndsByTimeToo) {
   const Canvas canvas = two_regions();
   const CollageSettings timed = improving(0, 4);
@@ -83,7 +83,7 @@ TEST(ImprovingBudget, EndsByTimeToo) {
   EXPECT_TRUE(ImprovingBudget(canvas, both).may_go_on(0, 11, 0.9));
 }
 
-/// Eight for five sixths of the region's trials, without that before and that after.
+/// Eight replacements for each of five sixths of the region's trials. The trials before and after that phase have none.
 TEST(ImprovingBudget, ReplacementsFollowFromTheRegionsTrials) {
   const Canvas canvas = two_regions();
   const CollageSettings s = improving(50);
@@ -103,10 +103,10 @@ TEST(ImprovingBudget, ReplacementsFollowFromTime) {
   const CollageSettings s = improving(0, 48);  // 12 s and 36 s
   const ImprovingBudget budget(canvas, s);
   EXPECT_EQ(budget.replacements(0, 7, {}), 420u) << "nothing is known as yet: 60 for each piece";
-  // 100 took 2 of the 10 s that are five sixths of the time.
+  // 100 trials took 2 s of the 10 s, which are five sixths of the time.
   EXPECT_EQ(budget.replacements(0, 7, {100, 2, 5}), 500u);
   EXPECT_EQ(budget.replacements(0, 7, {100, 0, 5}), 1'000'000'000'000'000u) << "no time at all";
-  // 2 of 30 s.
+  // 100 trials took 2 s of the 30 s.
   EXPECT_EQ(budget.replacements(1, 7, {100, 14, 20}), 1500u);
   EXPECT_EQ(budget.replacements(1, 7, {100, 11, 20}), 1'000'000'000'000'000u)
       << "the first region took less than it may";
@@ -115,7 +115,7 @@ TEST(ImprovingBudget, ReplacementsFollowFromTime) {
 /// The run may end before improving does.
 TEST(ImprovingBudget, TheRunsEndCountsToo) {
   const Canvas canvas = two_regions();
-  const CollageSettings late = improving(0, 48, 9);  // at 5 s of the run, 2 of them of improving: 6 s in all
+  const CollageSettings late = improving(0, 48, 9);  // at 5 s of the run, 2 s of them improving: 6 s in all
   EXPECT_EQ(ImprovingBudget(canvas, late).replacements(0, 7, {100, 2, 5}), 250u);
   const CollageSettings early = improving(0, 48, 100);
   EXPECT_EQ(ImprovingBudget(canvas, early).replacements(0, 7, {100, 2, 5}), 500u);

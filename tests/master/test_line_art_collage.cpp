@@ -1,5 +1,5 @@
-// Collages of shapes that enclose much and cover little: no run is over while a gap is left that is wide enough for
-// one, and no line crosses another.
+// Collages of shapes that enclose much and cover little. A run ends only when no gap is wide enough for another shape, and no line crosses
+// another.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,7 +35,8 @@ CollageResult run_line_art(const CollageSettings& s, const std::vector<Shape>& l
   return stopped_collage::run(s, {}, silent, {}, line_art_canvas(), library);
 }
 
-/// Poses of the smallest size, every two px and eighth of a quarter turn, with half a px to spare all round.
+/// Counts the poses of the smallest size that fit with half a px to spare all round. It tries every 2 px and every eighth of a quarter
+/// turn.
 int poses_that_fit(const CollageResult& result, const CollageSettings& s, const std::vector<Shape>& library) {
   constexpr int kTurns = 32;
   FreeField free(line_art_canvas(), s.pieces);
@@ -59,7 +60,7 @@ int poses_that_fit(const CollageResult& result, const CollageSettings& s, const 
   return found;
 }
 
-/// Vertices of a piece that lie so deep in another one that lines cross.
+/// Counts the vertices that lie so deep in another piece that lines cross.
 int crossings(const std::vector<Placement>& placements, const std::vector<Shape>& library) {
   int found = 0;
   for (const Placement& inner : placements) {
@@ -121,7 +122,7 @@ Outline sun_outline() {
   return {{test::resampled(edge, test::kOuterPoints)}};
 }
 
-/// The tips of its rays are so small a part of its boundary that no docking counts as one that touches.
+/// The tips of the rays are so small a part of the boundary that no docking counts as touching.
 TEST(LineArtCollage, ASunWithThinRaysFindsAPlaceOnAnEmptyCanvas) {
   const std::vector<Shape> sun = {test::make_library_shape("sun", sun_outline())};
   CollageSettings s = line_art_settings();
@@ -133,7 +134,7 @@ TEST(LineArtCollage, ASunWithThinRaysFindsAPlaceOnAnEmptyCanvas) {
   EXPECT_EQ(crossings(result.placements, sun), 0);
 }
 
-/// They enclose nothing, but a docking that is hardly off turns their far end into others.
+/// Sticks enclose nothing, but a docking with a small error turns their far end into other pieces.
 TEST(LineArtCollage, LongSticksLeaveNoWideGap) {
   const std::vector<Shape> sticks = {test::make_library_shape("stick", test::rectangle_outline(40, 1)),
                                      test::make_library_shape("shorter", test::rectangle_outline(36, 1))};
@@ -147,7 +148,7 @@ TEST(LineArtCollage, LongSticksLeaveNoWideGap) {
   EXPECT_GT(whole_collage::quality_of(line_art_canvas(), result.placements, sticks).coverage, 0.5);
 }
 
-/// Not what its box is, nor what its lines enclose.
+/// Neither the box of a shape nor the area inside its lines counts.
 TEST(LineArtCollage, CountsWhatIsPaintedAlone) {
   CollageSettings s = line_art_settings();
   double covered = 0;
@@ -171,7 +172,7 @@ TEST(LineArtCollage, CountsWhatIsPaintedAlone) {
   EXPECT_NEAR(whole_collage::quality_of(line_art_canvas(), result.placements, line_art()).coverage, covered, 2e-3);
 }
 
-/// In the passes that look for wide gaps, too.
+/// This also holds in the passes that look for wide gaps.
 TEST(LineArtCollage, IsTheSameOnAnyDivisionAndAfterInterruptions) {
   CollageSettings s = line_art_settings();
   s.match.tangent_dockings = 150;

@@ -1,4 +1,4 @@
-// When the loop ends, and why.
+// The end of the loop, and its reason.
 #include "master/loop_end.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ class LoopEndTest : public testing::Test {
     settings_.stop.seconds = 1000;
   }
 
-  /// On 1,000 px².
+  /// The canvas has 1,000 px².
   const Canvas canvas_ = make_rectangle_canvas(40, 25);
   CollageSettings settings_;
   AskedToStop observer_;
@@ -31,7 +31,7 @@ TEST_F(LoopEndTest, GoesOnBelowAllLimits) {
   EXPECT_FALSE(end_.end_at_limit_of_filling(9, 499));
   EXPECT_FALSE(end_.reached_limit(499));
   EXPECT_NO_THROW(end_.check_stop());
-  EXPECT_FALSE(end_.is_over() || end_.is_interrupted() || end_.gave_up_question());
+  EXPECT_FALSE(end_.is_over() || end_.is_interrupted() || end_.matcher_interrupted());
 }
 
 TEST_F(LoopEndTest, TheNumberOfPiecesEndsFillingAlone) {
@@ -75,13 +75,13 @@ TEST_F(LoopEndTest, WhoAsksItToStopGivesNoQuestionUp) {
     end_.interrupt(interrupted.reason);
   }
   EXPECT_TRUE(end_.is_over() && end_.is_interrupted());
-  EXPECT_FALSE(end_.gave_up_question());
+  EXPECT_FALSE(end_.matcher_interrupted());
 }
 
 TEST_F(LoopEndTest, AnyOtherInterruptionGaveAQuestionUp) {
   ASSERT_TRUE(end_.reached_limit(500));
   end_.interrupt(StopReason::lost_rank);
-  EXPECT_TRUE(end_.gave_up_question());
+  EXPECT_TRUE(end_.matcher_interrupted());
   EXPECT_EQ(end_.reason(), StopReason::lost_rank) << "there is more to do than the limit allowed";
 }
 

@@ -1,4 +1,4 @@
-// What a colour is worth beside the pieces that stand.
+// The worth of a colour beside the placed pieces.
 #include "master/rules/neighbour_colours.h"
 
 #include <gtest/gtest.h>
@@ -68,7 +68,7 @@ TEST(NeighbourColours, TheLessLikeOneIsWorthMoreWhateverTheWeight) {
   }
 }
 
-/// Two of 40 px: kNeighbourReach * 80 apart.
+/// Two pieces of 40 px are neighbours within kNeighbourReach * 80 px.
 TEST(NeighbourColours, NeighboursAreNear) {
   NeighbourColours colours(wish(-1), {});
   colours.add(placed(kRed, {100, 100}));
@@ -93,7 +93,7 @@ TEST(NeighbourColours, AreForgotten) {
   EXPECT_FLOAT_EQ(colours.worth(kRed, pose({100, 100})), 1);
 }
 
-/// The index finds all that a look at each finds; in any order; and worth never rises.
+/// The index finds the same neighbours as a look at every piece, in any order, and further pieces never raise the worth.
 RC_GTEST_PROP(NeighbourColours, TheLeastWelcomeOfAllNeighboursCounts, ()) {
   const Period period{*rc::gen::element(0, 300), *rc::gen::element(0, 400)};
   const auto placement = [] {

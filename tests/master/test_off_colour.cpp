@@ -1,4 +1,4 @@
-// What wrong colours cost in improving.
+// The cost of wrong colours in improving.
 #include "master/off_colour.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace test_off_colour {
 const Lab kDark{15, 0, 0};
 const Lab kLight{90, 0, 0};
 
-/// The first is dark, the second light.
+/// A library whose first shape is dark and whose second shape is light.
 std::vector<Shape> dark_and_light() {
   std::vector<Shape> shapes = whole_collage::library();
   shapes.resize(2);

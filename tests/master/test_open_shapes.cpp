@@ -1,4 +1,4 @@
-// Which shapes and sizes are open for the moment.
+// The shapes and sizes that are open at the moment.
 #include "master/rules/open_shapes.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ CollageSettings settings() {
   return s;
 }
 
-/// The open shapes, beside what they follow from.
+/// The open shapes, with the settings that they follow from.
 struct Job {
   explicit Job(const CollageSettings& s) : context(make_matching_context(s, kShapes)), scoring(s, context.stances) {
     open_shapes.emplace(context, s.pieces, scoring, shapes, 1.f);
@@ -88,7 +88,7 @@ TEST(OpenShapes, OtherShapesWaitForThoseThatAreMissing) {
   EXPECT_EQ(job.open().size(), kShapes) << "all stand: any may come in again";
 }
 
-/// Nobody waits for a shape that finds no place.
+/// The loop does not wait for a shape that finds no place.
 TEST(OpenShapes, AShapeThatIsShutOutMayNotStandAndIsNotWaitedFor) {
   CollageSettings s = settings();
   s.pieces.least_uses = 1;
@@ -99,7 +99,7 @@ TEST(OpenShapes, AShapeThatIsShutOutMayNotStandAndIsNotWaitedFor) {
   EXPECT_EQ(job.open(), (std::vector{ShapeId{0}, ShapeId{1}, ShapeId{2}}));
 }
 
-/// With fit = "all" pieces leave room for those that are missing.
+/// With fit = "all", pieces leave room for the missing ones.
 TEST(OpenShapes, MissingPiecesLimitTheSizes) {
   CollageSettings s = settings();
   s.pieces.fit_all = true;

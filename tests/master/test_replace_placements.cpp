@@ -1,4 +1,4 @@
-// A collage whose placements are replaced goes on by its placements before and after, whatever it matched before.
+// After its placements are replaced, a collage depends only on the placements before and after, not on earlier matches.
 #include <gtest/gtest.h>
 
 #include "rounds_by_hand.h"
@@ -9,7 +9,7 @@ namespace test_replace_placements {
 
 using namespace whole_collage;
 
-/// A collage in which some samples have changed a little since they were matched, and the piece that comes next.
+/// A collage in which some samples have changed slightly since they were matched, and the next piece.
 class ReplacePlacements : public testing::Test {
  protected:
   void SetUp() override {
@@ -36,7 +36,7 @@ TEST_F(ReplacePlacements, ForgetsWhatItsSamplesWereMatchedWith) {
   EXPECT_TRUE(state.passes.empty());
 }
 
-/// Changes add up from now on, and not from what was matched before.
+/// Changes add up from now on, without the earlier matches.
 TEST_F(ReplacePlacements, GoesOnAsAnyWithTheSamePlacementsBeforeAndAfter) {
   test::RoundsByHand fresh(canvas_, settings(), library());
   const std::vector<Placement> placements = rounds_.state().placements;

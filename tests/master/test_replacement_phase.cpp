@@ -1,4 +1,4 @@
-// Replacement trials as a phase of the whole loop: where it takes place, and what it brings.
+// Replacement trials as a phase of the whole loop: when it takes place, and what it gains.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -29,7 +29,7 @@ TEST(ReplacementPhase, CoversMoreAndKeepsTheRules) {
   EXPECT_FALSE(with.unfinished);
 }
 
-/// What is worked on meanwhile is not the collage that stands.
+/// The pieces that the phase works on are not the placed collage.
 TEST(ReplacementPhase, ItIsSaidWhilePiecesAreExchanged) {
   class Steps : public SilentObserver {
    public:
@@ -48,7 +48,7 @@ TEST(ReplacementPhase, ItIsSaidWhilePiecesAreExchanged) {
   EXPECT_FALSE(observer.steps.back().exchanging);
 }
 
-/// This thread's own replacer does the same as one that is given.
+/// The replacer of this thread gives the same result as one that is passed in.
 TEST(ReplacementPhase, DoesNotDependOnWhoTries) {
   const Canvas canvas = make_rectangle_canvas(240, 160);
   test::AskedReplacer trying(test::real_trials(library()));
@@ -57,7 +57,7 @@ TEST(ReplacementPhase, DoesNotDependOnWhoTries) {
   EXPECT_EQ(run(canvas, settings(10), nullptr).placements, given.placements);
 }
 
-/// Eight for each of five sixths of the trials between the first and the last; temperatures fall from the first batch
+/// There are eight trials for each of five sixths of the trials between the first and the last. The temperature falls from the first batch
 /// to the last.
 TEST(ReplacementPhase, HasSoManyTrials) {
   test::AskedReplacer idle;
@@ -74,7 +74,7 @@ TEST(ReplacementPhase, HasSoManyTrials) {
   EXPECT_EQ(result.statistics.trials, 40u);
 }
 
-/// Whether any window was asked about.
+/// Returns whether the replacer was asked about any window.
 bool takes_place(const CollageSettings& s, const Canvas& canvas = make_rectangle_canvas(240, 160)) {
   test::AskedReplacer idle;
   run(canvas, s, &idle);
@@ -115,7 +115,7 @@ TEST(ReplacementPhase, TakesPlaceWhereAnyPieceMayStandForAnyOther) {
   EXPECT_FALSE(takes_place(s)) << "uses of a class";
 }
 
-/// One for each piece at least; in the first trial all pieces move, in the last one of the phase they come to rest.
+/// The phase needs at least one trial for each piece. The first trial moves all pieces; the last trial of the phase settles them.
 TEST(ReplacementPhase, TakesPlaceWhereThereAreTrialsEnough) {
   EXPECT_FALSE(takes_place(settings(1)));
   const Canvas canvas = make_rectangle_canvas(300, 220);
@@ -140,14 +140,14 @@ TEST(ReplacementPhase, GivenPiecesStay) {
   }
 }
 
-/// What the trials left is kept where it covers more, else put back.
+/// The result of the trials is kept if it covers more, and put back otherwise.
 TEST(ReplacementPhase, WorseThanBeforeIsPutBack) {
   const Canvas canvas = make_rectangle_canvas(240, 160);
   test::AskedReplacer idle;
   const CollageResult before = run(canvas, settings(8), &idle);
   test::AskedReplacer shrinking([](const ReplacementWindow& window) {
     ReplacementOutcome outcome = test::as_it_was(window);
-    for (ReplacedPiece& p : outcome.pieces) p.canvas_from_shape = {40, 0, 120, 80};  // all in one place
+    for (ReplacedPiece& p : outcome.pieces) p.canvas_from_shape = {40, 0, 120, 80};  // all pieces at one place
     return outcome;
   });
   const CollageResult after = run(canvas, settings(8), &shrinking);
@@ -212,7 +212,7 @@ TEST(ReplacementPhase, EachRegionHasItsOwn) {
   EXPECT_LT(q.overlap, 0.01);
   KeepLatest keeper;
   SilentObserver silent;
-  // Stopped in the phase of the second region.
+  // The run is stopped in the phase of the second region.
   std::size_t asked = 0;
   const auto try_it = test::real_trials(library());
   const std::size_t last = trying.batches.size();

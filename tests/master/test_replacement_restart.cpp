@@ -1,4 +1,4 @@
-// A loop that is interrupted while pieces are replaced goes on from its state, and one from elsewhere is refused.
+// A loop that is interrupted during replacement trials continues from its state. A foreign state is refused.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -18,10 +18,10 @@ class CountQuestions : public SilentObserver {
     return ++questions >= stop_at ? std::optional(StopReason::signal) : std::nullopt;
   }
   std::size_t questions = 0;
-  std::size_t stop_at = std::numeric_limits<std::size_t>::max();  // from this question on
+  std::size_t stop_at = std::numeric_limits<std::size_t>::max();  // stops at this question and all later ones
 };
 
-/// A run of the whole, and at which of the observer's questions its phase begins, settles and is over.
+/// A whole run, with the observer's questions at which its phase begins, and at which its pieces settle.
 class InterruptedPhase : public testing::Test {
  protected:
   void SetUp() override {
@@ -40,8 +40,8 @@ class InterruptedPhase : public testing::Test {
     questions_ = looking.questions;
   }
 
-  /// Trials that ask the observer before each, so that the same questions come in every run: how often an OwnReplacer
-  /// asks goes by time.
+  /// Trials that ask the observer before each trial, so that every run asks the same questions. The questions of an OwnReplacer depend on
+  /// time.
   static test::AskedReplacer::Answer looking_trials(CountQuestions& observer) {
     return test::real_trials(library(), [&observer] {
       if (const auto reason = observer.stop_requested()) throw Interrupted{*reason};
@@ -65,10 +65,10 @@ class InterruptedPhase : public testing::Test {
   CollageResult whole_;
   std::size_t begins_ = 0;
   std::size_t settles_ = 0;
-  std::size_t questions_ = 0;  // with looking trials
+  std::size_t questions_ = 0;  // with looking_trials()
 };
 
-/// Stopped at any question from the phase on.
+/// The run is stopped at any question from the beginning of the phase on.
 TEST_F(InterruptedPhase, GoesOnFromAnyQuestion) {
   int in_phase = 0;
   int settling = 0;
@@ -84,7 +84,7 @@ TEST_F(InterruptedPhase, GoesOnFromAnyQuestion) {
     const CheckpointState state = keeper.latest;
     in_phase += !state.loop.moving.empty() && state.loop.replaced < 20;
     settling += !state.loop.moving.empty() && state.loop.replaced == 20;
-    // What is given out meanwhile are pieces that stand.
+    // The pieces that an interrupted run gives out are valid.
     EXPECT_LT(quality(small_canvas(), stopped).overlap, 0.01) << k;
     expect_same(go_on(state), "stopped at " + std::to_string(observer.stop_at));
   }
@@ -92,14 +92,14 @@ TEST_F(InterruptedPhase, GoesOnFromAnyQuestion) {
   EXPECT_GT(settling, 0);
 }
 
-/// The loop's own replacer looks while it works, and no question is given up then.
+/// The loop's own replacer checks for a stop during its work, and gives up no question then.
 TEST_F(InterruptedPhase, OfTheLoopsOwnReplacerGoesOn) {
   CountQuestions observer;
   observer.stop_at = begins_ + 1;
   KeepLatest keeper;
   const CollageResult stopped = run(small_canvas(), settings_, nullptr, observer, {nullptr, &keeper});
   EXPECT_TRUE(stopped.unfinished);
-  EXPECT_FALSE(stopped.gave_up_question);
+  EXPECT_FALSE(stopped.matcher_interrupted);
   EXPECT_FALSE(keeper.latest.loop.moving.empty());
   expect_same(go_on(keeper.latest), "in the first batch");
 }
@@ -115,7 +115,7 @@ TEST_F(InterruptedPhase, AReplacerThatGivesUpLeavesTheStateBeforeTheBatch) {
     SilentObserver silent;
     const CollageResult stopped = run(small_canvas(), settings_, &giving_up, silent, {nullptr, &keeper});
     EXPECT_TRUE(stopped.unfinished);
-    EXPECT_TRUE(stopped.gave_up_question);
+    EXPECT_TRUE(stopped.matcher_interrupted);
     EXPECT_EQ(stopped.statistics.stopped_by, StopReason::lost_rank);
     EXPECT_EQ(giving_up.batches.size(), batch) << "not asked again";
     EXPECT_FALSE(keeper.latest.loop.moving.empty());
@@ -124,7 +124,7 @@ TEST_F(InterruptedPhase, AReplacerThatGivesUpLeavesTheStateBeforeTheBatch) {
   }
 }
 
-/// Each step again and again from the state that the last one left.
+/// Each step runs from the state that the last one left.
 TEST_F(InterruptedPhase, GoesOnAfterEveryStep) {
   KeepLatest keeper;
   CheckpointState state;
@@ -145,7 +145,7 @@ TEST_F(InterruptedPhase, GoesOnAfterEveryStep) {
   FAIL() << "does not end";
 }
 
-/// Where next to nothing may move, batches are small and use the trials up before the phase is over.
+/// If hardly any piece may move, the batches are small, and the trials are used up before the phase is over.
 TEST(InterruptedSettling, IsTakenUpAgainAlsoWhereTrialsAreUsedUp) {
   const CollageSettings free = settings(6, 30, 60);
   CollageSettings s = free;
@@ -180,7 +180,7 @@ TEST(InterruptedSettling, IsTakenUpAgainAlsoWhereTrialsAreUsedUp) {
   EXPECT_EQ(found.statistics.trials_kept, whole.statistics.trials_kept);
 }
 
-/// A state in the midst of the phase, for damage.
+/// A state in the middle of the phase, which the tests damage.
 class ForeignPhase : public test::ForeignStateTest {
  protected:
   void SetUp() override {
@@ -248,7 +248,7 @@ TEST_F(ForeignPhase, MorePiecesThanHaveRoom) {
   expect_complaint("its replacement phase has far more pieces than fit");
 }
 
-/// More trials than there can be: the phase is over.
+/// The number is larger than possible, so the phase is over.
 TEST_F(ForeignPhase, AnyNumberOfTrialsIsFine) {
   state_.loop.replaced = std::numeric_limits<std::uint64_t>::max();
   EXPECT_EQ(complaint(), "none");

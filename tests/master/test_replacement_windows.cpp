@@ -1,4 +1,4 @@
-// What a window of replacement trials is told of the job, the canvas and the other pieces.
+// The data of a replacement window about the job, the canvas and the other pieces.
 #include "master/replacing.h"
 
 #include <gtest/gtest.h>
@@ -103,7 +103,7 @@ TEST(ReplacementWindows, MirrorImagesAreOneDrawing) {
   EXPECT_EQ(replacer.windows().at(0).repetition, repetition_costs(settings_40_to_80(), 6, 800. * 700));
 }
 
-/// A drawing that neither moves in the window nor may come in is none of its business.
+/// A window leaves out drawings that neither move in it nor may come in.
 TEST(ReplacementWindows, WhatOtherDrawingsCoverIsLeftOut) {
   CollageSettings s = settings_40_to_80();
   s.wishes.classes.resize(2);
@@ -111,7 +111,7 @@ TEST(ReplacementWindows, WhatOtherDrawingsCoverIsLeftOut) {
   s.wishes.class_of_shape = {0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
   Batches batches(large_canvas(), s);
   test::AskedReplacer replacer;
-  batches.batch(replacer, batches.placements.size() - 1);  // one may move
+  batches.batch(replacer, batches.placements.size() - 1);  // one piece may move
   ASSERT_EQ(replacer.windows().size(), 1u);
   const ReplacementWindow& w = replacer.windows()[0];
   ASSERT_EQ(w.moving.size(), 1u);
@@ -120,14 +120,14 @@ TEST(ReplacementWindows, WhatOtherDrawingsCoverIsLeftOut) {
   for (const DrawingArea& drawn : w.drawn) EXPECT_TRUE(expected.count(drawn.drawing));
 }
 
-/// So far away a copy of a piece of the largest size is felt: of six drawings.
+/// The distance up to which a copy of a piece of the largest size counts, with six drawings.
 const float kNearness_px = 0.5f * std::sqrt(6.f) * 80;
 
 float beyond_px(const Box& box, Vec2 p) {
   return std::max({box.low.x - p.x, p.x - box.high.x, box.low.y - p.y, p.y - box.high.y, 0.f});
 }
 
-/// The pieces with all their images that may be felt in a window as copies.
+/// The pieces and their images that may count as copies in a window.
 std::vector<PlacedDrawing> near_to(const ReplacementWindow& w, const std::vector<Placement>& all,
                                    const Period& period) {
   std::vector<PlacedDrawing> near;

@@ -1,4 +1,4 @@
-// Batches of replacement trials: which windows they have, and what becomes of the answers.
+// Batches of replacement trials: their windows, and how the answers are used.
 #include "master/replacing.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ Box box_of(const WindowPiece& piece) {
   return bounding_box(points);
 }
 
-/// As the master knows it.
+/// The piece's data as the master knows them.
 auto known(const WindowPiece& piece) {
   const Similarity& s = piece.canvas_from_shape;
   return std::tuple(piece.shape, piece.drawing, s.a, s.b, s.tx, s.ty, piece.poses.min_scale_px,
@@ -39,7 +39,7 @@ bool holds(const Box& outer, const Box& inner, float slack_px = 0.5f) {
          inner.high.x < outer.high.x + slack_px && inner.high.y < outer.high.y + slack_px;
 }
 
-/// How many windows move the placement, itself or an image.
+/// The number of windows that move the placement or an image of it.
 std::size_t times_moving(const Placement& p, const std::vector<ReplacementWindow>& windows, const Period& period) {
   std::size_t times = 0;
   for (const ReplacementWindow& w : windows) {
@@ -55,7 +55,7 @@ std::size_t times_moving(const Placement& p, const std::vector<ReplacementWindow
 TEST(Replacing, WhatMovesInNoWindowStaysWhateverTheAnswers) {
   constexpr std::size_t kGiven = 30;
   Batches batches(large_canvas());
-  test::AskedReplacer replacer([](const ReplacementWindow&) { return ReplacementOutcome{}; });  // all are gone
+  test::AskedReplacer replacer([](const ReplacementWindow&) { return ReplacementOutcome{}; });  // removes all pieces
   const std::vector<Placement> left = batches.batch(replacer, kGiven);
   std::vector<Placement> expected;
   for (std::size_t i = 0; i < batches.placements.size(); ++i) {
@@ -111,7 +111,7 @@ TEST(Replacing, WindowsDoNotTouchAndHoldWhatMovesInThem) {
   }
 }
 
-/// Nor is anything that reaches into a window unknown in it.
+/// Every window knows all pieces that reach into it.
 TEST(Replacing, WindowsKnowWhoStandsAtTheirEdges) {
   for (const Canvas& canvas : {large_canvas(), make_seamless_canvas(800, 700, true, true)}) {
     Batches batches(canvas);
@@ -172,7 +172,7 @@ TEST(Replacing, TheSameQuestionIsAskedAgain) {
   EXPECT_EQ(random.size(), replacer.batches[0].size()) << "each window has its own";
 }
 
-/// Questions are short, and how short they are changes nothing.
+/// Each question holds few windows. Their number does not change the result.
 TEST(Replacing, AFewWindowsAreAskedAboutAtATime) {
   Batches batches(make_rectangle_canvas(1900, 1500));
   const auto moves = [](const ReplacementWindow& window) {
@@ -247,7 +247,7 @@ TEST(Replacing, EndsWhereNothingMayMove) {
   EXPECT_TRUE(replacer.batches.empty());
 }
 
-/// What is thrown in a batch leaves the progress as it was: the batch comes again.
+/// An exception in a batch leaves the progress unchanged, so the batch is repeated.
 TEST(Replacing, ABatchThatIsGivenUpCountsNothing) {
   struct GivenUp {};
   Batches batches(make_rectangle_canvas(300, 220));
@@ -257,7 +257,7 @@ TEST(Replacing, ABatchThatIsGivenUpCountsNothing) {
   EXPECT_EQ(progress.done, 10u);
 }
 
-/// This rank looks while it cuts windows and before each question, and whatever it then throws counts nothing.
+/// This rank checks for a stop while it cuts windows and before each question. If the check throws, nothing counts.
 TEST(Replacing, LooksBeforeAndBetweenQuestions) {
   struct GivenUp {};
   Batches batches(make_rectangle_canvas(1900, 1500));
@@ -306,7 +306,7 @@ TEST(Replacing, APieceAcrossTheSeamMovesAndIsWrapped) {
   EXPECT_GT(across, 0u);
 }
 
-/// Real trials on a canvas without edges lose nothing, and what they lay stands apart.
+/// Real trials on a repeating canvas lose no coverage, and their pieces do not overlap.
 TEST(Replacing, TrialsOnASeamlessCanvasCoverMore) {
   const Canvas canvas = make_seamless_canvas(300, 220, true, true);
   Batches batches(canvas);

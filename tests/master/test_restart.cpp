@@ -1,4 +1,4 @@
-// A loop that is interrupted anywhere and goes on from its state places what it would have placed without.
+// A loop that is interrupted anywhere and continued from its state places the same pieces as without interruption.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -10,7 +10,7 @@ namespace test_restart {
 
 using namespace stopped_collage;
 
-/// Stops when it was asked so often: in the middle of a trial, too.
+/// Stops at a given question, also in the middle of a trial.
 class StopAtQuestion : public SilentObserver {
  public:
   explicit StopAtQuestion(std::size_t questions) : left_(questions) {}
@@ -32,7 +32,7 @@ class CountQuestions : public SilentObserver {
   std::size_t questions = 0;
 };
 
-/// Steps of the whole loop, and what it gives.
+/// The number of steps of the whole loop, and its result.
 struct Whole {
   explicit Whole(const CollageSettings& s) {
     class Count : public SilentObserver {
@@ -47,7 +47,7 @@ struct Whole {
   std::size_t steps = 0;
 };
 
-/// Runs in pieces: each entry of `parts` is so many steps, with the library divided as `cuts` says; then to the end.
+/// Runs in parts: each entry of `parts` is a number of steps, with the library divided at `cuts`; then runs to the end.
 CollageResult run_in_parts(const CollageSettings& s, const std::vector<std::size_t>& parts,
                            const std::vector<Cuts>& cuts) {
   KeepLatest keeper;
@@ -104,7 +104,7 @@ TEST(Restart, AfterEveryRoundAndTrialGivesTheSameCollage) {
   }
 }
 
-/// Without replacements, which ask by time (test_replacement_restart): the same questions come in every run.
+/// There are no replacements here, as their questions depend on time (test_replacement_restart). So every run has the same questions.
 TEST(Restart, InTheMiddleOfATrialGivesTheSameCollage) {
   CollageSettings s = improved();
   s.pieces.uses = 1000;
@@ -116,14 +116,14 @@ TEST(Restart, InTheMiddleOfATrialGivesTheSameCollage) {
     StopAtQuestion stop(*rc::gen::inRange<std::size_t>(1, count.questions));
     const CollageResult interrupted = run(s, {}, stop, {nullptr, &keeper});
     RC_ASSERT(interrupted.unfinished);
-    RC_ASSERT(!interrupted.gave_up_question);
+    RC_ASSERT(!interrupted.matcher_interrupted);
     RC_ASSERT(interrupted.statistics.stopped_by == StopReason::signal);
     SilentObserver silent;
     expect_same(run(s, {4}, silent, {&keeper.latest, nullptr}), whole);
   }));
 }
 
-/// Where hardly anything fits, much of the pool is tried before a piece is chosen.
+/// If hardly any piece fits, a choice tries much of the pool.
 TEST(Restart, InTheMiddleOfAChoiceGivesTheSameCollage) {
   for (CollageSettings s : {settings(), with_few_uses()}) {
     s.improve.trials = 0;
@@ -136,7 +136,7 @@ TEST(Restart, InTheMiddleOfAChoiceGivesTheSameCollage) {
       StopAtQuestion stop(*rc::gen::inRange<std::size_t>(1, count.questions));
       const CollageResult interrupted = run(s, {}, stop, {nullptr, &keeper});
       RC_ASSERT(interrupted.unfinished);
-      RC_ASSERT(!interrupted.gave_up_question);
+      RC_ASSERT(!interrupted.matcher_interrupted);
       StopAtQuestion again(*rc::gen::inRange<std::size_t>(1, 40));
       const CheckpointState first = keeper.latest;
       const CollageResult second = run(s, {4}, again, {&first, &keeper});
@@ -187,7 +187,7 @@ TEST(Restart, TimeBeforeTheInterruptionCounts) {
   EXPECT_FALSE(result.unfinished);
 }
 
-/// Whatever was counted before, the loop goes on as it would have done.
+/// Earlier counts do not affect how the loop continues.
 TEST(Restart, StatisticsDecideNothing) {
   const Whole whole(improved());
   for (const std::size_t steps : {whole.steps / 3, whole.steps - 3}) {

@@ -1,5 +1,4 @@
-// What holds from round to round: pieces are scored where they end, and what is computed ahead or undone leaves no
-// trace.
+// Invariants of rounds: pieces are scored in their final pose, and computing ahead or undoing leaves no trace.
 #include <gtest/gtest.h>
 
 #include "core/collage/exact_terms.h"
@@ -14,13 +13,13 @@ namespace test_rounds {
 
 using namespace whole_collage;
 
-/// With edges, and without.
+/// A canvas with edges, and one without.
 const std::vector<Canvas>& canvases() {
   static const std::vector<Canvas> both = {make_rectangle_canvas(300, 220), make_seamless_canvas(300, 220, true, true)};
   return both;
 }
 
-/// Rounds by hand, with or without checking ahead while the matcher would dock.
+/// Runs rounds by hand, with or without checking ahead while the matcher docks.
 std::vector<Placement> placed_in_rounds(const Canvas& canvas, int rounds, bool checking_ahead) {
   const CollageSettings s = settings();
   const MatchingContext context = make_matching_context(s, std::uint32_t(library().size()));
@@ -51,7 +50,7 @@ std::vector<Placement> placed_in_rounds(const Canvas& canvas, int rounds, bool c
   return collage.placements();
 }
 
-/// Settling moves, shrinks and grows a piece: what it is worth is what it is worth where it ends, by its exact areas.
+/// Settling moves, shrinks and grows a piece. Its score is that of its final pose, from its exact areas.
 TEST(Rounds, ASettledPieceIsScoredWhereItEnds) {
   for (const Objective kind : {Objective::scale_aware, Objective::paper}) {
     CollageSettings s = settings();
@@ -84,8 +83,8 @@ TEST(Rounds, CheckingAheadChangesNothing) {
   }
 }
 
-/// Across a seam, too, a piece changes what the candidates beside it are worth. Bringing them into one period rounds
-/// their poses, and now and then the contact of a boundary point with it.
+/// A piece also changes the scores of candidates across a seam.
+/// Moving them into one period rounds their poses, which sometimes changes whether a boundary point counts as in contact.
 TEST(Rounds, ASeamlessCollageMeasuresWhatEachPieceTouches) {
   test::RoundsByHand rounds(canvases()[1], settings(), library());
   test::VectorShapes shapes(library());
@@ -111,7 +110,7 @@ TEST(Rounds, ASeamlessCollageMeasuresWhatEachPieceTouches) {
   EXPECT_LE(outdated, candidates / 200);
 }
 
-/// A collage that went there and back is as if it had never gone: the same field, the same samples.
+/// A collage that changed and changed back has the same field and the same samples.
 TEST(Rounds, PiecesTakenOutAndPutBackLeaveNoTrace) {
   for (const Canvas& canvas : canvases()) {
     const CollageSettings s = settings();

@@ -1,4 +1,4 @@
-// Which target samples are to be matched, and with which random dockings.
+// The target samples to be matched, and their random dockings.
 #include "master/sample_schedule.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace tessera::master {
 namespace test_sample_schedule {
 
-/// The boundary of an empty canvas.
+/// A schedule for the boundary of an empty canvas.
 class SampleScheduleTest : public testing::Test {
  protected:
   SampleScheduleTest() { schedule_.follow(curve_.retrace(opened_, free_.field().origin, all_)); }
@@ -41,7 +41,7 @@ TEST_F(SampleScheduleTest, ASampleHasOtherRandomDockingsEachTime) {
   }
 }
 
-/// As if they had never been taken: the state that a checkpoint keeps is the same, too.
+/// The samples are as if never taken; the state for a checkpoint is the same, too.
 TEST_F(SampleScheduleTest, SamplesThatArePutBackHaveTheSameRandomDockings) {
   const auto state = [&] {
     CheckpointState state;
@@ -101,7 +101,7 @@ TEST_F(SampleScheduleTest, GoesOnFromItsState) {
       found, expected, [](const TargetSample& a, const TargetSample& b) { return a.id == b.id && a.pass == b.pass; }));
 }
 
-/// Outward, nothing docks to the canvas' edge, and an empty canvas has no other boundary.
+/// When growing outward, nothing docks to the canvas' edge, and an empty canvas has no other boundary.
 TEST(SampleSchedule, NoSampleCountsWherePiecesMayNotDock) {
   const PieceSettings pieces;
   const Canvas canvas = make_rectangle_canvas(200, 140);

@@ -1,4 +1,4 @@
-// What a candidate is worth beside the pieces that stand.
+// The worth of a candidate beside the placed pieces.
 #include "master/rules/scoring.h"
 
 #include <gtest/gtest.h>
@@ -18,14 +18,14 @@ CollageSettings settings() {
   return s;
 }
 
-/// For a library of five shapes.
+/// The scoring for a library of five shapes.
 Scoring scoring_of(const CollageSettings& settings) { return Scoring(settings, StanceTable(settings, 5)); }
 
 Placement placement_at(ShapeId shape, float scale_px, Vec2 centre) {
   return {shape, {scale_px, 0, centre.x, centre.y}, 1, 1};
 }
 
-/// Of a shape of radius 1.
+/// A candidate of a shape of radius 1.
 Candidate candidate_at(float scale_px, Vec2 centre) {
   Candidate c;
   c.shape = kShape;
@@ -136,7 +136,7 @@ TEST(Scoring, AMirrorImageCoversOtherPlaces) {
   EXPECT_FALSE(scoring.look_alike(ShapeId{0}, ShapeId{3}));
 }
 
-/// Two of radius 1 and 20 px: (1 + kNearTwinReach) 40 px apart.
+/// Two pieces of 20 px and radius 1 are near within (1 + kNearTwinReach) * 40 px.
 TEST(Scoring, NearTwinsCostMore) {
   Scoring scoring = scoring_of(settings());
   scoring.count(placement_at(kShape, 20, {100, 100}));

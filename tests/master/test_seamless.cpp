@@ -1,4 +1,4 @@
-// Whole collages that go on across their edges.
+// Whole collages on repeating canvases.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -32,7 +32,7 @@ float radius_px(const Placement& placement) {
   return library()[index_of(placement.shape)].radius * placement.canvas_from_shape.scale();
 }
 
-/// Calls f(piece, image) for each two that may touch: pieces where they stand, beside all images of all of them.
+/// Calls f(piece, image) for each pair that may touch: pieces in their places, and images of all pieces.
 template <class F>
 void each_neighbours(const Canvas& canvas, const std::vector<Placement>& placements, F f) {
   for (std::size_t i = 0; i < placements.size(); ++i) {
@@ -94,7 +94,7 @@ TEST(Seamless, NoVertexLiesDeepInAnImageOfAPiece) {
   EXPECT_LE(deepest, PieceSettings().overlap_px + 0.01f);
 }
 
-/// Most pieces that would fit into the endless plane would reach their own images.
+/// On an endless plane most larger pieces would reach their own images.
 TEST(Seamless, NoPieceIsAsLongAsThePeriod) {
   const Canvas canvas = make_seamless_canvas(70, 60, true, true);
   CollageSettings s = settings();
@@ -111,7 +111,7 @@ TEST(Seamless, NoPieceIsAsLongAsThePeriod) {
   EXPECT_GT(q.coverage, 0.6);
 }
 
-/// Also where nothing is settled, which would give them up.
+/// This also holds without settling, which would give up such candidates.
 TEST(Seamless, CandidatesThatAreAsLongAsThePeriodAreNone) {
   const Canvas canvas = make_seamless_canvas(90, 60, false, true);
   CollageSettings s = settings();
@@ -121,7 +121,7 @@ TEST(Seamless, CandidatesThatAreAsLongAsThePeriodAreNone) {
   for (const Placement& p : placements) EXPECT_LE(bounding_box(outline_at(p, {}).curves.front()).height(), 61);
 }
 
-/// What the workers know of the field.
+/// The field as the workers know it.
 class FieldMatcher : public test::OfferingMatcher {
  public:
   using OfferingMatcher::OfferingMatcher;
@@ -145,7 +145,7 @@ TEST(Seamless, WorkersGetAllImagesOfAPiece) {
   EXPECT_EQ(collage.placements().size(), 4u) << "the first piece, and those that are offered";
 }
 
-/// The canvas both ways, and what a collage on it needs.
+/// The canvas that repeats both ways, with all objects for a collage on it.
 struct Scene {
   explicit Scene(const CollageSettings& s = settings(), const Canvas& canvas = both_ways())
       : context(make_matching_context(s, std::uint32_t(library().size()))),
@@ -177,7 +177,7 @@ TEST(Seamless, AWindowAcrossASeamMarksTheSamplesOnBothSides) {
   EXPECT_TRUE(left && right);
 }
 
-/// The piece that stands pushes the next one to the left, across the seam.
+/// The placed piece pushes the next one to the left, across the seam.
 TEST(Seamless, APieceThatIsPushedAcrossASeamComesInAtTheOtherSide) {
   const Canvas canvas = make_seamless_canvas(240, 220, true, true);
   const auto settled_at = [&](float standing_px, float offered_px) {
@@ -213,7 +213,7 @@ TEST(Seamless, PiecesOnBothSidesOfASeamAreTakenOutTogether) {
   EXPECT_TRUE(across);
 }
 
-/// What was computed ahead is forgotten where a piece changes it from the other side of a seam.
+/// Areas computed ahead are forgotten if a piece changes them from the other side of a seam.
 TEST(Seamless, ExactAreasAreThoseOfTheFieldAsItIs) {
   const PieceSettings pieces = settings().pieces;
   FreeField free(both_ways(), pieces);

@@ -1,5 +1,5 @@
-// Where collages start from: zones that are kept out of, pieces of an earlier result, and growth from what stands; and
-// each of them after interruptions.
+// The starts of collages: keep-out zones, pieces of an earlier result, and growth from placed pieces. Each is also tested with
+// interruptions.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -26,7 +26,7 @@ Canvas with_title(Canvas canvas) {
   return canvas;
 }
 
-/// The least distance from the pieces' boundaries to the zone, px.
+/// The least distance from the pieces' boundaries to the zone, in px.
 float nearest_px(const CollageResult& result, const Canvas& canvas) {
   float nearest = 1e9f;
   for (const Placement& p : result.placements) {
@@ -107,7 +107,7 @@ std::vector<GivenPiece> as_given(const std::vector<Placement>& placements, bool 
   return given;
 }
 
-/// Of a collage that was stopped: some of its pieces, as after an edit.
+/// Some pieces of a collage, as after an edit.
 std::vector<Placement> some_pieces(const Canvas& canvas) {
   std::vector<Placement> kept;
   const std::vector<Placement> all = run(canvas, settings()).placements;
@@ -160,7 +160,7 @@ TEST(WarmStart, FreePiecesAreRepeatable) {
   expect_repeatable(canvas, s, run(canvas, s));
 }
 
-/// Of a job that wants no more: they are improved all the same, and no piece is added.
+/// The job wants no more pieces. The free ones are improved, and none is added.
 TEST(WarmStart, FreePiecesThatAreEnoughAreImproved) {
   const Canvas canvas = make_rectangle_canvas(240, 160);
   CollageSettings s = settings();
@@ -178,7 +178,7 @@ TEST(WarmStart, FreePiecesThatAreEnoughAreImproved) {
   EXPECT_EQ(run(canvas, s).statistics.trials, 0u) << "nothing may move";
 }
 
-/// Files have sizes to three decimals: a piece as small as is allowed may be written a little smaller.
+/// Files hold sizes with three decimals. A piece of the smallest allowed size may be written slightly smaller.
 TEST(WarmStart, AFreePieceThatWasRoundedBeyondABoundMayGrow) {
   CollageSettings s = settings();
   s.pieces.min_scale_px = 35.43347f;
@@ -235,7 +235,7 @@ TEST(WarmStart, ACheckpointGoesOnWithTheSamePiecesOnly) {
   EXPECT_NE(test::message_of(go_on).find("start.pieces have changed since it was written"), std::string::npos);
 }
 
-/// Free pieces, which improving may have taken out, count as well: growth begins at them.
+/// Free pieces count as well, even if improving took them out: growth begins at them.
 TEST(WarmStart, FreePiecesAreTheSameAfterAnInterruption) {
   const Canvas canvas = make_rectangle_canvas(240, 160);
   CollageSettings s = settings();
@@ -251,7 +251,7 @@ TEST(WarmStart, FreePiecesAreTheSameAfterAnInterruption) {
   EXPECT_NE(test::message_of(go_on).find("start.pieces have changed since it was written"), std::string::npos);
 }
 
-/// From the middle of the canvas to the farthest point of a piece, by the mean of all directions.
+/// The reach from the middle of the canvas to the farthest points of pieces: the mean over all directions, and the largest.
 struct Spread {
   float mean_px = 0;
   float most_px = 0;
@@ -282,7 +282,7 @@ CollageSettings outward(int pieces) {
   return s;
 }
 
-/// As the loop begins a collage.
+/// The objects with which the loop begins a collage.
 struct Beginning {
   Beginning(const Canvas& canvas, const CollageSettings& s, const std::vector<Placement>& standing)
       : context(make_matching_context(s, std::uint32_t(library().size()))),

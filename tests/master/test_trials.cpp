@@ -1,4 +1,4 @@
-// When a trial is kept and when it is put back, with a matcher that offers what the test tells it to.
+// The decisions to keep a trial or to put it back, with a matcher that offers the test's candidates.
 #include <gtest/gtest.h>
 
 #include "core/relax/schedules.h"
@@ -11,11 +11,11 @@ namespace test_trials {
 
 using test::piece;
 
-/// A collage of two small pieces in opposite corners of the canvas, where target samples lie beside the hole that they
-/// leave; every trial takes out one of them or both.
+/// A collage of two small pieces in opposite corners of the canvas. Target samples lie beside the holes that they leave. Every trial takes
+/// out one of them or both.
 class TrialsTest : public test::OfferedFilling {
  protected:
-  /// Pieces are placed where the matcher says.
+  /// Pieces are placed exactly where the matcher says.
   static CollageSettings unsettled() {
     CollageSettings s = settings();
     s.settle = false;
@@ -53,9 +53,9 @@ TEST_F(TrialsTest, WhatCoversLessIsPutBack) {
   EXPECT_EQ(collage_.free().free_256ths_px2(), free_before);
 }
 
-/// The same pieces in another order would change the bytes of the result for nothing.
+/// The same pieces in another order would change the bytes of the result without a gain.
 TEST_F(TrialsTest, WhatCoversAsMuchIsPutBack) {
-  bool both = false;  // taken out, and placed again in the other order
+  bool both = false;  // both were taken out, and placed again in the other order
   for (int trial = 0; trial < 12; ++trial) {
     EXPECT_EQ(try_with({before_[1], before_[0]}), Trial::put_back);
     EXPECT_EQ(collage_.placements(), before_);
@@ -69,7 +69,7 @@ TEST_F(TrialsTest, AnInterruptedTrialIsPutBack) {
   EXPECT_EQ(collage_.placements(), before_);
 }
 
-/// Two dwarfs in the place of a piece: more of the canvas is covered.
+/// Two dwarfs replace a piece and cover more of the canvas.
 class DwarfsTest : public TrialsTest {
  protected:
   static CollageSettings with(float balance, float largest_px) {
@@ -112,14 +112,14 @@ class RelaxingTest : public TrialsTest {
   RelaxingTest() : TrialsTest(relaxing()) {}
 };
 
-/// The first trial; nothing hinders these two from growing to the largest size.
+/// In the first trial, these two pieces can grow freely to the largest size.
 TEST_F(RelaxingTest, AtFirstAllPiecesGrow) {
   EXPECT_EQ(try_with({}), Trial::kept);
   ASSERT_EQ(collage_.placements().size(), 2u);
   for (const Placement& p : collage_.placements()) EXPECT_GT(p.canvas_from_shape.scale(), 80);
 }
 
-/// Only now and then, as it is dear.
+/// Relaxation is expensive, so it happens only once in many trials.
 TEST_F(RelaxingTest, ThenPiecesStandAgain) {
   trial_ = 1;
   EXPECT_EQ(try_with({piece(1, 60, {100, 70})}), Trial::kept);
@@ -152,7 +152,7 @@ TEST(PaysToRelax, WhereAnyPieceMayGrow) {
   CollageSettings s;
   s.pieces.min_scale_px = s.pieces.max_scale_px = 50;
   EXPECT_FALSE(pays_to_relax(s));
-  // Each shape as it was drawn: sizes differ, and none may change.
+  // Each shape has its drawn size: sizes differ, and none may change.
   s.pieces.min_scale_px = 40;
   s.pieces.max_scale_px = 60;
   s.wishes.classes.resize(2);
@@ -174,17 +174,17 @@ TEST(PaysToRelax, OnceInAsManyTrialsAsThereArePiecesButNotOftenerThanIn64) {
   EXPECT_EQ(trials_per_relaxation(400. * 10, pieces), 64u);
 }
 
-/// Of a region that is begun later.
+/// The region begins at a later trial.
 TEST_F(RelaxingTest, TheFirstTrialIsThatOfTheRegion) {
   EXPECT_EQ(improving_.try_once(7, never_stop, 7), Trial::kept);
   for (const Placement& p : collage_.placements()) EXPECT_GT(p.canvas_from_shape.scale(), 80);
 }
 
-/// Where others left them, also a little in each other.
+/// The pieces start where others left them, even if they overlap slightly.
 TEST_F(RelaxingTest, PiecesSettleFromWhereTheyAre) {
   const std::vector<Placement> moving = {piece(1, 50, {50, 70}), piece(3, 50, {95, 70}), piece(0, 40, {160, 80})};
   matcher_.offers = {};
-  EXPECT_EQ(improving_.come_to_rest(moving, 9, never_stop), Trial::kept);
+  EXPECT_EQ(improving_.relax_replaced_pieces(moving, 9, never_stop), Trial::kept);
   ASSERT_EQ(collage_.placements().size(), 3u);
   for (std::size_t i = 0; i < moving.size(); ++i) EXPECT_EQ(collage_.placements()[i].shape, moving[i].shape);
   const Vec2 apart = collage_.placements()[1].canvas_from_shape.translation() -
@@ -196,18 +196,18 @@ TEST_F(RelaxingTest, WhatSettlesToLessIsPutBack) {
   matcher_.offers = {};
   ASSERT_EQ(improving_.try_once(0, never_stop), Trial::kept);
   const std::vector<Placement> large = collage_.placements();
-  EXPECT_EQ(improving_.come_to_rest({piece(1, 20, {60, 70})}, 9, never_stop), Trial::put_back);
+  EXPECT_EQ(improving_.relax_replaced_pieces({piece(1, 20, {60, 70})}, 9, never_stop), Trial::put_back);
   EXPECT_EQ(collage_.placements(), large);
 }
 
 TEST_F(RelaxingTest, AnInterruptedSettlingIsPutBack) {
   int asked = 0;
   const StopCheck stop = stop_check([&] { return ++asked > 20 ? std::optional(StopReason::signal) : std::nullopt; });
-  EXPECT_THROW(improving_.come_to_rest({piece(1, 60, {60, 70})}, 9, stop), Interrupted);
+  EXPECT_THROW(improving_.relax_replaced_pieces({piece(1, 60, {60, 70})}, 9, stop), Interrupted);
   EXPECT_EQ(collage_.placements(), before_);
 }
 
-/// At whatever moment.
+/// The relaxation is interrupted at many different moments.
 TEST_F(RelaxingTest, AnInterruptedRelaxationIsPutBack) {
   int interrupted = 0;
   for (int questions = 1;; questions += 3) {
@@ -225,7 +225,7 @@ TEST_F(RelaxingTest, AnInterruptedRelaxationIsPutBack) {
   EXPECT_GT(interrupted, 20);
 }
 
-/// Of repetition as the job says: the largest cost that it may have, or none.
+/// The cost of repetition as the job sets it: the largest allowed one, or none.
 class RepetitionTest : public TrialsTest {
  protected:
   static CollageSettings with(float repetition_exponent) {
@@ -237,10 +237,10 @@ class RepetitionTest : public TrialsTest {
   explicit RepetitionTest(float repetition_exponent = 4) : TrialsTest(with(repetition_exponent)) {
     collage_.replace_placements({piece(0, 80, {45, 70}), piece(1, 80, {150, 70})});
   }
-  /// Nothing hinders them from growing to the largest size.
+  /// Both pieces can grow freely to the largest size.
   Trial settles_to(std::uint32_t a, std::uint32_t b) {
     matcher_.offers = {};
-    return improving_.come_to_rest({piece(a, 88, {50, 70}), piece(b, 88, {150, 70})}, 9, never_stop);
+    return improving_.relax_replaced_pieces({piece(a, 88, {50, 70}), piece(b, 88, {150, 70})}, 9, never_stop);
   }
 };
 
@@ -253,7 +253,7 @@ TEST_F(RepetitionTest, CopiesOfOneDrawingThatCoverMoreArePutBack) { EXPECT_EQ(se
 TEST_F(RepetitionTest, DifferentDrawingsThatCoverMoreAreKept) { EXPECT_EQ(settles_to(3, 1), Trial::kept); }
 TEST_F(WithoutCostTest, CopiesThatCoverMoreAreKept) { EXPECT_EQ(settles_to(3, 3), Trial::kept); }
 
-/// Pieces that moved or grew may have come too near to their like.
+/// Pieces that moved or grew may be too near to pieces of the same shape.
 class ApartTest : public test::OfferedFilling {
  protected:
   static CollageSettings apart() {
@@ -263,28 +263,28 @@ class ApartTest : public test::OfferedFilling {
   }
 };
 
-/// Given ones stand all the same.
+/// Given pieces stay all the same.
 TEST_F(ApartTest, OfPiecesTooNearToTheirLikeTheFirstStays) {
   const std::vector<Placement> given = {piece(0, 20, {30, 30}), piece(0, 20, {60, 30})};
   const Placement other = piece(1, 20, {90, 30});
   const Placement near = piece(0, 20, {90, 60});
   const Placement far = piece(0, 20, {170, 100});
-  EXPECT_EQ(without_too_near({given[0], given[1], other, near, far}, given.size(), apart(), shapes_, Period{}),
+  EXPECT_EQ(without_pieces_near_like({given[0], given[1], other, near, far}, given.size(), apart(), shapes_, Period{}),
             (std::vector<Placement>{given[0], given[1], other, far}));
 }
 
-/// Neither as large as it was nor smaller; given ones stand all the same.
+/// The shape may not return at any size. Given pieces stay all the same.
 TEST_F(ApartTest, WhatWasTakenOutDoesNotComeBackToWhereItLay) {
   CollageSettings s = settings();
   s.wishes.not_back = {{ShapeId{0}, {0, 40, 100, 70}}};
   const Placement back = piece(0, 10, {110, 80});
   const Placement other = piece(1, 40, {100, 70});
   const Placement beside = piece(0, 40, {121, 70});
-  EXPECT_EQ(without_too_near({back, other, beside, back}, 1, s, shapes_, Period{}),
+  EXPECT_EQ(without_pieces_near_like({back, other, beside, back}, 1, s, shapes_, Period{}),
             (std::vector<Placement>{back, other, beside}));
 }
 
-/// Nothing else hinders them from growing.
+/// Only the distance rule keeps these two pieces from growing.
 TEST_F(ApartTest, OfPiecesThatGrewTooNearToTheirLikeTheFirstStays) {
   Relaxing relaxing(collage_.free(), apart(), shapes_, [](const Placement&) { return PoseRange{20, 90, {}}; });
   const auto relaxed_beside = [&](std::uint32_t shape) {

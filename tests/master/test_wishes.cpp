@@ -1,4 +1,4 @@
-// Wishes in whole collages: who stands where, what is given, every shape once; and each of them after interruptions.
+// Wishes in whole collages: places of shapes, given pieces, and each shape once; each also with interruptions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace test_wishes {
 
 using namespace whole_collage;
 
-/// The library's shapes, and behind them the mirror images of all of them.
+/// The library's shapes, followed by the mirror images of all of them.
 const std::vector<Shape>& mirrored_library() {
   static const std::vector<Shape> shapes = [] {
     std::vector<Shape> all = library();
@@ -44,7 +44,7 @@ CollageResult run_mirrored(const Canvas& canvas, const CollageSettings& s, std::
   return make_collage(canvas, s, matcher, shapes, silent);
 }
 
-/// Between the outlines of two pieces, or of the one and an image of the other.
+/// The distance between the outlines of two pieces, or of a piece and an image of the other.
 float distance_px(const Placement& a, const Placement& b, const Period& period = {}) {
   const PolygonIndex outline(placed_outline(library()[index_of(a.shape)].outline, a.canvas_from_shape));
   float nearest_px = 1e6f;
@@ -55,7 +55,7 @@ float distance_px(const Placement& a, const Placement& b, const Period& period =
   return nearest_px;
 }
 
-/// Of all pairs for which count(a, b).
+/// The least distance over all pairs for which count(a, b) is true.
 template <class Count>
 float least_distance_px(const std::vector<Placement>& placements, Count count, const Period& period = {}) {
   float least_px = 1e6f;
@@ -76,7 +76,7 @@ std::map<std::uint32_t, int> uses(const std::vector<Placement>& placements) {
   return count;
 }
 
-/// Two regions side by side on a page of 240 x 140, the left one of this width.
+/// Two regions side by side on a page of 240 x 140 px. The left one has the given width.
 Canvas two_regions(int left_px = 120) {
   Canvas canvas = make_rectangle_canvas(240, 140);
   for (const bool right : {false, true}) {
@@ -90,7 +90,7 @@ Canvas two_regions(int left_px = 120) {
   return canvas;
 }
 
-/// Each region begins with a relaxation of its pieces; those of the regions before stand.
+/// Each region begins with a relaxation of its pieces, while the pieces of earlier regions stay.
 TEST(Wishes, PiecesOfEachRegionMoveTogether) {
   const Canvas canvas = two_regions();
   CollageSettings s = settings();
@@ -110,7 +110,7 @@ std::vector<GivenPiece> as_free(const std::vector<Placement>& placements, std::s
   return pieces;
 }
 
-/// Of the left region's pieces and of the right one's, those that are not where they were.
+/// The number of moved pieces in the left region and in the right one.
 std::array<int, 2> moved_by_region(const std::vector<GivenPiece>& given, const std::vector<Placement>& placements) {
   std::array<int, 2> moved{};
   for (const GivenPiece& piece : given) {
@@ -121,7 +121,7 @@ std::array<int, 2> moved_by_region(const std::vector<GivenPiece>& given, const s
   return moved;
 }
 
-/// Each moves while its own region is improved; those that are locked never do.
+/// Each free piece moves while its own region is improved; locked pieces never move.
 TEST(Wishes, FreePiecesMoveInTheirOwnRegion) {
   const Canvas canvas = two_regions();
   CollageSettings s = settings();
@@ -129,7 +129,7 @@ TEST(Wishes, FreePiecesMoveInTheirOwnRegion) {
   const CollageResult filled = run(canvas, s);
   constexpr std::size_t kLocked = 2;
   s.wishes.given = as_free(filled.placements, kLocked);
-  std::swap(s.wishes.given[kLocked], s.wishes.given.back());  // in any order of the regions
+  std::swap(s.wishes.given[kLocked], s.wishes.given.back());  // pieces may come in any order of the regions
   s.improve.trials = 2;
   const CollageResult relaxed = run(canvas, s);
   EXPECT_EQ(relaxed.statistics.trials_kept, 2u);
@@ -250,7 +250,7 @@ TEST(Wishes, RegionsHaveTheirOwnShapesAndSizes) {
   expect_repeatable(canvas, s, result);
 }
 
-/// Remembers how many trials there had been when a piece was placed without one: the next region began.
+/// Notes the number of trials at which a piece was placed without a trial: then the next region began.
 class NextRegion : public SilentObserver {
  public:
   void progressed(const Progress& now) override {
@@ -384,7 +384,7 @@ TEST(Wishes, PiecesOfAShapeKeepApart) {
   expect_repeatable(canvas, s, result);
 }
 
-/// Shapes 3, 4 and 5 are a class of their own, a company, whose pieces keep apart so.
+/// Shapes 3, 4 and 5 form a class, called company here, whose pieces keep this distance.
 CollageSettings with_company(const ApartWish& apart) {
   CollageSettings s = settings();
   s.pieces.max_scale_px = 40;
@@ -395,11 +395,11 @@ CollageSettings with_company(const ApartWish& apart) {
   return s;
 }
 
-/// Shape 6 is free of the job's distance.
+/// The job's distance does not apply to shape 6.
 TEST(Wishes, ShapesThatAreNamedTogetherKeepApart) {
   CollageSettings s = with_company({7, 80});
   s.pieces.apart_px = 20;
-  s.objective.balance = 0;  // large pieces: those of one shape come near to each other
+  s.objective.balance = 0;  // with large pieces, those of one shape come near to each other
   s.wishes.classes.emplace_back().apart = {8, 0};
   s.wishes.class_of_shape[6] = 2;
   const Canvas canvas = make_rectangle_canvas(300, 220);
@@ -423,7 +423,7 @@ TEST(Wishes, ShapesThatAreNamedTogetherKeepApart) {
             20);
 }
 
-/// There is room for one of the company alone, though each is wished for: the others need not wait.
+/// There is room for only one piece of the company, though each of its shapes is wished for. The other shapes need not wait.
 TEST(Wishes, NobodyWaitsForAShapeThatIsShutOut) {
   CollageSettings s = with_company({0, 1000});
   s.pieces.least_uses = 1;
@@ -434,7 +434,7 @@ TEST(Wishes, NobodyWaitsForAShapeThatIsShutOut) {
   EXPECT_EQ(count.size(), library().size()) << "all others stand; counting made entries of the three";
 }
 
-/// As if each shape might be used once: neither rounds nor matching are spent on what stands already.
+/// The case costs as little as if each shape could be used once: no rounds or matching are spent on shapes that already stand.
 TEST(Wishes, ShapesThatAreShutOutEverywhereCostNothing) {
   CollageSettings s = settings();
   s.pieces.max_scale_px = 40;

@@ -21,7 +21,7 @@ inline CollageSettings settings() {
   return s;
 }
 
-/// The library divided at `cuts`.
+/// Runs with the library divided at `cuts`.
 inline master::CollageResult run(const Canvas& canvas, const CollageSettings& s, std::vector<std::uint32_t> cuts,
                                  master::Observer& observer) {
   const MatchingContext context = make_matching_context(s, std::uint32_t(library().size()));

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# cpp_examples_test.sh CMAKE BUILD_FOLDER NEW_FOLDER: what cmake --install leaves is moved elsewhere, and there it is all
-# that the programs of examples/cpp are built and run with. And libtessera-matching.so exports its public headers alone.
+# cpp_examples_test.sh CMAKE BUILD_FOLDER NEW_FOLDER: moves the installation of cmake --install elsewhere. The programs of examples/cpp are
+# built and run with nothing else.
+# libtessera-matching.so exports only its public headers.
 set -uo pipefail
 cmake=$1
 build=$2
@@ -19,8 +20,8 @@ library=$prefix/lib/libtessera-matching.so
 [[ -e $library ]] || fail "no libtessera-matching.so"
 
 headers=("$prefix"/include/tessera/matching/*.h)
-# declared NAME: whether a public header declares this function, class, or member of a class with TESSERA_MATCHING_API.
-# What belongs to a class within a class is not public.
+# declared NAME: succeeds if a public header declares this function, class, or member of a class with TESSERA_MATCHING_API. Members of
+# nested classes are not public.
 declared() {
   local in_namespace=${1#tessera::matching::}
   local class=${in_namespace%%::*} member=${in_namespace#*::}
@@ -31,8 +32,9 @@ declared() {
     grep -qE "^class TESSERA_MATCHING_API $class\b|^TESSERA_MATCHING_API .*\b$class\(" "${headers[@]}"
   fi
 }
-# undeclared: the names in the output of nm -DC that no public header declares. Each line: address, kind, name with the
-# version. The version itself is an absolute symbol.
+# undeclared: prints the names from the output of nm -DC that no public header declares. Each line has an address, a kind, and the name with
+# its version.
+# The version itself is an absolute symbol.
 undeclared() {
   local name
   sed -E 's/^[0-9a-f]+ . //; s/^(typeinfo for|typeinfo name for|vtable for) //; s/@@.*//; s/\[abi:[a-z0-9]+\]//; s/\(.*//' |
@@ -43,7 +45,7 @@ undeclared() {
 nm -DC --defined-only "$library" >output || fail "nm"
 foreign=$(undeclared <output)
 [[ -z $foreign ]] || fail "exported, but of no public header: $foreign"
-# The test would find a function of the program, a helper of the library, private state, and a class that is not exported.
+# The check finds a function of the program, a helper of the library, private state, and a class that is not exported.
 for helper in 'tessera::matching::prepared_curves(int)' 'tessera::matching::Library::State::~State()' \
   'tessera::matching::Error::own(int)' 'typeinfo for tessera::matching::Match' 'tessera::make_shape(int)'; do
   [[ -n $(undeclared <<<"0000000000001234 T $helper@@TESSERA_MATCHING") ]] || fail "$helper would pass as public"
@@ -63,7 +65,7 @@ grep -hE '^#include ["<]' "$prefix"/include/tessera/matching/*.h | grep -vE '<[a
   fail "a public header includes something else than the standard library"
 echo "ok headers"
 
-# As after a build of the program alone: the library's own part of the installation, which looks for another file.
+# After a build of the program alone, the library's part of the installation looks for a missing file.
 sed 's/libtessera-matching\.so/libnone.so/g' "$build/src/package/cmake_install.cmake" >not_built.cmake
 "$cmake" -DCMAKE_INSTALL_PREFIX="$folder/nothing" -P not_built.cmake >output 2>errors || fail "what was not built is missed"
 grep -q 'Not built, so not installed: libtessera-matching' output || fail "not a word of what was not built"
@@ -91,11 +93,11 @@ grep -qx 'match_drawings: needs two drawings' "$err" || fail "another word of no
 "$folder/built/own_descriptor" "$ducks/duck.svg" "$ducks/duck-2.svg" "$ducks/duck-6.svg" >"$out" 2>"$err" ||
   fail "own_descriptor"
 [[ $(grep -c . "$out") -eq 8 ]] || fail "not two tables: $(cat "$out")"
-# The second is the first one, turned and scaled; the third is a boat.
+# The second drawing is the first one, turned and scaled; the third is a boat.
 awk '/^pad/ { getline; exit !($1 == 0 && $2 < 0.05 && $3 > 2 * $2) }' "$out" || fail "other distances: $(cat "$out")"
 echo "ok examples"
 
-# Another one of the two numbers that count is another interface.
+# A library whose major or minor version differs has another interface.
 cd "$folder" || exit 1
 for version in 0.2 1.0; do
   sed -i -E "s/Tessera [0-9.]+ REQUIRED/Tessera $version REQUIRED/" cpp/CMakeLists.txt

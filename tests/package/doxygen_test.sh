@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# doxygen_test.sh NEW_FOLDER: doxygen makes pages of the public headers, and warns of nothing.
+# doxygen_test.sh NEW_FOLDER: doxygen makes pages of the public headers without a warning.
 set -euo pipefail
 folder=$1
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."

@@ -1,6 +1,6 @@
-"""The Python module tessera, installed: arrays in and out, libraries, results, descriptors; and input of no use.
+"""The installed Python module tessera: arrays in and out, libraries, results, descriptors; and unusable input.
 
-Environment: PYTHONPATH, TESSERA_DUCKS (docs/matching), TESSERA_LIBRARY (of bean, corner, drop, leaf, star), TESSERA_RESULT."""
+Environment: PYTHONPATH, TESSERA_DUCKS (docs/matching), TESSERA_LIBRARY (holds bean, corner, drop, leaf, star), TESSERA_RESULT."""
 
 import copy
 import gc
@@ -22,7 +22,7 @@ RESULT = os.environ["TESSERA_RESULT"]
 
 
 def blob(seed, points=400):
-    """A closed curve without symmetry, about 2 to 3 large: shape (points, 2)."""
+    """A closed curve without symmetry and with a radius of about 2 to 3. The array has the shape (points, 2)."""
     random = np.random.default_rng(seed)
     angle = np.linspace(0, 2 * np.pi, points, endpoint=False)
     radius = np.ones(points)
@@ -42,7 +42,7 @@ ANGLES = np.linspace(0, 2 * np.pi, 4000, endpoint=False)
 
 
 def longest_wait(work):
-    """The longest time that this thread waits for the interpreter while another one works: a part of that one's time."""
+    """The longest wait of this thread for the interpreter while another thread works, as a share of the other thread's time."""
     done = threading.Event()
 
     def work_to_the_end():
@@ -53,7 +53,7 @@ def longest_wait(work):
 
     thread = threading.Thread(target=work_to_the_end)
     begin = time.monotonic()
-    thread.start()  # waits until the other thread has begun: for long, where that one keeps the lock
+    thread.start()  # waits until the other thread runs, which takes long if that thread keeps the lock
     longest = time.monotonic() - begin
     while not done.is_set():
         before = time.monotonic()
@@ -68,7 +68,7 @@ class Outlines(unittest.TestCase):
         outline = tessera.Outline(SQUARE)
         np.testing.assert_array_equal(outline.curves[0], SQUARE)
         self.assertEqual((outline.closed, outline.area, outline.length), ([True], 1, 4))
-        # Any kind of numbers, in any layout; nothing is shared.
+        # Numbers of any kind and layout are accepted, and copied.
         for same in (SQUARE.tolist(), [SQUARE], SQUARE.astype(np.int32), np.asfortranarray(SQUARE), SQUARE[None]):
             np.testing.assert_array_equal(tessera.Outline(same).curves[0], SQUARE)
         outline.curves[0][0] = 7
@@ -95,7 +95,7 @@ class Outlines(unittest.TestCase):
             (np.zeros((0, 2)), "an outline without curves"),
             ([[1, 2]], "curve 0: found 1 point, allowed: 3 points or more"),
             (SQUARE[:1], "curve 0: found 1 point"),
-            (np.zeros((5, 2)), "all one"),
+            (np.zeros((5, 2)), "all equal"),
             (SQUARE * np.nan, "curve 0: point 0: found the coordinate nan"),
             (np.where(SQUARE > 0, np.inf, 0), "curve 0: point 1: found the coordinate inf"),
             (SQUARE * 1e300, "found the coordinate 1e+300, allowed: -1e15 to 1e15"),
@@ -142,7 +142,7 @@ class Outlines(unittest.TestCase):
                 tessera.Outline.__new__(tessera.Outline).__setstate__(state)
 
     def test_other_threads_go_on(self):
-        # Many curves with many points: each is looked for in each other one.
+        # There are many curves with many points, and each is searched for in every other one.
         ring = np.stack([np.cos(ANGLES), np.sin(ANGLES)], axis=1)
         rings = [ring * (2 + k / 1000) for k in range(300)]
         self.assertLess(longest_wait(lambda: tessera.Outline(rings)), 0.5)
@@ -241,7 +241,7 @@ class Libraries(unittest.TestCase):
             self.assertEqual(found[0].known, shape)
             self.assertAlmostEqual(found[0].query_from_known.scale, 200, delta=3)
             self.assertLessEqual(len(found), 2)
-        # Outlines of one's own, of which half of one is seen.
+        # The user's own outlines; the query is half of one of them.
         known = tessera.KnownOutlines([tessera.Outline(blob(seed)) for seed in range(8)])
         half = tessera.Outline(blob(5)[:200], closed=False)
         self.assertEqual(known.recognise(half)[0].known, 5)
@@ -331,7 +331,7 @@ class Results(unittest.TestCase):
         library = tessera.Library(LIBRARY)
         for index, piece in enumerate(result.pieces):
             self.assertEqual(piece.index, index)
-            # The shape's outline, laid onto the canvas, is the piece's polygon.
+            # The shape's outline in its pose on the canvas is the piece's polygon.
             outline = library.outline(library.names.index(piece.shape))
             placed = piece.canvas_from_shape.apply(outline.curves[0])
             np.testing.assert_allclose(placed, piece.polygon[0], atol=0.01)

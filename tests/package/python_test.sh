@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# python_test.sh CMAKE BUILD_FOLDER NEW_FOLDER PYTHON: the module tessera as it is installed, moved elsewhere: its own tests,
-# then the programs of examples/python.
+# python_test.sh CMAKE BUILD_FOLDER NEW_FOLDER PYTHON: installs the module tessera, moves it elsewhere, and runs its tests and the programs
+# of examples/python.
 set -uo pipefail
 cmake=$1
 build=$2

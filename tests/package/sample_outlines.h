@@ -11,7 +11,7 @@
 
 namespace tessera::test {
 
-/// Without symmetry, the interior on the left, as large as 2 to 3.
+/// An outline without symmetry, with the interior on the left and a radius of 2 to 3.
 inline matching::Outline random_outline(std::uint32_t seed, int points = 400) {
   matching::Outline outline;
   matching::Curve& curve = outline.curves.emplace_back();
@@ -29,7 +29,7 @@ inline matching::Outline circle(double radius, int points = 360) {
   return outline;
 }
 
-/// A disc of the radius 3 with a hole of the radius 1.
+/// A disc of radius 3 with a hole of radius 1.
 inline matching::Outline ring() {
   return matching::make_outline({circle(3).curves[0].points, circle(1).curves[0].points});
 }
@@ -46,7 +46,7 @@ inline matching::Similarity similarity(double scale, double rotation_rad, double
   return {scale * std::cos(rotation_rad), scale * std::sin(rotation_rad), tx, ty};
 }
 
-/// What an Error says; empty where there is none.
+/// The message of the Error; empty if there is none.
 inline std::string error_of(const std::function<void()>& action) {
   try {
     action();

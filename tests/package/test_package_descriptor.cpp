@@ -1,4 +1,4 @@
-// Descriptors of the public library: PAD's, and one of a user.
+// Descriptors of the public library: PAD's, and one by a user.
 #include <gtest/gtest.h>
 
 #include <stdexcept>
@@ -13,7 +13,7 @@ using matching::Matrix;
 using matching::Outline;
 using test::error_of;
 
-/// How round a shape is: 1 of a circle.
+/// The roundness of a shape: 1 for a circle.
 class Roundness : public matching::Descriptor {
  public:
   std::string name() const override { return "roundness"; }
@@ -57,7 +57,7 @@ TEST(PackageDescriptor, WhatPadCannotTell) {
     return distance_matrix(*pad, {query}, {known})(0, 0);
   };
   const Outline square = matching::make_outline({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
-  EXPECT_NEAR(distance(test::circle(1), test::circle(5)), 0, 1e-3);  // size does not count
+  EXPECT_NEAR(distance(test::circle(1), test::circle(5)), 0, 1e-3);  // size does not matter
   EXPECT_NEAR(distance(test::circle(1), square), 0.06, 0.02);
   EXPECT_NEAR(distance(square, test::circle(1)), 0.19, 0.02);
   const Outline line{{{{{0, 0}, {1, 0}}, false}}};
@@ -80,7 +80,7 @@ TEST(PackageDescriptor, BadInput) {
   EXPECT_EQ(error_of([&] { pad->distance({1e300, 2, 1}, {}); }).substr(0, 37), "a description of PADs: found 3 number");
   EXPECT_EQ(error_of([] { matching::make_pad_descriptor({.levels = 9}); }), "levels: found 9, allowed: 2 to 6");
   EXPECT_TRUE(distance_matrix(*pad, {}, {good}).values.empty());
-  // What a user's own descriptor throws comes back as it is.
+  // An exception of a user's own descriptor comes back unchanged.
   const Outline triangle = matching::make_outline({{{0, 0}, {1, 0}, {0, 1}}});
   EXPECT_THROW(distance_matrix(Roundness(), {triangle}, {}), std::logic_error);
 }

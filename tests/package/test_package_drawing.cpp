@@ -1,4 +1,4 @@
-// Drawings read by the public library, and a drawer that is missing.
+// Drawings that the public library reads, and a missing drawer.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

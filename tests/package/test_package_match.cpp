@@ -70,7 +70,7 @@ TEST(PackageMatch, BadInputSaysWhichOutline) {
             "B: curve 0: point 5: found the coordinate nan, allowed: -1e15 to 1e15");
 }
 
-/// Its points differ in double, and are one in the numbers that the core computes with.
+/// Its points differ in double precision, but are equal in the core's numbers.
 TEST(PackageMatch, ACurveThatIsOnePointBesideALargeOneIsRefused) {
   matching::Outline outline = matching::make_outline({{{0, 0}, {1024, 0}, {1024, 1024}, {0, 1024}}});
   matching::Curve speck{{}, true};
@@ -87,7 +87,7 @@ TEST(PackageMatch, StraightLinesMatchByTheirEnds) {
   EXPECT_NEAR(found[0].a_from_b.scale(), 2, 0.01);
 }
 
-/// Time and memory stay within bounds whatever the curves look like: smooth, or nothing but noise.
+/// Time and memory stay bounded for any curves, smooth or pure noise.
 TEST(PackageMatch, AMillionPoints) {
   const Outline small = test::random_outline(3);
   const Outline smooth = test::random_outline(3, 1'000'000);
@@ -110,7 +110,7 @@ TEST(PackageMatch, AThousandCurves) {
         test::mapped(test::random_outline(std::uint32_t(k), 40), {1, 0, 4.0 * (k % 32), 4.0 * (k / 32)});
     many.curves.push_back(one.curves[0]);
   }
-  EXPECT_TRUE(match(many, test::random_outline(17, 40)).empty());  // each is too small a part of all
+  EXPECT_TRUE(match(many, test::random_outline(17, 40)).empty());  // each curve is too small a part of all
 }
 
 TEST(PackageMatch, TinySmoothingEnds) {

@@ -1,4 +1,4 @@
-// Outlines of the public library: what is one, which way round it runs, its measures; and what is refused.
+// Outlines of the public library: valid ones, their direction, their measures, and refused ones.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -26,7 +26,7 @@ std::string fault_of(std::vector<Point> points, bool closed = true, double smoot
 TEST(PackageOutline, PolygonsAreTurnedSoThatTheInteriorIsOnTheLeft) {
   std::vector<Point> clockwise = square(0, 10);
   std::reverse(clockwise.begin(), clockwise.end());
-  // A frame, whichever way its polygons run, with an island in its hole.
+  // A frame with an island in its hole, whatever the direction of its polygons.
   for (const std::vector<Point>& outer : {square(0, 10), clockwise}) {
     const Outline frame = matching::make_outline({square(2, 8), outer, square(4, 6)});
     EXPECT_DOUBLE_EQ(area_of(frame), 100 - 36 + 4);

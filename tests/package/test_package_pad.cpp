@@ -13,8 +13,8 @@ using matching::pads_of;
 using matching::PadSettings;
 using test::error_of;
 
-/// 0.024 / smoothing of the curvature 1 / 50 counts as noise.
-constexpr double kTurningOfCircle = 1.0 / 50 - 0.024 / 5;  // rad for a unit of length
+/// The turning beyond noise: of the curvature 1 / 50, 0.024 / smoothing counts as noise.
+constexpr double kTurningOfCircle = 1.0 / 50 - 0.024 / 5;  // rad per unit of length
 
 TEST(PackagePad, LevelsOfACircle) {
   const std::vector<Pad> pads = pads_of(test::circle(50), {.smoothing = 5, .samples = 12});
@@ -43,7 +43,7 @@ RC_GTEST_PROP(PackagePad, DoNotDependOnUnitsAndPose, ()) {
   const std::vector<Pad> others = pads_of(test::mapped(outline, map));
   RC_ASSERT(pads.size() == others.size());
   for (std::size_t k = 0; k < pads.size(); ++k) {
-    // A level ends where the turning so far reaches a threshold, which rounding may move on a flat stretch.
+    // A level ends where the turning reaches a threshold. On a flat stretch, rounding may move that place.
     RC_ASSERT(pads[k].convexity != others[k].convexity || pad_distance(pads[k], others[k]) < 0.05);
     RC_ASSERT(std::abs(others[k].along / scale - pads[k].along) < 1e-3);
   }
@@ -57,7 +57,7 @@ TEST(PackagePad, OppositeConvexitiesAddUp) {
   EXPECT_DOUBLE_EQ(pad_distance(convex, concave), 1);
   Pad other{.left = {1, 4}, .right = {1, 2}, .convexity = 0};
   EXPECT_DOUBLE_EQ(pad_distance(concave, other), 0.25);
-  // By the two levels that both have, each side divided by the longer one; the second element counts half.
+  // Only the two common levels count. Each side is divided by the longer one, and the second element counts half.
   Pad longer{.left = {1, 2, 8}, .right = {1, 2, 8}, .convexity = 1};
   EXPECT_DOUBLE_EQ(pad_distance(convex, longer), 0);
   Pad shorter{.left = {1}, .right = {1, 2}, .convexity = 1};
@@ -72,7 +72,7 @@ TEST(PackagePad, LevelsBeyondTheEndsOfAnOpenCurveAreMissing) {
   ASSERT_EQ(pads.size(), 21u);
   EXPECT_TRUE(pads.front().left.empty());
   EXPECT_TRUE(pads.back().right.empty());
-  // Half of the arc turns by 1.1, level 2 by 0.8, level 3 by 1.6.
+  // Half of the arc turns by 1.1 rad; level 2 needs 0.8, level 3 needs 1.6.
   EXPECT_EQ(pads[10].left.size(), 3u);
   EXPECT_EQ(pads[10].right.size(), 3u);
   EXPECT_NEAR(pads.back().along, length_of(arc), 1e-3);

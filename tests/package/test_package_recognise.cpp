@@ -1,4 +1,4 @@
-// Recognition of the public library, among outlines and among a library's shapes; and bad input.
+// Recognition in the public library, among outlines and among a library's shapes; and bad input.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -25,7 +25,7 @@ std::vector<Outline> random_outlines(int count) {
   return outlines;
 }
 
-/// The first half of it.
+/// The first half of the outline.
 Outline half(Outline outline) {
   outline.curves[0].closed = false;
   outline.curves[0].points.resize(outline.curves[0].points.size() / 2);
@@ -177,7 +177,7 @@ TEST(PackageRecognise, AForkedProcessIsTold) {
   EXPECT_EQ(status, 0);
 }
 
-/// As `tessera library build` writes them.
+/// Writes a library as `tessera library build` does.
 void write_library(const std::string& path, int shapes) {
   LibraryWriter writer(path, {});
   for (int i = 0; i < shapes; ++i) {
@@ -208,7 +208,7 @@ TEST(PackageLibrary, NamesOutlinesPadsAndRecognition) {
   ASSERT_EQ(ring.curves.size(), 2u);
   EXPECT_NEAR(area_of(ring), 1, 1e-3);
 
-  // Those of the file are those that pads_of() computes with the level's smoothing.
+  // The file's PADs are those that pads_of() computes with the level's smoothing.
   const std::vector<matching::Pad> pads = library.pads(4, 3);
   ASSERT_EQ(pads.size(), 128u);
   EXPECT_EQ(pads[0].left.size(), 5u);

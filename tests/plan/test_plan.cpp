@@ -1,4 +1,4 @@
-// tessera plan: how the estimates depend on what they are made from, and the head of the batch script.
+// tessera plan: how the estimates depend on their inputs, and the head of the batch script.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace tessera::cli {
 namespace test_plan {
 
-/// jobs/animals.toml with the demo's library.
+/// The input of jobs/animals.toml with the demo's library.
 PlanInput animals() {
   PlanInput input;
   input.canvas_px2 = input.canvas_nodes = 1e6;
@@ -25,11 +25,11 @@ TEST(Plan, is_near_what_was_measured) {
   PlanInput input = animals();
   input.ranks = 1;
   input.picture_px2 = 250e3;
-  const PlanEstimate plan = estimate(input);  // 178 pieces, 297 MB, 4.9 s of the loop
+  const PlanEstimate plan = estimate(input);  // measured: 178 pieces, 297 MB, 4.9 s of the loop
   EXPECT_NEAR(plan.pieces, 178, 178 * 0.5);
   EXPECT_NEAR(plan.master_bytes, 297e6, 297e6 * 0.25);
   EXPECT_GT(plan.total_s, 4.9 / 2);
-  EXPECT_LT(plan.total_s, 4.9 * 3);  // with start and files
+  EXPECT_LT(plan.total_s, 4.9 * 3);  // including the start and the files
 }
 
 /// The numbers in the line of times.
@@ -53,7 +53,7 @@ TEST(Plan, the_parts_of_the_time_add_up) {
       input.settings.stop.seconds = limit_s;
       const PlanEstimate plan = estimate(input);
       EXPECT_DOUBLE_EQ(plan.filling_s + plan.improving_s + plan.beside_s, plan.total_s);
-      const bool improves = trials > 0 && limit_s != 0.5;  // which the filling takes
+      const bool improves = trials > 0 && limit_s != 0.5;  // filling alone uses up such a limit
       EXPECT_EQ(plan.improving_s > 0, improves) << trials << " trials, " << limit_s << " s";
       const std::vector<double> times = told_times(plan_text(input, plan));
       ASSERT_EQ(times.size(), 4u);
@@ -74,7 +74,7 @@ TEST(Plan, a_search_for_sizes_takes_a_few_attempts) {
   EXPECT_NE(plan_text(input, searched).find("a few attempts at sizes (pieces.fit), of 12 at most"), std::string::npos);
 }
 
-/// 25 drawings on 400 x 400 px, where pieces of the sizes in the job would be three.
+/// 25 drawings on 400 x 400 px. By the job's sizes only three pieces would fit.
 TEST(Plan, counts_each_wanted_piece_where_all_are_to_fit) {
   PlanInput input = animals();
   input.canvas_px2 = input.canvas_nodes = 160'000;
@@ -123,7 +123,7 @@ TEST(Plan, warns_of_workers_without_shapes) {
             "--ranks 9: 8 workers divide 5 shapes, so that some have none; --ranks 6 is as good");
 }
 
-/// A choice of a very large library.
+/// Workers cannot read a choice of a very large library shape by shape.
 TEST(Plan, counts_what_workers_hold_that_cannot_read) {
   PlanInput reads = animals();
   reads.shapes = 400'000;
@@ -143,19 +143,19 @@ TEST(Plan, takes_the_device_bytes_from_the_workers) {
   twice.shapes *= 2;
   const MatchingContext context = make_matching_context(input.settings, std::uint32_t(input.shapes));
   const double more = estimate(twice).device_bytes - estimate(input).device_bytes;
-  const double shard = double(worker::shard_bytes(context, input.shapes / 2, true).device);  // each of two workers
-  constexpr double kListsOfAShape_bytes = 2 * 15e3;  // of pairs, and of dockings
+  const double shard = double(worker::shard_bytes(context, input.shapes / 2, true).device);  // for each of two workers
+  constexpr double kListsOfAShape_bytes = 2 * 15e3;  // the lists of pairs and of dockings
   EXPECT_GE(estimate(twice).largest_buffer_bytes,
             double(worker::shard_bytes(context, twice.shapes / 2, true).largest_buffer));
   EXPECT_NEAR(more, shard + kListsOfAShape_bytes * double(input.shapes / 2), 0.05 * more);
 }
 
-/// Of a job that has hardly any of its own.
+/// A job that needs hardly any memory of its own.
 TEST(Plan, counts_the_freed_memory_that_each_process_keeps) {
   PlanInput small = animals();
   small.shapes = 1;
   small.canvas_px2 = small.canvas_nodes = small.picture_px2 = 100;
-  constexpr double kLeastOfAll_bytes = 3 * 95e6;  // measured before any was kept
+  constexpr double kLeastOfAll_bytes = 3 * 95e6;  // measured before freed memory was kept
   EXPECT_GT(estimate(small).node_bytes, kLeastOfAll_bytes + 3 * double(kKeptFreed_bytes));
   EXPECT_NE(plan_text(small, estimate(small)).find("may keep 64 MB"), std::string::npos);
 }
@@ -225,7 +225,7 @@ TEST(Plan, header_is_what_sbatch_takes) {
 TEST(Plan, says_that_it_estimates) {
   const std::string text = plan_text(animals(), estimate(animals()));
   for (const char* part :
-       {"Estimates for 3 ranks, a master and 2 workers", "232 shapes", "in one buffer", "about", "Half or twice"}) {
+       {"Estimates for 3 ranks, a master and 2 workers", "232 shapes", "in one buffer", "about", "half or twice"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
   }
 }

@@ -1,4 +1,4 @@
-// What tessera plan estimates from is the problem as it is resolved, not what the job file says.
+// tessera plan estimates from the resolved problem, not from the text of the job file.
 #include "plan/plan_input.h"
 
 #include <gtest/gtest.h>
@@ -23,8 +23,7 @@ class PlanOfJob : public testing::Test {
   test::ScratchFolder folder_;
 };
 
-/// With fit = "all" the sizes of the job only compare with each other: some as large as the canvas, or larger, plan as
-/// such that find a place.
+/// With fit = "all" the sizes of the job only compare pieces. Sizes as large as the canvas, or larger, are planned like sizes that fit.
 TEST_F(PlanOfJob, goes_by_the_sizes_that_are_found) {
   const PlanInput small = input("[pieces]\nfit = \"all\"\nuses = 1\nscale_px = [20, 40]\n");
   const PlanInput large = input("[pieces]\nfit = \"all\"\nuses = 1\nscale_px = [2000, 4000]\n");

@@ -1,4 +1,4 @@
-// A puzzle that was just cut, for tests of how pieces are laid.
+// A freshly cut puzzle, for tests that lay its pieces.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace tessera {
 
-/// Pieces as they were cut, or smaller all round, where they lay in the picture.
+/// The pieces where they lay in the picture, as they were cut or smaller all round.
 struct CutPieces {
   PuzzleScale scale;
   std::vector<PuzzlePiece> pieces;
@@ -31,7 +31,7 @@ struct CutPieces {
 
   PosedPiece posed(std::size_t i, Similarity pose = {1, 0, 0, 0}) const { return {&pieces[i], pose}; }
 
-  /// The first piece that comes after `i` and lies along it.
+  /// The first piece after `i` that shares a side with it.
   std::size_t neighbour_of(std::size_t i) const {
     for (std::size_t j = i + 1; j < pieces.size(); ++j) {
       std::vector<Beside> beside(pieces[i].points.size(), Beside::nothing);

@@ -1,4 +1,4 @@
-// Photos of elements, drawn with a known truth.
+// Drawn photos of elements whose true labels are known.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ struct ElementPhoto {
   cv::Mat bgr, truth;
 };
 
-/// Every element in a colour of its own around `element`, with light from one side, texture and noise.
+/// Draws each element in its own colour near `element`, with light from one side, texture and noise.
 inline ElementPhoto photographed(const cv::Mat& truth, const cv::Scalar& element, const cv::Scalar& gap) {
   cv::RNG random(11);
   cv::Mat photo(truth.size(), CV_32FC3, gap);
@@ -40,18 +40,18 @@ inline ElementPhoto photographed(const cv::Mat& truth, const cv::Scalar& element
   return result;
 }
 
-/// Discs of 20 to 28 px radius in a grid, some touching their neighbour.
+/// Discs of 20 to 28 px radius in a grid; some touch their neighbour.
 inline cv::Mat discs() {
   cv::Mat truth = cv::Mat::zeros(320, 420, CV_32S);
   for (int i = 0; i < 20; ++i) {
     const int radius_px = 20 + i % 5 * 2;
-    const int shift_px = i % 5 == 3 ? 8 : 0;  // nearer to the next, which is large
+    const int shift_px = i % 5 == 3 ? 8 : 0;  // nearer to the next disc, which is large
     cv::circle(truth, {50 + i % 5 * 74 + shift_px, 45 + i / 5 * 76}, radius_px, i + 1, cv::FILLED);
   }
   return truth;
 }
 
-/// Four rows of bricks with joints of 8 px, every second one shifted; all whole but those cut by the edge.
+/// Four rows of bricks with joints of 8 px. Every second row is shifted; the edge cuts some bricks.
 inline cv::Mat bricks() {
   cv::Mat truth = cv::Mat::zeros(260, 420, CV_32S);
   int count = 0;
@@ -65,7 +65,7 @@ inline cv::Mat bricks() {
   return truth;
 }
 
-/// Cells of jittered points, 8 px apart.
+/// The cells of randomly moved grid points, 8 px apart.
 inline cv::Mat cobbles() {
   cv::RNG random(5);
   cv::Mat truth = cv::Mat::zeros(330, 420, CV_32S);

@@ -1,4 +1,4 @@
-// Pieces that are laid one after the other, and what is taken out again.
+// Pieces that are laid one after the other, and pieces that are removed again.
 #include <gtest/gtest.h>
 
 #include "cut_pieces.h"
@@ -9,7 +9,7 @@ namespace test_arrangement {
 
 constexpr int kPieces = 20;
 
-/// A puzzle of tabs without a frame, and where all pieces lie as they were cut.
+/// A puzzle of tabs without a frame, with all pieces in their right places.
 struct Laying {
   CutPieces cut{kPieces, CutStyle::tabs, 0};
   std::vector<std::vector<PieceMatch>> matches = piece_matches(cut.pieces, cut.scale, [](std::size_t) {});
@@ -23,14 +23,14 @@ struct Laying {
     return in;
   }
 
-  /// The pose in which the centre of piece `i` lies where that of `j` belongs.
+  /// The pose that moves the centre of piece `i` to the right place of piece `j`.
   Similarity at_place_of(std::size_t i, std::size_t j) const {
     const Vec2 off = cut.pieces[j].centre - cut.pieces[i].centre;
     return {1, 0, off.x, off.y};
   }
 };
 
-/// In the middle of the puzzle's edge y = 0.
+/// Returns whether the piece is in the middle part of the puzzle's edge y = 0.
 bool at_upper_edge(const PuzzlePiece& piece) {
   const Box box = bounding_box(piece.points);
   return box.low.y < 1 && box.low.x > 1 && box.high.x < 1199;
@@ -67,7 +67,7 @@ TEST(Arrangement, PiecesThatHangOutsideByAStraightSideAreTakenOut) {
   laying.arranger.drop_loose(kHalf, right);
   EXPECT_EQ(right.laid.size(), laying.count) << "corners and edges stay";
 
-  // Most of the upper edge turned about, as one, and put upon where it was.
+  // Most of the upper edge is turned as one part and laid upon its own place.
   Arrangement hanging = laying.all();
   std::vector<std::size_t> turned;
   for (std::size_t i = 1; i < laying.count; ++i) {
@@ -83,7 +83,7 @@ TEST(Arrangement, PiecesThatHangOutsideByAStraightSideAreTakenOut) {
   EXPECT_GE(hanging.laid.size(), laying.count - turned.size() - 2) << "corners beside them at most go with them";
 }
 
-/// The second neighbour leads to a place that the first one led to, too.
+/// A second neighbour leads to the same place as the first one, not to another one.
 TEST(Arrangement, AHoleIsOnePlaceOfEachPieceWithTheSidesOfAllMatches) {
   const Laying laying;
   std::size_t most = 0;
@@ -108,7 +108,7 @@ TEST(Arrangement, AHoleIsOnePlaceOfEachPieceWithTheSidesOfAllMatches) {
   EXPECT_GE(most, 4u) << "a piece inside has four sides";
 }
 
-/// While pieces are laid, places move: each two stay apart, or are one.
+/// Places move while pieces are laid. Two places of a piece stay apart, or become one.
 TEST(Arrangement, PlacesOfAPieceStayApart) {
   const Laying laying;
   Arrangement in = laying.arranger.beginning(0);

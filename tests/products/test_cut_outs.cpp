@@ -1,4 +1,4 @@
-// A library made of the elements of photographs.
+// A library of the elements of photographs.
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>
@@ -14,7 +14,7 @@ namespace test_cut_outs {
 const BuildProgress kSilent = [](std::size_t, std::size_t) {};
 const LibraryParts kEverything{.outline = true, .field = true, .levels = ~0u, .artwork = true, .original = true};
 
-/// Twelve discs, larger to the right and below, on grey.
+/// Twelve discs on grey, which grow to the right and downwards.
 struct Pebbles {
   Pebbles() : photo(300, 400, CV_8UC4, cv::Scalar(128, 128, 128, 255)), labels(cv::Mat::zeros(300, 400, CV_32S)) {
     for (int i = 0; i < 12; ++i) {

@@ -1,4 +1,4 @@
-// DXFs come from strangers: what is cut of them, what is left out and told, and what is refused.
+// DXFs of foreign origin: the outlines to cut, the entities that are left out and reported, and refused files.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ std::string refused(const std::string& text) {
   return test::message_of([&] { read(text); });
 }
 
-/// "10\n1\n" of a code and its value.
+/// Returns "10\n1\n" for code 10 and value 1.
 std::string pair(int code, double value) {
   char text[64];
   std::snprintf(text, sizeof text, "%d\n%.17g\n", code, value);
@@ -46,7 +46,7 @@ std::string line(double x0, double y0, double x1, double y1) {
   return "0\nLINE\n8\n0\n" + point(10, {x0, y0}) + point(11, {x1, y1});
 }
 
-/// A closed LWPOLYLINE; `more`: pairs of the entity.
+/// A closed LWPOLYLINE. `more` holds further pairs of the entity.
 std::string polygon(const NestRing& ring, const std::string& more = "") {
   std::string text = "0\nLWPOLYLINE\n" + more + "70\n1\n";
   for (const NestPoint p : ring) text += point(10, p);
@@ -86,7 +86,7 @@ std::string spline(int degree, const std::vector<double>& knots, const NestRing&
   return text;
 }
 
-/// Of the only piece, y up, its first point and so on as they are.
+/// The outline of the only piece with y up, from its original first point in its original direction.
 NestRing only_outline(const DxfDrawings& found) {
   EXPECT_EQ(found.drawings.size(), 1u);
   NestRing ring = found.drawings.empty() ? NestRing{} : found.drawings[0].outline;
@@ -94,7 +94,7 @@ NestRing only_outline(const DxfDrawings& found) {
   return ring;
 }
 
-/// Boxes of the pieces, y up: "0..20 0..10".
+/// The boxes of the pieces with y up, as "0..20 0..10".
 Names boxes(const DxfDrawings& found) {
   Names texts;
   for (const NestDrawing& drawing : found.drawings) {
@@ -128,7 +128,7 @@ TEST(DxfDrawings, LinesThatAreThereTwiceDoNoHarm) {
   ASSERT_EQ(twice.drawings.size(), 2u);
   EXPECT_NEAR(area_of(twice.drawings[0].outline), 100, 1e-9);
   EXPECT_EQ(twice.notes, Names{});
-  // Out and back in two lines that are not quite the same.
+  // Two lines go out and back, and are not quite the same.
   const DxfDrawings thin = dxf_drawings(dxf(line(30, 0, 40, 0) + line(40, 0, 30, 0.001) + box), "a.dxf", "a");
   EXPECT_EQ(thin.drawings.size(), 1u);
   EXPECT_EQ(thin.notes, Names{"left out 1 chain of lines that does not close"});
@@ -188,7 +188,7 @@ TEST(DxfDrawings, RefusesDamage) {
 }
 
 TEST(DxfDrawings, VerticesOfFittedPolylines) {
-  // A spline-fit POLYLINE of R12: the control points (16) are no part of the line, the fitted points (8) are.
+  // A spline-fit POLYLINE of R12. Its control points (16) are not part of the line, its fitted points (8) are.
   std::string fitted = "0\nPOLYLINE\n66\n1\n70\n5\n75\n6\n";
   for (const NestPoint p : NestRing{{0, 0}, {100, 100}, {100, 0}, {0, 100}})
     fitted += "0\nVERTEX\n" + point(10, p) + "70\n16\n";
@@ -197,7 +197,7 @@ TEST(DxfDrawings, VerticesOfFittedPolylines) {
   const DxfDrawings found = read(dxf(fitted + "0\nVERTEX\n10\n500\n20\n500\n70\n16\n0\nSEQEND\n8\nFROZEN\n"));
   EXPECT_EQ(boxes(found), Names{"10..90 10..90"});
   EXPECT_NEAR(area_of(only_outline(found)), 6400, 1e-9);
-  // Curve-fit: vertices that were there (2) and those that fitting added (1), with bulges, are the line.
+  // A curve-fit POLYLINE: the original vertices (2) and those added by fitting (1), with bulges, form the line.
   std::string curve = "0\nPOLYLINE\n66\n1\n70\n3\n";
   for (const auto& [x, flags] : std::vector<std::pair<double, int>>{{0, 2}, {20, 1}})
     curve += "0\nVERTEX\n" + point(10, {x, 0}) + "42\n1\n70\n" + std::to_string(flags) + "\n";
@@ -226,8 +226,8 @@ TEST(DxfDrawings, WhatIsNotSeenIsNotCut) {
 }
 
 TEST(DxfDrawings, LayersOfBlocks) {
-  // On layer 0 an entity of a block has the layer of its reference. A frozen layer hides a reference as a whole, one that
-  // is off only what lies on it.
+  // On layer 0 an entity of a block takes the layer of its reference.
+  // A frozen layer hides a whole reference. A layer that is off hides only the entities on it.
   const std::string layers = layer("OFF", 0, -7) + layer("FROZEN", 1, 7);
   const std::string blocks = block("B", square(0, 0, 1, "8\n0\n") + square(2, 0, 3, "8\nOWN\n"));
   const DxfDrawings found =
@@ -248,14 +248,14 @@ TEST(DxfDrawings, BlocksAreScaledMirroredTurnedAndRepeated) {
   EXPECT_EQ(boxes_of(insert("A", {50, 0}, "41\n-1\n")), Names{"30..50 0..10"});
   EXPECT_EQ(boxes_of(insert("A", {0, 0}, "41\n2\n42\n0.5\n")), Names{"0..40 0..5"});
   EXPECT_EQ(boxes_of(insert("A", {0, 0}, "50\n90\n")), Names{"-10..0 0..20"});
-  EXPECT_EQ(boxes_of(insert("A", {0, 0}, "41\n2\n50\n90\n")), Names{"-10..0 0..40"});  // scaled, then turned
-  EXPECT_EQ(boxes_of(insert("OFF", {0, 0}, "50\n180\n")), Names{"0..20 -10..0"});      // about its base point
+  EXPECT_EQ(boxes_of(insert("A", {0, 0}, "41\n2\n50\n90\n")), Names{"-10..0 0..40"});  // scaled first, then turned
+  EXPECT_EQ(boxes_of(insert("OFF", {0, 0}, "50\n180\n")), Names{"0..20 -10..0"});      // turned about its base point
   EXPECT_EQ(boxes_of(insert("NEST", {100, 0}, "50\n90\n")), Names{"68..98 1..61"});
   EXPECT_EQ(boxes_of(insert("A", {3, 0}, "230\n-1\n")), Names{"-23..-3 0..10"});  // its plane is seen from below
   EXPECT_EQ(boxes_of(insert("A", {0, 0}, "70\n2\n71\n3\n44\n30\n45\n40\n41\n0.5\n")),
             (Names{"0..10 0..10", "30..40 0..10", "0..10 40..50", "30..40 40..50", "0..10 80..90", "30..40 80..90"}));
   EXPECT_EQ(boxes_of(insert("A", {0, 0}, "50\n90\n70\n2\n44\n30\n")), (Names{"-10..0 0..20", "-10..0 30..50"}));
-  // The mirrored triangle has its right angle on the right.
+  // The right angle of the mirrored triangle is on the right.
   const NestRing mirrored = only_outline(read(with_blocks(blocks, insert("A", {0, 0}, "41\n-1\n"))));
   EXPECT_NE(std::find(mirrored.begin(), mirrored.end(), NestPoint{0, 10}), mirrored.end());
   EXPECT_EQ(std::find(mirrored.begin(), mirrored.end(), NestPoint{-20, 10}), mirrored.end());
@@ -294,7 +294,7 @@ TEST(DxfDrawings, BlocksThatExplodeAreRefused) {
             "a.dxf: block \"Loop\": it contains itself");
   EXPECT_EQ(refused(with_blocks(block("A", insert("B", {0, 0})) + block("B", insert("A", {0, 0})), insert("A", {}))),
             "a.dxf: block \"A\": it contains itself");
-  // A block that contains itself and is never referred to does no harm.
+  // A block that contains itself does no harm if no entity refers to it.
   EXPECT_EQ(refused(with_blocks(block("A", insert("A", {0, 0})), square(0, 0, 1))), "");
   std::string doubling = block("B0", "");
   for (int i = 1; i < 60; ++i) {
@@ -319,16 +319,16 @@ TEST(DxfDrawings, BlocksThatExplodeAreRefused) {
 }
 
 TEST(DxfDrawings, SplinesWithRepeatedKnots) {
-  // Two cubic Bezier curves that meet in a corner at (30, 60): area by hand.
+  // Two cubic Bézier curves that meet in a corner at (30, 60). The area is computed by hand.
   const NestRing points = {{0, 0}, {30, 0}, {60, 30}, {30, 60}, {0, 60}, {-30, 30}, {0, 0}};
   const NestRing outline = only_outline(read(dxf(spline(3, {0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2}, points))));
   EXPECT_NEAR(area_of(outline), 2430, 2430 * 0.001);
   EXPECT_NE(std::find(outline.begin(), outline.end(), NestPoint{30, 60}), outline.end());
-  // Degree 1 is the polygon of its control points.
+  // A spline of degree 1 is the polygon of its control points.
   const NestRing square = {{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}};
   EXPECT_EQ(only_outline(read(dxf(spline(1, {0, 0, 1, 2, 3, 4, 4}, square)))),
             NestRing(square.begin(), square.end() - 1));
-  // A closed uniform spline of degree 2: its control points come round again, its ends are not clamped.
+  // A closed uniform spline of degree 2: the control points repeat at its end, and the ends are not clamped.
   const NestRing round = {{0, 0}, {100, 0}, {100, 100}, {0, 100}, {0, 0}, {100, 0}};
   EXPECT_NEAR(area_of(only_outline(read(dxf(spline(2, {0, 1, 2, 3, 4, 5, 6, 7, 8}, round))))), 25'000.0 / 3, 3);
 }
@@ -341,10 +341,10 @@ TEST(DxfDrawings, RationalSplinesAreExactCircles) {
   EXPECT_NEAR(area_of(ring), 100 * std::numbers::pi, 0.5);
   for (std::size_t i = 0; i < ring.size(); ++i) {
     EXPECT_NEAR(norm(ring[i]), 10, 1e-9);
-    // Nowhere farther than 0.01 mm from the curve.
+    // No point is farther than 0.01 mm from the curve.
     EXPECT_GT(norm((ring[i] + ring[(i + 1) % ring.size()]) * 0.5), 10 - 0.01);
   }
-  // A mirrored and scaled one, in a block.
+  // A mirrored and scaled circle in a block.
   EXPECT_NEAR(area_of(only_outline(read(with_blocks(block("C", circle), insert("C", {}, "41\n-5\n42\n2\n"))))),
               1000 * std::numbers::pi, 2);
 }
@@ -374,7 +374,7 @@ TEST(DxfDrawings, EllipsesAndTheirArcs) {
     EXPECT_NEAR(std::hypot((off.x * 0.6 + off.y * 0.8) / 40, (off.y * 0.6 - off.x * 0.8) / 20), 1, 1e-9);
   }
   EXPECT_EQ(only_outline(read(dxf(centre))).size(), whole.size());
-  // Half an ellipse, closed by a line: anticlockwise from the end of its major axis, clockwise when seen from below.
+  // Half an ellipse, closed by a line. It runs anticlockwise from the end of its major axis, or clockwise when seen from below.
   const std::string half = "0\nELLIPSE\n10\n0\n20\n0\n11\n40\n21\n0\n40\n0.5\n41\n0\n42\n" + std::to_string(pi) + "\n";
   const NestBox above = box_of(only_outline(read(dxf(half + line(-40, 0, 40, 0)))));
   EXPECT_NEAR(above.low.y, 0, 1e-4);
@@ -389,7 +389,7 @@ TEST(DxfDrawings, NationalGridIsMovedToTheOrigin) {
   EXPECT_EQ(boxes(found), Names{"0..100 0..100"});
   ASSERT_EQ(found.drawings[0].holes.size(), 1u);
   EXPECT_EQ(found.notes, Names{"the drawing begins at (3500000.25, 5800000.5): moved to the origin"});
-  // Metres, and one stray outline at the origin, which most others are far from.
+  // In metres, with one stray outline at the origin, far from most others.
   const DxfDrawings metres = read(dxf(square(0, 0, 0.1) + square(3'500'000.25, 5'800'000.5, 0.5) +
                                           square(3'500'001.25, 5'800'000.5, 0.5) + square(3'500'002, 5'800'000.5, 0.25),
                                       "9\n$INSUNITS\n70\n6\n"));

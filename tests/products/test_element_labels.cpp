@@ -1,4 +1,4 @@
-// Photos with known elements: all of them are found, nothing else, and the labels are what the header says.
+// Photos with known elements: all elements are found, nothing else is, and the labels are as the header says.
 #include "products/elements/element_labels.h"
 
 #include <gtest/gtest.h>
@@ -16,8 +16,8 @@ using test::photographed;
 
 struct Score {
   int whole = 0;      // elements of the truth that do not touch the photo's edge
-  int found = 0;      // of these
-  int not_there = 0;  // regions away from the edge that are none of them
+  int found = 0;      // the found ones among them
+  int not_there = 0;  // regions away from the edge that match none of them
 };
 
 bool touches_edge(const cv::Rect& box, cv::Size size) {

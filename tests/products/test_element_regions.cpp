@@ -1,4 +1,4 @@
-// The building blocks of the search for elements.
+// The parts of the search for elements.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -32,7 +32,7 @@ TEST(ReliefWatershed, WaterMeetsOnTheRidge) {
   const cv::Mat basins = basins_of(relief);
   const cv::Mat expected = (cv::Mat_<int>(1, 9) << 1, 1, 1, 1, 0, 2, 2, 2, 2);
   for (int x = 0; x < 9; ++x) {
-    if (x == 4) continue;  // the ridge itself is either's
+    if (x == 4) continue;  // the ridge may belong to either side
     EXPECT_EQ(basins.at<int>(x), expected.at<int>(x)) << x;
   }
 }
@@ -87,14 +87,14 @@ TEST(SolidPart, FillsHolesAndKeepsTheLargest) {
   cv::Mat mask = cv::Mat::zeros(30, 40, CV_8U);
   cv::rectangle(mask, {0, 0}, {19, 19}, 255, cv::FILLED);
   cv::rectangle(mask, {5, 5}, {9, 9}, 0, cv::FILLED);
-  cv::rectangle(mask, {20, 20}, {25, 25}, 255, cv::FILLED);  // touches by a corner only
+  cv::rectangle(mask, {20, 20}, {25, 25}, 255, cv::FILLED);  // touches only by a corner
   const cv::Mat solid = solid_part(mask);
   EXPECT_EQ(cv::countNonZero(solid), 400);
   EXPECT_EQ(solid.at<std::uint8_t>(7, 7), 255);
   EXPECT_EQ(solid.at<std::uint8_t>(20, 20), 0);
 }
 
-/// Of random masks, against OpenCV's connected components.
+/// Compares random masks with OpenCV's connected components.
 RC_GTEST_PROP(SolidPart, IsTheLargestComponentAndAllThatItEncloses, ()) {
   const cv::Mat mask = random_relief(*rc::gen::inRange(1, 20), *rc::gen::inRange(1, 20), 3) > 0;
   cv::Mat parts, stats, centroids;
@@ -104,10 +104,10 @@ RC_GTEST_PROP(SolidPart, IsTheLargestComponentAndAllThatItEncloses, ()) {
   for (int i = 1; i < count; ++i) most_px2 = std::max(most_px2, stats.at<int>(i, cv::CC_STAT_AREA));
   cv::Mat framed, grounds;
   cv::copyMakeBorder(solid == 0, framed, 1, 1, 1, 1, cv::BORDER_CONSTANT, 255);
-  RC_ASSERT(cv::connectedComponents(framed, grounds, 8) == 2);  // nothing is enclosed
+  RC_ASSERT(cv::connectedComponents(framed, grounds, 8) == 2);  // no enclosed ground is left
   RC_ASSERT(cv::countNonZero(solid & mask) >= most_px2);
   if (most_px2 > 0) {
-    RC_ASSERT(cv::connectedComponents(solid, parts, 4) == 2);  // one part
+    RC_ASSERT(cv::connectedComponents(solid, parts, 4) == 2);  // there is only one part
   } else {
     RC_ASSERT(cv::countNonZero(solid) == 0);
   }
@@ -144,7 +144,7 @@ TEST(ColourClusters, ThreeColoursAreThree) {
 }
 
 TEST(MergeTree, CutsWhereBordersAreStrong) {
-  // Two squares of four parts each: faint lines within, a strong one between and around.
+  // Two squares of four parts each. Lines within a square are faint, lines between and around squares strong.
   cv::Mat boundary(40, 80, CV_32F, cv::Scalar(0.05));
   boundary.row(20).setTo(0.2);
   boundary.col(20).setTo(0.2);
@@ -209,7 +209,7 @@ TEST(RegionVote, GroundCutFromGroundIsNoElement) {
   EXPECT_EQ(label_count(voted_regions(maps, boundary, 40)), 0);
 }
 
-/// Bright squares on a dark ground, one label on the ground, one square with the ground's colour in a bright frame.
+/// Bright squares on a dark ground. One labelled square has the colour of the ground.
 TEST(GapFilter, GroundGoesButNotWhatHasAJointAroundIt) {
   cv::Mat photo(240, 320, CV_8UC3, cv::Scalar(40, 45, 50));
   cv::Mat labels = cv::Mat::zeros(240, 320, CV_32S);
@@ -244,7 +244,7 @@ TEST(ScaledLabels, WhatThePhotosEdgeCutsStaysCut) {
   EXPECT_EQ(scaled_labels(labels, {200, 150}).regions()[1].box.x, 0);
 }
 
-/// A stone of this radius with a rim of another lightness around it, all of it one region.
+/// A stone of radius `stone_px` inside one region, which also holds a rim of another lightness.
 struct RimmedStone {
   RimmedStone(int stone_px, int region_px, float stone_lightness, float rim_lightness)
       : labels(80, 80, CV_32S, cv::Scalar(0)),
@@ -276,7 +276,7 @@ TEST(Trim, LeavesARegionOfOneColourAlone) {
   EXPECT_LT(RimmedStone(20, 24, 70, 62).area(), disc_area(22)) << "8 are two";
 }
 
-/// It is another thing then: a ring, or two that were taken for one.
+/// Such a region is something else: a ring, or two elements taken for one.
 TEST(Trim, NeverTakesMoreThanHalf) { EXPECT_EQ(RimmedStone(15, 24, 70, 30).area(), disc_area(24)); }
 
 TEST(Trim, LeavesWhatIsTooSmallAlone) { EXPECT_EQ(RimmedStone(3, 4, 70, 30).area(), disc_area(4)); }

@@ -1,4 +1,4 @@
-// Faces in photographs, with the cascade of Debian's package opencv-data (scripts/packages.txt), and what eyes look for.
+// Faces in photographs, found with the cascade of Debian's package opencv-data (scripts/packages.txt), and the saliency of their parts.
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>
@@ -22,14 +22,14 @@ cv::Mat photo(const std::string& name) {
   return test::bgr_of_image(test::read_image(std::string(TESSERA_SOURCE_DIR) + "/jobs/photos/" + name));
 }
 
-/// In parts of the picture.
+/// The numbers are fractions of the picture.
 void expect_box(const Face& face, double x, double y, double width) {
   EXPECT_NEAR(face.box.x, x, 0.02);
   EXPECT_NEAR(face.box.y, y, 0.02);
   EXPECT_NEAR(face.box.width, width, 0.02);
 }
 
-// OpenCV's own detector says 117, 66, 96 x 96 px of 340 x 400, by 30 windows.
+// OpenCV's own detector gives 117, 66, 96 x 96 px of 340 x 400, from 30 windows.
 TEST(FindFaces, FindsTheOneOfAPortrait) {
   const std::vector<Face> faces = find_faces(photo("astronaut.jpg"), cascade(), 0);
   ASSERT_EQ(faces.size(), 1u);
@@ -63,7 +63,7 @@ TEST(FindFaces, FindsNoneInStonesTilesAndFur) {
 
 constexpr double kEyes = 0.37, kMouth = 0.79;
 
-/// Of a face whose box is the middle half of 400 x 400 px; `x`, `y` in parts of the box.
+/// The saliency in a face whose box is the middle half of 400 x 400 px. `x` and `y` are fractions of the box.
 float saliency_at(const cv::Mat& saliency, double x, double y) {
   return saliency.at<float>(int(100 + 200 * y), int(100 + 200 * x));
 }
@@ -88,7 +88,7 @@ TEST(SaliencyOfFaces, IsLessWhereAFaceIsLessCertain) {
   EXPECT_EQ(eye({}), 0);
 }
 
-// A face of 200 px.
+// The face has 200 px.
 TEST(SaliencyOfFaces, IsLessWhereAFaceIsManyPiecesWide) {
   const auto eye = [](double smallest_px) {
     return saliency_at(saliency_of_faces({{{0.25, 0.25, 0.5, 0.5}, 1}}, {400, 400}, smallest_px), 0.3, kEyes);
@@ -112,7 +112,7 @@ TEST(SaliencyOfPicture, GoesByLightnessAndAlpha) {
 TEST(SaliencyOfPicture, RefusesColoursButNotWhatJpegMakesOfGrey) {
   cv::Mat picture(4, 6, CV_8UC4, cv::Scalar(130, 120, 125, 255));
   EXPECT_NO_THROW(saliency_of_picture(picture, {6, 4}));
-  picture.at<cv::Vec4b>(2, 3) = {0, 0, 200, 0};  // under full transparency there is no colour
+  picture.at<cv::Vec4b>(2, 3) = {0, 0, 200, 0};  // a fully transparent pixel has no colour
   EXPECT_NO_THROW(saliency_of_picture(picture, {6, 4}));
   picture.at<cv::Vec4b>(2, 3) = {0, 0, 200, 255};
   try {

@@ -1,4 +1,4 @@
-// The job of a first collage.
+// The job of a first collage, made from a folder.
 #include <gtest/gtest.h>
 
 #include <toml++/toml.h>

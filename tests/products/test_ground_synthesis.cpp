@@ -1,4 +1,4 @@
-// The ground between elements: which pixels of a photo show it, and the picture that is made of them.
+// The ground between elements: the pixels of a photo that show it, and the picture made from them.
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>
@@ -37,7 +37,7 @@ TEST(GroundPixels, AreThePartOfThePhotoThatElementsDoNotCover) {
   }
 }
 
-/// Two stones without labels: as if the search had missed them.
+/// Two stones have no labels, as if the search had missed them.
 TEST(GroundPixels, AreNoneOfElementsThatWereNotFound) {
   Wall wall(test::cobbles());
   const cv::Mat missed = (wall.photo.truth == 17) | (wall.photo.truth == 25);
@@ -53,7 +53,7 @@ TEST(GroundPixels, AreNoneWithoutGapsOrWithoutElements) {
   EXPECT_EQ(cv::countNonZero(ground_pixels(photo, LabelRuns(cv::Mat::zeros(photo.size(), CV_32S))).certain), 0);
 }
 
-/// Mean of the absolute differences of neighbouring columns.
+/// The mean of the absolute differences of two columns.
 double step_between(const cv::Mat& picture, int left, int right) {
   cv::Mat difference;
   cv::absdiff(picture.col(left), picture.col(right), difference);
@@ -76,7 +76,7 @@ TEST(GroundSynthesis, IsMadeOfTheGroundAlone) {
   }
 }
 
-/// The photo is brighter to its right by 20 levels, what is made of it is not: a step of the light would be seen.
+/// The photo is 20 levels brighter at its right. The ground made from it is even, because a step in the light would show.
 TEST(GroundSynthesis, HasTheSameLightEverywhere) {
   const Wall wall(test::discs());
   const cv::Mat picture = wall.picture(256);

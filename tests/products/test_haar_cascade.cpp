@@ -1,4 +1,4 @@
-// Windows that a cascade accepts, and files that are none.
+// Windows that a cascade accepts, and files without a cascade.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -10,7 +10,7 @@
 namespace tessera {
 namespace test_haar_cascade {
 
-/// One tree of two nodes in a window of 20 x 20 px: bright in the middle, and not bright everywhere.
+/// One tree of two nodes in a window of 20 x 20 px. It accepts windows that are bright in the middle, but not everywhere.
 struct Cascade {
   std::string rects = "<_>0 0 20 20 -1.</_><_>5 5 10 10 4.</_>";
   std::string nodes = "0 1 0 1.7 -1 -2 1 2";
@@ -36,7 +36,7 @@ HaarCascade cascade(const Cascade& written = {}) {
   return read_haar_cascade(folder.write("cascade.xml", xml_of(written)));
 }
 
-/// Black, with a white square at (60, 40).
+/// A black picture with a white square at (60, 40).
 cv::Mat picture(int side_px) {
   cv::Mat grey(200, 240, CV_8U, cv::Scalar(0));
   grey(cv::Rect(60, 40, side_px, side_px)) = 255;

@@ -1,4 +1,4 @@
-// Pieces that come to rest beside each other, and by how much they must grow to meet.
+// The joint settling of pieces beside each other, and the growth with which they meet.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ TEST(GrowthBetween, SharesTheGapWithTheShiftAlongAStraightLineAndIsNothingFarAwa
   EXPECT_FALSE(growth_between(cut.posed(0, {1, 0, 5'000, 0}), cut.posed(1), cut.scale));
 }
 
-/// How far the pieces' centres are from where they belong, at most.
+/// The largest distance of a piece's centre from its right place.
 float farthest_off(const std::vector<PosedPiece>& pieces) {
   float farthest = 0;
   for (const PosedPiece& piece : pieces)
@@ -39,7 +39,7 @@ float farthest_off(const std::vector<PosedPiece>& pieces) {
   return farthest;
 }
 
-/// A small error of each row and column adds up to one that no pair of neighbours shows.
+/// Small errors of each row and column add up to a large one that no pair of neighbours shows.
 TEST(JointSettling, TakesOutWhatRunsThroughAllPieces) {
   const CutPieces cut(98, CutStyle::tabs, 0);
   std::vector<PosedPiece> pieces;
@@ -63,7 +63,7 @@ TEST(JointSettling, WhatIsAloneStays) {
   EXPECT_NEAR(pieces[1].pose.b, 1, 1e-6);
 }
 
-/// The pictures are not known here: what is left are the boundaries.
+/// The pieces have no pictures here, so only the boundaries count.
 float agreement(const CutPieces& cut, std::size_t i, std::size_t j, Vec2 shift) {
   std::vector<Beside> beside(cut.pieces[i].points.size(), Beside::nothing);
   return see_neighbour(cut.posed(i, {1, 0, shift.x, shift.y}), cut.posed(j), cut.scale, beside);
@@ -79,7 +79,7 @@ TEST(SeeNeighbour, BendsThatRunCloseSpeakForAPlaceAndThoseApartAgainstIt) {
 
 TEST(SeeNeighbour, StraightLinesSayNothingByHowCloseTheyRun) {
   const CutPieces cut(12, CutStyle::rectangles, 0);
-  // What there is comes of the corners; the whole side is four times as long.
+  // The small value comes from the corners; the whole side is four times as long.
   for (const float times : {0.f, 0.6f}) EXPECT_NEAR(agreement(cut, 0, 1, {times * cut.scale.tolerance, 0}), 0, 32);
 }
 

@@ -1,5 +1,5 @@
-// Drawings and instances that would eat the machine: each is refused within seconds and 512 MiB, by its name and what
-// it has too much of.
+// Drawings and instances that would need too much time or memory. Each is refused within seconds and 512 MiB, with its name and the
+// excessive part.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 namespace tessera {
 namespace test_large_drawings {
 
-/// A drawer's own limit.
+/// The message when a drawer reaches its own limit.
 const std::string kTooLarge = "needs more than 512 MiB of memory";
 const std::string kSvg = "<svg xmlns='http://www.w3.org/2000/svg'>";
 
@@ -57,7 +57,7 @@ TEST_F(LargeDrawings, AreRefusedOfManyAttributes) {
                  "id: found a name of 2000000 bytes, \"nnnnnnnnnnnnnnnnnnnn...\", allowed: 1000");
 }
 
-/// libxml2 refuses more than 10 MB of a document that ends right after a long tag.
+/// libxml2 refuses documents of more than 10 MB that end right after a long tag.
 TEST_F(LargeDrawings, AreReadToTheirLastByte) {
   const std::string arcs = "a1 1 0 1 1 2 0 ";
   std::string path = "<path id='a' d='M0 0 ";
@@ -113,7 +113,7 @@ TEST_F(LargeDrawings, AreReadWithinTheBounds) {
   });
 }
 
-/// One lies in the box of each other, and in none; or in all.
+/// In the first file each contour lies in the boxes of many others, but inside none. In the second, contours are nested.
 TEST_F(LargeDrawings, OfManyContoursInEachOtherAreSortedInSeconds) {
   std::string frames = kSvg, nested = kSvg;
   for (int i = 0; i < 2'000; ++i) {
@@ -161,7 +161,7 @@ TEST_F(LargeDrawings, OfDxfBlocksAndLayersAreRefused) {
   expect_refused("weights.dxf", {entities + "0\nSPLINE\n", "41\n1\n", 9'000'000, ""}, points);
   expect_refused("controls.dxf", {entities + "0\nSPLINE\n", "10\n1\n", 9'000'000, ""}, points);
   expect_refused("kinds.dxf", {blocks, "0\nBLOCK\n2\nA\n0\nA\n0\nB\n0\nC\n", 1'500'000, ""}, "found no closed shape");
-  // Short lines on layers with long names, and splines of many control points and little length, drawn very often.
+  // Short lines on layers with long names, and splines of many control points but little length. Both are drawn very often.
   const std::string often = "0\nENDBLK\n0\nENDSEC\n" + entities + "0\nINSERT\n2\nB\n70\n30000\n71\n30000\n";
   expect_refused(
       "names.dxf",
@@ -171,7 +171,7 @@ TEST_F(LargeDrawings, OfDxfBlocksAndLayersAreRefused) {
   expect_refused("splines.dxf",
                  {blocks + "0\nBLOCK\n2\nB\n0\nSPLINE\n71\n1\n40\n0\n40\n0\n", "10\n1\n40\n1\n", 150'000, often},
                  points);
-  // Of the highest degree, and never flat.
+  // A spline of the highest degree that is never flat.
   expect_refused("degrees.dxf",
                  {entities + "0\nSPLINE\n71\n25\n", "10\n1e9\n40\n1\n10\n-1e9\n20\n1e9\n40\n1\n", 90'000, ""},
                  "found no closed shape");

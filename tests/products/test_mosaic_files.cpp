@@ -84,7 +84,7 @@ class MosaicFilesTest : public testing::Test {
     write_mosaic(mosaic);
     return mosaic;
   }
-  /// With names as seen from there.
+  /// Writes from inside the test's folder, with names relative to it.
   void write_from_the_folder(const std::string& job) {
     const fs::path before = fs::current_path();
     fs::current_path(folder_.path("."));
@@ -111,10 +111,10 @@ TEST_F(MosaicFilesTest, LieBesideEachOther) {
   write(request());
   const toml::table job = toml::parse(bytes_of(folder_.path("m.toml")));
   EXPECT_EQ(job["pieces"]["size_map"].value<std::string>(), "m_sizes.png");
-  EXPECT_EQ(job["colour"]["image"].value<std::string>(), folder_.path("photo.png"));  // given from the root
+  EXPECT_EQ(job["colour"]["image"].value<std::string>(), folder_.path("photo.png"));  // this path is absolute
   const cv::Mat map = test::read_image(folder_.path("m_sizes.png"));
   EXPECT_EQ(map.type(), CV_8UC1);
-  EXPECT_EQ(map.size(), cv::Size(102, 68));  // of a canvas of 406 x 271 px
+  EXPECT_EQ(map.size(), cv::Size(102, 68));  // for a canvas of 406 x 271 px
 }
 
 TEST_F(MosaicFilesTest, NameTheRegionsByTheirColoursInThePicture) {
@@ -167,7 +167,7 @@ TEST_F(MosaicFilesTest, ARetouchedPictureOfRegionsIsNotReplacedUnasked) {
   EXPECT_NE(refusal(parted).find("m_regions.png: is there already"), std::string::npos);
 }
 
-/// As jobs are read: links are followed by nobody.
+/// Jobs are read in the same way: names are joined as text, and links are not resolved.
 TEST_F(MosaicFilesTest, NameWhatIsReadByNamesAlone) {
   fs::create_directories(folder_.path("far/away"));
   fs::create_directory_symlink(folder_.path("far/away"), folder_.path("jobs/link"));
@@ -219,7 +219,7 @@ TEST_F(MosaicFilesTest, NeverReplaceWhatIsNoMosaics) {
   again.replace = true;
   EXPECT_NE(refusal(again).find("m.toml: exists and was not made by tessera mosaic"), std::string::npos);
   EXPECT_EQ(bytes_of(folder_.path("m.toml")), "seed = 1\n");
-  EXPECT_FALSE(fs::exists(folder_.path("m_sizes.png")));  // all is looked at before anything is written
+  EXPECT_FALSE(fs::exists(folder_.path("m_sizes.png")));  // all files are checked before any is written
 }
 
 TEST_F(MosaicFilesTest, NeverReplaceAPictureThatNoJobIsBeside) {

@@ -1,4 +1,4 @@
-// Where a mosaic's pieces are small and where large.
+// The sizes of a mosaic's pieces by place.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace test_mosaic_sizes {
 
 const cv::Scalar kGrey(128, 128, 128);
 
-/// Grey, with stripes as wide as `stripe_px` in its left half.
+/// A grey picture whose left half has stripes of width `stripe_px`.
 cv::Mat half_striped(cv::Size size, int stripe_px) {
   cv::Mat image(size, CV_8UC3, kGrey);
   for (int x = 0; x < size.width / 2; x += 2 * stripe_px)
@@ -44,7 +44,7 @@ bool same(const cv::Mat& one, const cv::Mat& other) {
 TEST(MosaicPlan, HasTheImagesAspectAndRoomForThePieces) {
   const MosaicPlan plan = mosaic_plan({451, 300}, 3000);
   EXPECT_NEAR(plan.canvas_px.width / double(plan.canvas_px.height), 451 / 300., 1e-3);
-  EXPECT_NEAR(plan.canvas_px.area() * 0.88 / 3000, 22 * 22, 1);  // a piece of the mean size
+  EXPECT_NEAR(plan.canvas_px.area() * 0.88 / 3000, 22 * 22, 1);  // the area of a piece of the mean size
   EXPECT_EQ(plan.min_scale_px, 16);
   EXPECT_EQ(plan.max_scale_px, 80);
 }
@@ -76,8 +76,8 @@ TEST(MosaicPlan, RefusesWhatIsTooFewTooManyOrTooLong) {
   EXPECT_NO_THROW(mosaic_plan({800, 100}, kFewestMosaicPieces));
 }
 
-// Of mosaics out of 3,041 shapes (six of about 1,000 pieces, two of 2,000), pieces in a million px² where the largest
-// may have that size.
+// The numbers of pieces per million px² for places with this largest size. They were measured in mosaics of 3,041 shapes (six of about
+// 1,000 pieces, two of 2,000).
 TEST(MosaicPlan, ExpectsAsManyPiecesAsCameInMeasurements) {
   const MosaicPlan plan = mosaic_plan({100, 100}, 3000);
   const std::pair<double, double> kMeasured[] = {{16, 3242}, {32.4, 2195}, {37.9, 1906}, {44.4, 1801}, {52.3, 1719}};
@@ -136,7 +136,7 @@ TEST(SizeMap, GivesAboutAsManyPiecesAsAreWishedFor) {
   }
 }
 
-// What no piece can show shall cost none.
+// Texture that no piece can show must not cost pieces.
 TEST(SizeMap, PassesOverTextureThatIsFinerThanThePieces) {
   const cv::Size size(3600, 2400);
   const MosaicPlan plan = mosaic_plan(size, 3000);
@@ -171,14 +171,14 @@ TEST(SizeMap, IsSmallWhereEyesLookAndLargerElsewhere) {
   const cv::Rect spot(saliency.cols * 3 / 4, saliency.rows / 2, saliency.cols / 10, saliency.rows / 10);
   saliency(spot) = 1;
   const cv::Mat map = size_map(image, plan, saliency), before = map_by_contrast(image, plan);
-  EXPECT_GT(cv::mean(before(spot))[0], 170);  // flat
+  EXPECT_GT(cv::mean(before(spot))[0], 170);  // a flat area
   EXPECT_LT(cv::mean(map(spot))[0], 20);
   const int quarter = map.cols / 4;
   EXPECT_GT(cv::mean(map.colRange(0, quarter))[0], cv::mean(before.colRange(0, quarter))[0]);
   EXPECT_NEAR(expected_pieces(map, plan) / 3000, 1, 0.01);
 }
 
-// Nobody can look everywhere: the pieces are as many as wished, whatever is painted.
+// If everything is painted as salient, nothing is. The number of pieces stays the wished one.
 TEST(SizeMap, IsTheSameWhereAllIsEquallySalient) {
   const MosaicPlan plan = mosaic_plan({600, 400}, 3000);
   const cv::Mat image = half_striped({600, 400}, 20);
@@ -194,7 +194,8 @@ TEST(SalientDetail, TakesPiecesFromTheLargestToTheSmallest) {
   saliency.colRange(150, 200) = 1;
   const cv::Mat salient = salient_detail(detail, saliency, plan);
   EXPECT_FLOAT_EQ(salient.at<float>(50, 0), 2);
-  EXPECT_NEAR(salient.at<float>(50, 120), 2 * 5, 1e-4);  // sizes go by the cubic root: 80 to 16 px is a factor of 5
+  EXPECT_NEAR(salient.at<float>(50, 120), 2 * 5,
+              1e-4);  // sizes follow the cube root: from 80 to 16 px is a factor of 5
   EXPECT_NEAR(salient.at<float>(50, 199), 2 * 125, 1e-3);
 }
 

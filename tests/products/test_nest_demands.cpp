@@ -1,4 +1,4 @@
-// How many pieces of each name: names and patterns of names.
+// The demand for pieces by name and by pattern.
 #include <gtest/gtest.h>
 
 #include "products/nesting/nest_input.h"

@@ -1,4 +1,4 @@
-// What is nested comes from strangers: instances. SVGs and DXFs: test_svg_drawings.cpp, test_dxf_drawings.cpp.
+// Instances of foreign origin as the input of nest. For SVGs and DXFs see test_svg_drawings.cpp and test_dxf_drawings.cpp.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -156,7 +156,7 @@ TEST(NestInstance, BoundsHostileOnes) {
             "a.json: found more than 200000 points in a file; allowed: 200000 or fewer");
 }
 
-/// A DXF of lines through these points, closed.
+/// A DXF with a closed polyline through these points.
 std::string dxf(const std::vector<std::pair<int, int>>& points) {
   std::string text = "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n90\n" + std::to_string(points.size()) + "\n70\n1\n";
   for (const auto& [x, y] : points) text += "10\n" + std::to_string(x) + "\n20\n" + std::to_string(y) + "\n";

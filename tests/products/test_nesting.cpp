@@ -1,4 +1,4 @@
-// Pieces laid on strips and sheets: what a layout promises, by a checker of its own.
+// Pieces laid on strips and sheets. An independent checker verifies what a layout promises.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -20,7 +20,7 @@ constexpr double kPi = 3.14159265358979323846;
 
 NestRing rectangle(double w, double h) { return {{0, 0}, {w, 0}, {w, h}, {0, h}}; }
 
-/// A star-shaped polygon with dents, about `size` large.
+/// A random star-shaped polygon with dents, about `size` large.
 NestRing random_star(NestRandom& random, double size) {
   const int corners = 3 + random.below(9);
   NestRing ring;
@@ -49,8 +49,8 @@ NestProblem random_problem(std::uint64_t seed) {
 
 const NestEffort kShort{1, 4'000};
 
-/// Where a line in x is inside an outline: independent of what the product does. The intervals of two pieces
-/// must not share more than a rounding.
+/// The intervals of a horizontal line that lie inside an outline, computed independently of the product.
+/// The intervals of two pieces may overlap by no more than rounding.
 std::vector<std::pair<double, double>> inside_on_line(const NestRing& ring, double y) {
   std::vector<double> xs;
   for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
@@ -74,7 +74,7 @@ double widest_overlap(const NestRing& a, const NestRing& b, double height) {
   return widest;
 }
 
-/// Of outlines that do not meet: a corner of one is nearest to the other.
+/// The distance of two outlines that do not meet: it lies between a corner of one and the other.
 double distance_between(const NestRing& a, const NestRing& b) {
   double least = std::numeric_limits<double>::infinity();
   for (const NestPoint p : a) least = std::min(least, distance_to_boundary(b, p));
@@ -106,7 +106,7 @@ void expect_sound(const NestProblem& problem, const NestLayout& layout) {
   for (std::size_t i = 0; i < rings.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (layout.pieces[i].sheet != layout.pieces[j].sheet) continue;
-      // Sharp tips may be cut a little deeper along the line than across.
+      // A tip may be cut slightly deeper along the line than across it.
       RC_ASSERT(widest_overlap(rings[i], rings[j], problem.height) < 1e-3);
       if (problem.spacing > 0) RC_ASSERT(distance_between(rings[i], rings[j]) > problem.spacing - 1e-3);
     }
@@ -146,7 +146,7 @@ TEST(Nesting, IsTheSameOnAnyThread) {
   EXPECT_NE(alone[0].pieces, alone[1].pieces);
 }
 
-/// A 100 x 60 rectangle cut into five: they fit together without any gap.
+/// A rectangle of 100 x 60 cut into five parts, which fit together without a gap.
 NestProblem cut_rectangle() {
   NestProblem problem;
   problem.height = 60;
@@ -157,7 +157,7 @@ NestProblem cut_rectangle() {
 }
 
 TEST(Nesting, TheBestDoesNotDependOnWhoHadWhichChain) {
-  // Several of equal length: any split into ranks gives the first chain of them.
+  // Several chains of equal length: any division among ranks gives the first of them.
   for (const std::vector<double>& lengths : std::vector<std::vector<double>>{
            {9, 7, 7, 8}, {7, 7, 7, 7}, {9, 8, 7, 7}, {7, 9, 7, 9}, {9, 9, 9, 9, 8, 8, 8}}) {
     std::vector<NestLayout> chains;
@@ -202,7 +202,7 @@ TEST(Nesting, ASheetHasABudgetByThePiecesThatAreLeft) {
   problem.height = 40;
   problem.length = 40;
   problem.items.push_back({{{0, 0}, {25, 0}, {25, 8}, {8, 8}, {8, 25}, {0, 25}}, {0, 90, 180, 270}, 16});
-  std::vector<int> looks;  // for each sheet: with its pieces on it the layout is better than without
+  std::vector<int> looks;  // the number of progress calls after each found layout
   nest_chain(
       problem, posed_items(problem), {1, 3'000}, 1, 0, [&](const NestLayout&) { looks.push_back(0); },
       [&](double) { ++looks.back(); });
@@ -210,7 +210,7 @@ TEST(Nesting, ASheetHasABudgetByThePiecesThatAreLeft) {
   EXPECT_LT(looks[4], 0.6 * looks[0]);
 }
 
-/// Ends a chain after so many looks; what it has found by then.
+/// Ends a chain after `looks` progress calls, and returns the layouts found so far.
 std::vector<NestLayout> found_until(const NestProblem& problem, const NestEffort& effort, std::uint64_t seed,
                                     int looks) {
   struct Stop {};
@@ -269,7 +269,7 @@ TEST(Nesting, ASlantedPieceIsTurnedUpright) {
   problem.height = 200;
   problem.items.push_back({rectangle(100, 10), {0, 90}, 3});
   const NestLayout layout = nest_chain(problem, posed_items(problem), {1, 20'000}, 1, 0);
-  EXPECT_NEAR(layout.used_length, 20, 0.1);  // two on top of each other, and one beside them
+  EXPECT_NEAR(layout.used_length, 20, 0.1);  // two pieces on top of each other, and one beside them
 }
 
 TEST(Nesting, TheCheckerSeesFaults) {
@@ -300,7 +300,7 @@ TEST(NestCheck, ACrossIsSeenThatHasNoCornerInside) {
   EXPECT_FALSE(lie_deeper({{0, 0}, {4, 0}, {4, 4}}, {{4, 0}, {8, 0}, {8, 4}}, 1e-9));
 }
 
-/// By all points and sides, without any rows.
+/// Compares all points and sides, without rows.
 bool lies_deeper_by_all(const NestRing& inner, const NestRing& outer, double depth) {
   const auto deeper = [&](NestPoint p) { return contains(outer, p) && distance_to_boundary(outer, p) > depth; };
   bool any = deeper(poles_of(inner, 1).front().centre);
@@ -349,7 +349,7 @@ RC_GTEST_PROP(SearchOutline, HoldsThePiece, (std::uint64_t seed)) {
     ring.push_back({radius * std::cos(angle), radius * std::sin(angle)});
     if (random.below(50) > 0) continue;
     ++spikes;
-    const NestPoint base = ring.back();  // a spike: out and back
+    const NestPoint base = ring.back();  // a spike that goes out and back
     ring.insert(ring.end(), {base * random.between(1.1, 1.5), base});
   }
   const double area = signed_area(ring);
@@ -378,7 +378,7 @@ RC_GTEST_PROP(SearchOutline, SpikesGo, (std::uint64_t seed)) {
 }
 
 TEST(SearchOutline, ASpikeMayReachBeyondItsBase) {
-  // Back by less than out, and by more.
+  // The spike comes back by less than it went out, and by more.
   EXPECT_EQ(without_spikes({{0, 0}, {4, 0}, {4, 2}, {9, 2}, {5, 2}, {5, 4}, {0, 4}}),
             (NestRing{{0, 0}, {4, 0}, {4, 2}, {5, 2}, {5, 4}, {0, 4}}));
   EXPECT_EQ(without_spikes({{0, 0}, {4, 0}, {4, 2}, {9, 2}, {3, 2}, {3, 4}, {0, 4}}),
@@ -386,7 +386,7 @@ TEST(SearchOutline, ASpikeMayReachBeyondItsBase) {
 }
 
 TEST(Nesting, WhatIsAsLargeAsTheMaterialFits) {
-  // 62.2 - 7.6 is a little more than 54.6, and 255.4 - 229.1 than 26.3.
+  // In floating point, 62.2 - 7.6 is slightly more than 54.6, and 255.4 - 229.1 slightly more than 26.3.
   for (const auto& [low, high, height] : std::vector<std::array<double, 3>>{{7.6, 62.2, 54.6}, {229.1, 255.4, 26.3}}) {
     NestProblem problem;
     problem.height = height;
@@ -409,14 +409,14 @@ TEST(Nesting, TinyPiecesAmongLargeOnesSlideInTime) {
   NestProblem problem;
   problem.height = 100;
   problem.items.push_back({rectangle(1000, 90), {0}, 1});
-  problem.items.push_back({rectangle(2e-4, 2e-4), {0}, 20});  // steps of 4e-6
+  problem.items.push_back({rectangle(2e-4, 2e-4), {0}, 20});  // leads to steps of 4e-6
   const NestLayout layout = nest_chain(problem, posed_items(problem), kShort, 1, 0);
   EXPECT_EQ(nest_fault(problem, layout), "");
   EXPECT_NEAR(layout.used_length, 1000, 1e-3);
 }
 
 TEST(NestPoles, ASliverOfManyPointsHasOneInTime) {
-  // Along a diagonal, thinner than any node of a grid; 32 times finer nodes would take minutes.
+  // The sliver lies along a diagonal, thinner than any node of a grid. A grid 32 times as fine would take minutes.
   NestRing ring;
   constexpr int kSide = 2'000;
   for (int i = 0; i <= kSide; ++i) ring.push_back({i * 0.05, i * 0.05 * 0.7});

@@ -1,4 +1,4 @@
-// What is made of a photograph and its labels.
+// The elements made from a photograph and its labels.
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>
@@ -12,7 +12,7 @@ namespace test_photo_elements {
 
 constexpr int kDisc = 7, kSquare = 3, kCut = 5, kSpeck = 9;
 
-/// 200 x 100: a disc of radius 25 with a hole, a square of 30 to its right and higher, one that the edge cuts, a speck.
+/// Labels on 200 x 100 px. There are a disc of radius 25 with a hole, a square of 30 to its upper right, one cut by the edge, and a speck.
 cv::Mat labels() {
   cv::Mat map = cv::Mat::zeros(100, 200, CV_32S);
   cv::circle(map, {60, 60}, 25, cv::Scalar(kDisc), cv::FILLED);
@@ -23,7 +23,7 @@ cv::Mat labels() {
   return map;
 }
 
-/// Red where elements are, blue between them.
+/// A photo that is red where elements are, and blue between them.
 cv::Mat photo() {
   cv::Mat picture(100, 200, CV_8UC4, cv::Scalar(255, 0, 0, 255));
   picture.setTo(cv::Scalar(0, 0, 255, 255), labels() > 0);
@@ -102,7 +102,7 @@ TEST(PhotoElements, HolesAreFilled) {
   EXPECT_EQ(cut.at<cv::Vec4b>(cut.rows / 2, cut.cols / 2)[3], 255);
 }
 
-/// What lies a pixel from the photo's edge still has its whole rim.
+/// An element 1 px from the photo's edge still has its whole rim.
 TEST(PhotoElements, TheRimIsWholeNearTheEdge) {
   cv::Mat map = cv::Mat::zeros(40, 40, CV_32S);
   map(cv::Rect(1, 1, 20, 20)) = 1;
@@ -125,11 +125,11 @@ TEST(PhotoElements, ThoseOfMoreThan16MegapixelsAreLeftOut) {
   EXPECT_EQ(found(4000, 4001).too_many_pixels, 1u);
 }
 
-/// Its colours are made in strips. Turned, these lie elsewhere.
+/// The colours are computed in strips, which lie elsewhere in the turned photo.
 TEST(PhotoElements, ALargeOneHasNoSeams) {
   cv::Mat picture(1300, 1100, CV_8UC4), map = cv::Mat::zeros(1300, 1100, CV_32S);
   cv::randu(picture, 0, 256);
-  for (int y = 20; y < 1280; y += 8) map(cv::Rect(20 + y / 8 % 5, y, 1000, 5)) = 1;  // teeth
+  for (int y = 20; y < 1280; y += 8) map(cv::Rect(20 + y / 8 % 5, y, 1000, 5)) = 1;  // makes teeth
   map(cv::Rect(20, 20, 200, 1260)) = 1;
   const auto cut_out = [](const cv::Mat& photo, const cv::Mat& labels) {
     const LabelRuns runs(labels);
@@ -161,7 +161,7 @@ TEST(ConnectedLabels, NumbersThatTouchStayApart) {
   EXPECT_EQ(labels.at<int>(10, 40), 3);
 }
 
-/// It took hours: each of the numbers was as large as the photo.
+/// Each of these scattered numbers covers a box as large as the photo, which must not take time.
 TEST(ConnectedLabels, ScatteredNumbersAreNothing) {
   cv::Mat map(1000, 1000, CV_32S);
   cv::RNG rng(7);

@@ -1,4 +1,4 @@
-// What lies between an element and the photo's edge.
+// The margin between an element and the photo's edge.
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>
@@ -10,8 +10,8 @@ namespace test_photo_margin {
 
 const cv::Scalar kMortar(220, 220, 220), kTile(180, 120, 30);
 
-/// 300 x 200: two tiles on mortar, whose labels reach over the margin of `margin_px` to the left and the upper edge, and
-/// one that the right edge cuts.
+/// 300 x 200 px with two tiles on mortar and one cut by the right edge.
+/// The label of the first tile reaches over a margin of `margin_px` to the left and upper edge.
 struct Tiles {
   explicit Tiles(int margin_px) : photo(200, 300, CV_8UC3, kMortar), labels(cv::Mat::zeros(200, 300, CV_32S)) {
     const cv::Rect tile(margin_px, margin_px, 80, 80), other(110, 20, 80, 80), cut(240, 60, 60, 80);
@@ -38,7 +38,7 @@ TEST(PhotoMargin, IsTakenFromATileThatTheEdgeDoesNotCut) {
   }
 }
 
-/// The window round a large one is looked at in a copy.
+/// The window around a large tile is examined in a smaller copy.
 TEST(PhotoMargin, OfALargeTileIsFoundInACopy) {
   cv::Mat photo(2000, 2400, CV_8UC3, kMortar), labels = cv::Mat::zeros(2000, 2400, CV_32S);
   const cv::Rect tile(24, 24, 1800, 1800);
@@ -56,13 +56,13 @@ TEST(PhotoMargin, WhatTheEdgeCutsReachesItStill) {
   EXPECT_EQ(tiles.box(2), cv::Rect(110, 20, 80, 80)) << "and who does not reach it stays as it is";
 }
 
-/// Broad ones are seen in a coarse copy, too; of what is broad, no more is taken.
+/// Broad margins also show in a coarse copy, but no more than this width is removed.
 TEST(PhotoMargin, IsNarrow) { EXPECT_EQ(Tiles(20).box(1).tl(), cv::Point(8, 8)); }
 
 TEST(PhotoMargin, OfNothingIsNothing) {
   EXPECT_EQ(without_margins(cv::Mat(9, 9, CV_8UC3, kTile), LabelRuns(cv::Mat::zeros(9, 9, CV_32S))).regions().size(),
             1u);
-  // One element that fills the photo: there is no gap to compare with.
+  // One element fills the photo, so there is no gap to compare with.
   EXPECT_EQ(
       without_margins(cv::Mat(9, 9, CV_8UC3, kTile), LabelRuns(cv::Mat::ones(9, 9, CV_32S))).regions()[1].area_px2, 81);
 }

@@ -1,4 +1,4 @@
-// Squares of one picture, laid wrongly, go to where what is on them agrees.
+// Square pieces of one picture, laid in wrong places, move to where their pictures agree.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -64,7 +64,7 @@ class Squares : public testing::Test {
     return exchanged(laid, scale_, [&] { ++looks_; });
   }
 
-  /// Of the pieces' centres, with their size, as agreement compares them.
+  /// Counts the right pieces. Each pose becomes that of the piece's centre with its size, as agreement() compares them.
   static int right(const std::vector<Similarity>& poses) {
     std::vector<std::optional<Similarity>> found, truth;
     for (int i = 0; i < kPieces; ++i) {
@@ -102,7 +102,7 @@ TEST_F(Squares, GoWhereTheirPicturesAgree) {
   EXPECT_EQ(found.undecided, 0);
 }
 
-/// From any order: exchanges alone bring 34 of these 72 to their places.
+/// Starts from random orders. Exchanges of two pieces alone would bring only 34 of these 72 to their places.
 TEST_F(Squares, ComeOutOfAWrongOrderAltogether) {
   int right_of_all = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {

@@ -1,4 +1,4 @@
-// Elements apart on a plain ground are found whatever their size, and other grounds are told from it.
+// Separate elements on a plain ground are found at any size, and other grounds are distinguished from it.
 #include "products/elements/plain_ground.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace test_plain_ground {
 
 constexpr int kWidth_px = 600, kHeight_px = 400;
 
-/// Pieces with tabs, as large as one can grasp, and the truth: CV_8U.
+/// A mask of pieces with large tabs: the truth, as CV_8U.
 cv::Mat pieces_mask() {
   cv::Mat mask = cv::Mat::zeros(kHeight_px, kWidth_px, CV_8U);
   for (const cv::Point at : {cv::Point(100, 100), cv::Point(300, 120), cv::Point(490, 270), cv::Point(150, 290)}) {
@@ -29,7 +29,7 @@ cv::Mat pieces_mask() {
   return mask;
 }
 
-/// The ground with light from one side, pieces of many colours on it, soft shadows, blur and noise.
+/// A photo of the mask's pieces in many colours, on a ground lit from one side, with soft shadows, blur and noise.
 cv::Mat photo_of(const cv::Mat& mask, const cv::Scalar& ground_bgr, double noise, bool has_shadow = true) {
   cv::Mat photo(mask.size(), CV_32FC3);
   cv::Mat shadow;
@@ -56,7 +56,7 @@ cv::Mat photo_of(const cv::Mat& mask, const cv::Scalar& ground_bgr, double noise
   return photo;
 }
 
-/// All pieces, each a region whose boundary lies within a pixel or so of the truth.
+/// Expects all pieces, each as a region whose boundary is within about 1 px of the truth.
 void expect_found(const cv::Mat& photo, const cv::Mat& truth) {
   const std::optional<cv::Mat> labels = elements_on_plain_ground(photo);
   ASSERT_TRUE(labels);
@@ -88,7 +88,7 @@ TEST(PlainGround, PiecesOfTwoSizesAndThoseThatTheEdgeCuts) {
   EXPECT_EQ(region_boxes(*labels).size(), 7U);
 }
 
-/// A shadow as the mean one is the ground's colour; grey pieces on white are no shadow, as nothing is darker.
+/// Grey pieces on white could be taken for shadows of the ground, but nothing in the photo is darker.
 TEST(PlainGround, GreyPiecesAreNoShadows) {
   const cv::Mat truth = pieces_mask();
   cv::Mat photo(truth.size(), CV_8UC3, cv::Scalar(245, 245, 245));

@@ -1,4 +1,4 @@
-// Pictures cut up and laid together again.
+// Pictures are cut into pieces and laid together again.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -28,7 +28,7 @@ CutRequest request_of(int pieces, CutStyle style, std::uint64_t seed) {
 
 Polygon frame() { return {{0, 0}, {kWidth_px, 0}, {kWidth_px, kHeight_px}, {0, kHeight_px}}; }
 
-/// The pieces as a library has them, 512 points each, turned and moved; and how each lay.
+/// The pieces as a library holds them, with 512 points each, turned and moved; and their true poses.
 struct Shuffled {
   PuzzleInput input;
   std::vector<std::optional<Similarity>> truth;  // puzzle_from_piece
@@ -47,7 +47,7 @@ Shuffled shuffled(const std::vector<Polygon>& cut) {
   return puzzle;
 }
 
-/// A scene, with something to see everywhere; x and y as the frame's.
+/// The colour of a scene that has detail everywhere, at x and y of the frame.
 std::array<float, 3> scene(Vec2 p) {
   const float x = p.x / 1200, y = p.y / 900;
   return {127 + 60 * std::sin(9 * x + 4 * y) + 60 * std::sin(23 * y - 11 * x),
@@ -55,11 +55,11 @@ std::array<float, 3> scene(Vec2 p) {
           127 + 70 * std::sin(13 * x * y + 5) + 50 * std::sin(17 * x + 19 * y)};
 }
 
-/// Each piece as a picture of its own, transparent round it.
+/// Gives each piece its own picture with a transparent ground.
 void paint(Shuffled& puzzle) {
   for (std::size_t i = 0; i < puzzle.input.pieces.size(); ++i) {
     const Box box = bounding_box(puzzle.input.pieces[i]);
-    constexpr float kScale = 0.7f;  // px of one unit
+    constexpr float kScale = 0.7f;  // px per unit
     const int width = int(box.width() * kScale) + 4, height = int(box.height() * kScale) + 4;
     std::vector<std::uint8_t> bgra;
     for (int y = 0; y < height; ++y) {
@@ -74,7 +74,7 @@ void paint(Shuffled& puzzle) {
   }
 }
 
-/// As shapes' poses: of the piece's centre, with its size. That is what agreement compares.
+/// Converts to poses of shapes: of the piece's centre, with its size, as agreement() compares them.
 std::vector<std::optional<Similarity>> of_shapes(std::vector<std::optional<Similarity>> poses,
                                                  const std::vector<Polygon>& pieces) {
   for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -87,7 +87,7 @@ std::vector<std::optional<Similarity>> of_shapes(std::vector<std::optional<Simil
   return poses;
 }
 
-/// `tolerance`: in kRightShift_px.
+/// The number of pieces in their right places. `tolerance` is in units of kRightShift_px.
 int right(const PuzzleSolution& solution, const Shuffled& puzzle, float tolerance = 1) {
   const auto shrunk = [&](std::vector<std::optional<Similarity>> poses) {
     poses = of_shapes(std::move(poses), puzzle.input.pieces);
@@ -133,7 +133,7 @@ TEST(PuzzleCut, NoTwoTabsAreAlike) {
   EXPECT_EQ(std::adjacent_find(areas.begin(), areas.end()), areas.end());
 }
 
-/// Wherever the grid ends up with long or narrow pieces.
+/// The test includes numbers of pieces that give a grid of long or narrow pieces.
 TEST(PuzzleCut, TabsNeitherMeetNorLeaveTheFrame) {
   for (int pieces = 2; pieces <= 20; ++pieces) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
@@ -154,7 +154,7 @@ TEST(PuzzleCut, TabsNeitherMeetNorLeaveTheFrame) {
   }
 }
 
-/// A drop: round, with one corner, y from 100 to 800.
+/// A round drop with one corner; y runs from 100 to 800.
 Polygon drop() {
   Polygon curve;
   for (int k = 0; k < 240; ++k) {
@@ -165,7 +165,7 @@ Polygon drop() {
   return curve;
 }
 
-/// Nowhere a corner, nor a turn by which it is the same.
+/// An outline without corners and without rotational symmetry.
 Polygon pebble() {
   Polygon curve;
   for (int k = 0; k < 240; ++k) {
@@ -214,7 +214,7 @@ RC_GTEST_PROP(PuzzleCut, PiecesCoverAShapeOnce, ()) {
 
 class Puzzles : public testing::TestWithParam<int> {};
 
-/// A frame with one corner, and one with none.
+/// One frame has one corner, the other none.
 TEST_P(Puzzles, TabsOfAShapeInItsFrame) {
   for (const Polygon& outline : {drop(), pebble()}) {
     CutRequest request = request_of(24, CutStyle::tabs, std::uint64_t(GetParam()));
@@ -261,14 +261,14 @@ TEST_P(Puzzles, TabsInAFrame) {
   }
 }
 
-/// Fig. 18's number of pieces. Their sides are straight, and any two may agree by chance.
+/// The number of pieces is that of Fig. 18. The sides are straight, so any two may agree by chance.
 TEST_P(Puzzles, PolygonsInAFrame) {
   Shuffled puzzle = shuffled(cut_puzzle(request_of(18, CutStyle::polygons, std::uint64_t(GetParam()))));
   puzzle.input.frame = frame();
   EXPECT_EQ(right(solve_puzzle(puzzle.input), puzzle), 18);
 }
 
-/// Returns the piece as a scan gives it: corners are rounded, and each point is up to half a unit off.
+/// Returns the piece as a scan gives it: with rounded corners, and each point up to half a unit off.
 Polygon traced(const Polygon& piece) {
   const int count = int(piece.size());
   Polygon smooth;
@@ -283,7 +283,7 @@ Polygon traced(const Polygon& piece) {
   return smooth;
 }
 
-/// Without a frame some pieces were laid outside, by their straight sides, and their places stayed open.
+/// Without a frame, pieces could be laid outside by their straight sides and leave their own places open.
 TEST(LongPuzzle, TracedPiecesLeaveNoHoleWithoutAFrame) {
   Shuffled puzzle = shuffled(cut_puzzle(request_of(143, CutStyle::tabs, 3)));
   for (Polygon& piece : puzzle.input.pieces) piece = traced(piece);
@@ -309,7 +309,7 @@ std::vector<Polygon> tangram() {
 
 class TangramFrames : public testing::TestWithParam<Polygon> {};
 
-/// Whichever way.
+/// Any arrangement of the pieces is right.
 TEST_P(TangramFrames, AreCoveredOnce) {
   Shuffled puzzle = shuffled(tangram());
   for (const Vec2 p : GetParam()) puzzle.input.frame.push_back(p * 100);
@@ -333,8 +333,8 @@ TEST_P(TangramFrames, AreCoveredOnce) {
   EXPECT_GT(right, 0.97 * inside) << "but for points on boundaries, once";
 }
 
-/// The square; a triangle of its halves; these, shifted along their longest side; and a house, of the two large ones and
-/// a roof of the others, which stands out on both sides.
+/// The square; a triangle of its halves; these halves, shifted along their longest side.
+/// The last one is a house of the two large triangles, with a roof of the others that is wider than the house.
 INSTANTIATE_TEST_SUITE_P(Silhouettes, TangramFrames,
                          testing::Values(Polygon{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, Polygon{{-4, 0}, {4, 0}, {0, 4}},
                                          Polygon{{0, 0}, {4, 0}, {5, -1}, {5, 3}, {1, 3}, {0, 4}},
@@ -346,10 +346,10 @@ INSTANTIATE_TEST_SUITE_P(Silhouettes, TangramFrames,
                                                  {-2.828427f, 2.828427f},
                                                  {-1.414214f, 2.828427f}}));
 
-/// All alike: outlines say nothing.
+/// All pieces are alike, so their outlines give no information.
 TEST_P(Puzzles, RectanglesAreLaidByTheirPictures) {
   CutRequest request = request_of(20, CutStyle::rectangles, std::uint64_t(GetParam()));
-  request.height_px = 960;  // squares
+  request.height_px = 960;  // makes squares
   Shuffled puzzle = shuffled(cut_puzzle(request));
   ASSERT_EQ(puzzle.input.pieces.size(), 20u);
   EXPECT_LT(right(solve_puzzle(puzzle.input), puzzle), 10);
@@ -411,7 +411,7 @@ TEST(Puzzle, FewOrShapelessPiecesAreNoError) {
   EXPECT_LE(solution.placed, 1) << "no corners, nothing to go by";
 }
 
-/// A corner's profiles are shorter than what others are compared by.
+/// The profile at a corner of a speck is shorter than the length that is compared.
 TEST(Puzzle, ASpeckIsNoError) {
   PuzzleInput input = shuffled(cut_puzzle(request_of(12, CutStyle::tabs, 1))).input;
   Polygon drop = {{0, 30}};
@@ -425,7 +425,7 @@ TEST(Puzzle, ASpeckIsNoError) {
   EXPECT_GE(solve_puzzle(input).placed, 12);
 }
 
-/// Two large ones match longest of all, and nothing else fits them.
+/// Two large foreign pieces have the longest match of all, but no other piece fits them.
 TEST(Puzzle, StrangersThatFitEachOtherDoNotWin) {
   Shuffled puzzle = shuffled(cut_puzzle(request_of(20, CutStyle::tabs, 1)));
   for (const float x : {0.f, 5000.f}) {
@@ -436,7 +436,7 @@ TEST(Puzzle, StrangersThatFitEachOtherDoNotWin) {
   EXPECT_EQ(right(solution, puzzle), 20);
 }
 
-/// How far pieces reach beyond the frame at most; negative: they lie inside.
+/// The largest distance of a piece beyond the frame; negative if all lie inside.
 float farthest_beyond(const PuzzleSolution& solution, const PuzzleInput& input) {
   const Box box = bounding_box(input.frame);
   const float times = float(solution.scale);
@@ -451,7 +451,7 @@ float farthest_beyond(const PuzzleSolution& solution, const PuzzleInput& input) 
   return farthest;
 }
 
-/// As exact as outlines are, for 12 pieces.
+/// The bound follows from the accuracy of outlines, for 12 pieces.
 constexpr float kMostBeyond = 6;
 
 Polygon frame_times(float times) {
@@ -460,7 +460,7 @@ Polygon frame_times(float times) {
   return scaled;
 }
 
-/// The frame follows from the areas, and is too small for pieces of which one is missing.
+/// The area of the pieces suggests the frame. With a missing piece, the suggested frame would be too small.
 TEST_P(Puzzles, TheScaleOfAFrameIsFound) {
   Shuffled puzzle = shuffled(cut_puzzle(request_of(12, CutStyle::tabs, std::uint64_t(GetParam()))));
   puzzle.input.frame = frame_times(0.957f);
@@ -486,7 +486,7 @@ TEST(Puzzle, OneMissingAndOneForeignPieceDoNotSpoilTheScale) {
   EXPECT_LT(farthest_beyond(solution, puzzle.input), kMostBeyond);
 }
 
-/// As they are sawn and scanned: smaller all round by an eightieth of a piece, at three quarters of the size.
+/// Sawn and scanned pieces: smaller all round by an eightieth of a piece, at three quarters of the size.
 constexpr float kSawn = 3.75f;
 Shuffled sawn(Shuffled puzzle) {
   for (std::size_t i = 0; i < puzzle.input.pieces.size(); ++i) {
@@ -504,7 +504,8 @@ TEST_P(Puzzles, SawnPiecesAreGrownAndFit) {
   for (const Polygon& piece : puzzle.input.pieces) area += signed_area(piece);
   const float of_areas = float(std::sqrt(area / (kWidth_px * kHeight_px)));
   ASSERT_LT(of_areas, 0.74f);
-  for (const float times : {0.f, 0.75f, of_areas}) {  // without a frame, in it, and in one that follows from the areas
+  for (const float times :
+       {0.f, 0.75f, of_areas}) {  // without a frame, in the right one, and in one that follows from the areas
     if (times > 0) puzzle.input.frame = frame_times(times);
     puzzle.input.frame_fits = times != of_areas;
     const PuzzleSolution solution = solve_puzzle(puzzle.input);
@@ -519,9 +520,9 @@ TEST_P(Puzzles, SawnPiecesAreGrownAndFit) {
   }
 }
 
-/// Straight sides do not tell by how much they must grow; a frame of known size does, and without one little is lost.
+/// Straight sides do not show by how much they must grow. A frame of known size does; without one little is lost.
 TEST_P(Puzzles, ErodedPolygonsAreLaid) {
-  constexpr float kLost = 2.4f;  // a pixel of pieces of 100 px
+  constexpr float kLost = 2.4f;  // one pixel, for pieces of 100 px
   const auto eroded = [&](int pieces, std::uint64_t seed) {
     Shuffled puzzle = shuffled(cut_puzzle(request_of(pieces, CutStyle::polygons, seed)));
     for (Polygon& piece : puzzle.input.pieces) piece = grown_polygon(piece, -kLost);
@@ -560,7 +561,7 @@ TEST_P(Puzzles, PiecesAsTheyWereCutAreNotGrown) {
   }
 }
 
-/// In a frame that is known to be as large as it is.
+/// The frame is smaller than the puzzle, but counts as right.
 TEST(Puzzle, NothingLiesBeyondASmallerFrame) {
   Shuffled puzzle = shuffled(cut_puzzle(request_of(20, CutStyle::tabs, 1)));
   puzzle.input.frame = frame();

@@ -13,7 +13,7 @@ namespace test_segmentation {
 
 const cv::Scalar kBlue(200, 60, 30), kYellow(40, 210, 240), kRed(40, 30, 210);
 
-/// Blue, in the middle a yellow disc.
+/// A yellow disc in the middle of a blue image.
 cv::Mat disc(int radius_px) {
   cv::Mat image(300, 400, CV_8UC3, kBlue);
   cv::circle(image, {200, 150}, radius_px, kYellow, cv::FILLED);
@@ -61,7 +61,7 @@ TEST(Segmentation, FindsADiscAndItsColour) {
 
 TEST(Segmentation, HasNoPartThatIsTooSmallForPieces) {
   cv::Mat image = disc(80);
-  cv::circle(image, {40, 40}, 9, kYellow, cv::FILLED);  // 14 cells across, a part of 150
+  cv::circle(image, {40, 40}, 9, kYellow, cv::FILLED);  // 14 cells across, about 150 cells in area
   cv::circle(image, {200, 150}, 9, kBlue, cv::FILLED);
   const MosaicPlan plan = mosaic_plan(image.size(), 1000);
   const Segmentation found = segmentation(image, plan, 2);

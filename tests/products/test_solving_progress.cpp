@@ -1,4 +1,4 @@
-// What is shown of a puzzle's progress never goes back.
+// The displayed progress of a puzzle never goes back.
 #include "products/puzzle/solving_progress.h"
 
 #include <gtest/gtest.h>

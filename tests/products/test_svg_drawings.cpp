@@ -1,4 +1,4 @@
-// Pieces of an SVG: which outlines are one, and what is said of the others. What is drawn at all: test_svg_outlines.cpp.
+// Pieces of an SVG: which outlines form a piece, and the messages about the others. For what is drawn at all see test_svg_outlines.cpp.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -81,7 +81,7 @@ TEST(SvgDrawings, PolygonsAreAHundredthOfAMillimetreFromTheirCurves) {
   const NestRing& ring = found.drawings[0].outline;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const NestPoint middle = (ring[i] + ring[(i + 1) % ring.size()]) * 0.5 - NestPoint{50, 50};
-    EXPECT_NEAR(norm(middle), 40, 0.01 + 3e-4 * 40);  // the curves themselves are 0.03 % off
+    EXPECT_NEAR(norm(middle), 40, 0.01 + 3e-4 * 40);  // the curves themselves have an error of 0.03 %
   }
   EXPECT_EQ(found.drawings[0].curve(0).size(), 6u) << "M, four C and Z";
   EXPECT_TRUE(found.drawings[0].curve(1).empty()) << "a rectangle is its polygon";

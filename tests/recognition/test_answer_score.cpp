@@ -1,4 +1,4 @@
-// The score of an answer: what the similarity leaves out of account.
+// The score of an answer, which counts what the similarity leaves out.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,8 +8,8 @@
 namespace tessera {
 namespace test_answer_score {
 
-const Outline kSquare{{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}}};  // 8 long
-constexpr float kLarge = 32;                                // four times as long
+const Outline kSquare{{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}}};  // perimeter 8
+constexpr float kLarge = 32;                                // perimeter four times as long
 
 Recognition answer(float similarity, float query_length) {
   return {ShapeId{0}, Similarity{0, 4, 5, 5}, similarity, query_length};

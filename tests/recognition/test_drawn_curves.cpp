@@ -1,4 +1,4 @@
-// Curves of SVGs and images: outlines with holes, centre lines, in the drawing's units; and files that have none.
+// Curves of SVGs and images: outlines with holes and centre lines, in the drawing's units; and files without curves.
 #include "recognition/drawn_curves.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Thick lines become lines one pixel wide, and these curves: how many, how long, where they are cut.
+// Thick lines become lines one pixel wide, and these become curves: their number, lengths and ends.
 #include "recognition/line_trace.h"
 
 #include <gtest/gtest.h>

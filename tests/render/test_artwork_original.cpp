@@ -1,4 +1,4 @@
-// Which file a drawing is made from: its own, wherever it lies now, and never another one.
+// The original file of a drawing: its own file, wherever that lies now, and never another one.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -48,7 +48,7 @@ TEST_F(Original, AnEmbeddedOneNeedsNoFile) {
   expect("embedded", "");
 }
 
-// What a foreign library does: a path to something private. It cannot know its hash.
+// A foreign library could name a private file, but it cannot know the file's hash.
 TEST_F(Original, AForeignPathIsNotDrawn) {
   artwork_.path = folder_.write("private.svg", "<svg>SECRET</svg>");
   expect("", kOriginalChanged);
@@ -58,7 +58,7 @@ TEST_F(Original, AForeignPathIsNotDrawn) {
   expect("", kOriginalUnknown);
 }
 
-/// Its outline was made of the picture as it lies in the file.
+/// The outline was made from the picture without its EXIF rotation.
 TEST_F(Original, OfAnOlderLibraryIsNotDrawnWhereItIsTurnedNow) {
   const cv::Mat picture(20, 30, CV_8UC3, cv::Scalar(200, 40, 40));
   for (const std::uint8_t orientation : {1, 3, 6}) {

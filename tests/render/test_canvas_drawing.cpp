@@ -1,4 +1,4 @@
-// What drawing needs of the canvas' files is checked before a run.
+// Before a run, the program checks that the canvas' files can be drawn at the end.
 #include "render/canvas_drawing.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace tessera {
 namespace test_canvas_drawing {
 
-/// A canvas of 60 x 60 px, or something to keep out of, which is soon drawn at 120 px, and at 4096 px takes half a minute.
+/// A canvas of 60 x 60 px, or a keep-out zone, that draws fast at 120 px but takes half a minute at 4096 px.
 struct SlowlyDrawn : test::SampleCollage {
   SlowlyDrawn() {
     const std::string svg =
@@ -24,7 +24,7 @@ struct SlowlyDrawn : test::SampleCollage {
     job.canvas = {.width_px = 60, .height_px = 60, .file = ""};
   }
 
-  /// What check_canvas_drawing says, and that it says it soon.
+  /// The message of check_canvas_drawing. Expects that it comes soon.
   std::string message() {
     const Canvas loaded = load_canvas(job.canvas);
     const auto start = std::chrono::steady_clock::now();

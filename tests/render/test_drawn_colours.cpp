@@ -1,4 +1,4 @@
-// What pieces show within their outlines.
+// The colours that pieces show within their outlines.
 #include "render/pieces/drawn_colours.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST(DrawnColours, OfAMirrorImageLieTheOtherWayRound) {
   EXPECT_EQ(colours.part[4], 0);
 }
 
-/// Black lines on white: pictures that are made smaller average what is coded, not lightness.
+/// Black lines on white: shrinking a picture averages the coded values, not the lightness.
 TEST(DrawnColours, AreAveragedAsTheyAreCoded) {
   DiscOnPage disc;
   disc.page.setTo(cv::Scalar(255, 255, 255, 255));

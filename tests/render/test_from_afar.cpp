@@ -1,4 +1,4 @@
-// How well a mosaic shows its picture from afar: from pixels in bands to the figures of a card.
+// The likeness of a mosaic to its picture from afar: from bands of pixels to the figures of a card.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -19,7 +19,7 @@
 namespace tessera {
 namespace test_from_afar {
 
-/// Straight BGRA of a smooth picture.
+/// A smooth picture in straight BGRA.
 cv::Mat gradient(cv::Size size) {
   cv::Mat picture(size, CV_8UC4);
   for (int y = 0; y < size.height; ++y) {
@@ -124,7 +124,7 @@ class Measured : public testing::Test {
   const cv::Mat picture_ = gradient({600, 300});
   const test::ScratchFolder folder_;
   Drawers drawers_{photo_drawer_settings(1)};
-  test::SampleCollage sample_;  // of two pieces on 200 x 100 px, drawn 400 px wide
+  test::SampleCollage sample_;  // two pieces on 200 x 100 px, drawn 400 px wide
 };
 
 TEST_F(Measured, APictureOfThePictureIsEqual) {

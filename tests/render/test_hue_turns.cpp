@@ -1,4 +1,4 @@
-// colour.harmony: the hues of pieces, and that the pictures show them.
+// colour.harmony: the hues of pieces, and pictures that show them.
 #include "render/hue_turns.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ cv::Vec3b turned(const cv::Vec3b& bgr, int turn_deg) {
   return {p[0], p[1], p[2]};
 }
 
-/// As the picture shows it in the end, a drawing of one colour.
+/// The colour of a piece in the final picture, for a drawing of one colour.
 cv::Vec3b shown(const CollageReport& report, std::size_t piece) {
   cv::Vec3b bgr = bgr_of(report.colours[piece]);
   if (report.tones.empty()) return bgr;
@@ -45,7 +45,7 @@ TonePatch even_patch(const cv::Vec4b& bgra) {
   return patch;
 }
 
-/// Silhouettes in these colours, a row of discs of 20 px.
+/// Silhouettes in these colours: a row of discs of 20 px.
 struct Discs : SampleCollage {
   explicit Discs(const std::vector<std::string>& colours) {
     report.placements.clear();
@@ -115,7 +115,7 @@ TEST(HueTurns, EveryPieceEndsInASectorAndGreysStay) {
 }
 
 TEST(HueTurns, LargePiecesAndVividOnesDecide) {
-  // A large red disc and small green ones; then pale red ones and vivid green.
+  // A large red disc and small green ones; then a vivid red one and pale green ones.
   const auto red_moved = [](Discs& discs) {
     harmonise(discs.report, "i");
     return discs.report.tones[0].turn_deg != 0;
@@ -132,7 +132,7 @@ TEST(HueTurns, LargePiecesAndVividOnesDecide) {
 TEST(HueTurns, ComeAfterTheShiftOfTones) {
   Discs discs({"#c04030", "#c04030", "#c04030"});
   discs.report.tones.resize(3);
-  discs.report.tones[1].patch = even_patch({0x20, 0xff, 0, 200});  // the second one is green
+  discs.report.tones[1].patch = even_patch({0x20, 0xff, 0, 200});  // makes the second one green
   harmonise(discs.report, "i");
   EXPECT_EQ(discs.report.tones[0].turn_deg, 0);
   EXPECT_FALSE(discs.report.tones[1].patch.empty());
@@ -165,7 +165,7 @@ TEST(HueTurns, SvgAndPngAgree) {
   EXPECT_EQ(mean_difference(drawn_picture(sample.report), png), 0);
 }
 
-/// An SVG's patches end at the outlines, also where drawings do not.
+/// Patches in an SVG end at the outlines, even where drawings do not.
 TEST(HueTurns, PatchesLeaveTheBackgroundAlone) {
   TwoFaces sample;
   sample.report.output.clip = kNoClip;

@@ -1,4 +1,4 @@
-// labels.png: which piece each pixel of the picture belongs to.
+// labels.png: the piece of each pixel of the picture.
 #include <gtest/gtest.h>
 #include <sched.h>
 
@@ -32,7 +32,7 @@ TEST(Labels, AreTheNumbersOfThePiecesFromOne) {
   EXPECT_EQ(labels.at<std::uint8_t>(45, 280), 2);
   EXPECT_EQ(labels.at<std::uint8_t>(100, 280), 0) << "the hole of the ring";
   EXPECT_EQ(labels.at<std::uint8_t>(5, 5), 0);
-  // A disc of 40 px: its area is that of a square of 80 px of the picture.
+  // A disc of size 40 px has the area of a square of 80 px in the picture.
   EXPECT_NEAR(cv::countNonZero(labels == 1), 80 * 80, 60);
   EXPECT_EQ(cv::countNonZero(labels > 2), 0) << "no shades at the edges";
 }
@@ -82,7 +82,7 @@ TEST(Labels, AreThoseOfTheFile) {
   for (const std::size_t pieces : {2u, 300u}) {
     const test::ScratchFolder folder;
     SampleCollage sample;
-    sample.report.output.width_px = 2000;  // more than one band
+    sample.report.output.width_px = 2000;  // gives more than one band
     while (sample.report.placements.size() < pieces) {
       const float i = float(sample.report.placements.size());
       sample.place(ShapeId{7}, 8, {4 + 0.64f * i, 4 + 0.3f * i}, 0);

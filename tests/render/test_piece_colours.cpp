@@ -1,4 +1,4 @@
-// Silhouettes in colours of a palette: which piece gets which, and that the pictures show them.
+// Silhouettes in colours of a palette: the colour of each piece, and pictures that show it.
 #include <gtest/gtest.h>
 
 #include <opencv2/core.hpp>
@@ -13,7 +13,7 @@ namespace test_piece_colours {
 
 const std::vector<std::string> kPalette{"#112233", "#aa0000", "#00bb00", "#0000cc"};
 
-/// Discs of 40 px (45 px across) in rows, 46 px apart: each has up to four neighbours.
+/// Discs of 40 px (45 px across) in rows, 46 px apart, so that each has up to four neighbours.
 struct Discs : test::SampleCollage {
   explicit Discs(int count) {
     report.placements.clear();

@@ -1,4 +1,4 @@
-// From placements to deformed outlines in pieces.geojson, and back from there.
+// From placements to deformed outlines in pieces.geojson, and back.
 #include "render/piece_deformation.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace tessera {
 namespace test_piece_deformation {
 
-/// Disc and ring with a gap of 8 px between them.
+/// A disc and a ring with a gap of 8 px between them.
 struct Deformable : test::SampleCollage {
   Deformable() {
     job.settings.deform.kind = DeformKind::capped;
@@ -55,7 +55,7 @@ TEST(PieceDeformation, ComesBackFromTheFile) {
   Deformable sample, again;
   deform_pieces(sample.report, sample.job.settings);
   std::ofstream(folder.path("pieces.geojson")) << geojson_text(sample.report);
-  take_up_deformed_pieces(folder.path(""), again.report);
+  restore_deformed_pieces(folder.path(""), again.report);
   for (std::size_t i = 0; i < 2; ++i) {
     const float scale_px = sample.report.placements[i].canvas_from_shape.scale();
     EXPECT_LT(farthest(sample.report.shapes[i].outline, again.report.shapes[i].outline) * scale_px, 0.01) << i;
@@ -63,7 +63,7 @@ TEST(PieceDeformation, ComesBackFromTheFile) {
                        again.report.shapes[i].outline) *
                   scale_px,
               0.1)
-        << i;  // its drawing goes along
+        << i;  // its drawing moves along
     EXPECT_GT(again.report.deformed->warps[i].least_jacobian(), 0.2) << i;
     EXPECT_EQ(sample.report.deformed->shapes[i], again.report.deformed->shapes[i]);
   }
@@ -77,9 +77,9 @@ TEST(PieceDeformation, RefusesPolygonsOfOtherPieces) {
   const auto refused = [&](const std::string& bytes) {
     Deformable again;
     std::ofstream(folder.path("pieces.geojson")) << bytes;
-    return test::message_of([&] { take_up_deformed_pieces(folder.path(""), again.report); });
+    return test::message_of([&] { restore_deformed_pieces(folder.path(""), again.report); });
   };
-  std::string one_less = text;  // the first position of the first ring
+  std::string one_less = text;  // removes the first position of the first ring
   const auto at = one_less.find("[[[") + 2;
   one_less.erase(at, one_less.find("],", at) + 2 - at);
   EXPECT_NE(refused(one_less).find("feature 0"), std::string::npos) << refused(one_less);

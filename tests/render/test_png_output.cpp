@@ -1,4 +1,4 @@
-// The picture: where artworks lie, how their edges look, what stands in for lost ones.
+// The picture: the places of artworks, the look of their edges, and the substitutes for lost artworks.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -31,7 +31,7 @@ using test::SampleCollage;
 constexpr char kSvgHead[] =
     R"(<svg xmlns="http://www.w3.org/2000/svg" width="100" height="100" viewBox="0 0 100 100">)";
 
-/// A page of 100 x 100 whose left half is red and right half blue, in a square of 80.
+/// A page of 100 x 100 with a square of 80, red on its left half and blue on its right half.
 const std::string kTwoHalves = std::string(kSvgHead) +
                                R"(<rect x="10" y="10" width="40" height="80" fill="red"/>)"
                                R"(<rect x="50" y="10" width="40" height="80" fill="blue"/></svg>)";
@@ -42,7 +42,7 @@ const cv::Vec3b kRed(0, 0, 255);
 const cv::Vec3b kBlue(255, 0, 0);
 const cv::Vec3b kBackground(0xc0, 0xe0, 0xff);
 
-/// One square of 40 canvas px about (100, 50) of the 200 x 100 canvas; the picture is twice as large.
+/// One square of 40 canvas px at (100, 50) of the 200 x 100 canvas; the picture is twice as large.
 struct OneSquare : SampleCollage {
   explicit OneSquare(float rotation_rad) {
     report.shapes[0] = test::make_test_shape("square", test::rectangle_outline(1, 1));
@@ -65,7 +65,7 @@ TEST(Png, ArtworkLiesWhereItIsPlaced) {
   EXPECT_EQ(at(picture, 200, 58), kBackground);
 }
 
-/// The pictures of a collage and of the same one, half a period further on, are one pattern.
+/// A collage and the same one moved by half a period give pictures of one pattern.
 TEST(Png, ASeamlessCollageShowsPiecesAtBothEndsOfASeam) {
   const auto with_pieces_at = [](Vec2 shift, cv::Mat& picture, std::string& svg) {
     OneSquare sample(0.3f);
@@ -97,7 +97,7 @@ TEST(Png, ASeamlessCollageShowsPiecesAtBothEndsOfASeam) {
 TEST(Png, RotationTurnsFromXToY) {
   const OneSquare sample(std::numbers::pi_v<float> / 2);
   const cv::Mat picture = drawn_picture(sample.report);
-  EXPECT_EQ(at(picture, 200, 65), kRed);  // what was on the left is above
+  EXPECT_EQ(at(picture, 200, 65), kRed);  // the left side is now above
   EXPECT_EQ(at(picture, 200, 135), kBlue);
 }
 
@@ -114,7 +114,7 @@ TEST(Png, EdgesAreSmoothAndNoWiderThanAPixelOrTwo) {
 }
 
 TEST(Png, SmallPiecesAreAveragedNotSampled) {
-  // Stripes of a page's hundredth, drawn at 20 px: an even grey, no pattern.
+  // Stripes of a hundredth of the page, drawn at 20 px, give an even grey without a pattern.
   std::string stripes = kSvgHead;
   for (int x = 0; x < 100; x += 2) {
     stripes += "<rect x=\"" + std::to_string(x) + "\" width=\"1\" height=\"100\" fill=\"black\"/>";
@@ -123,13 +123,13 @@ TEST(Png, SmallPiecesAreAveragedNotSampled) {
   SampleCollage sample;
   test::embed_artwork(sample.report.shapes[0], stripes + "</svg>", 100, 100, 100);
   sample.report.placements.clear();
-  sample.place(ShapeId{7}, 80, {60, 50}, 0.7f);  // makes the artwork be drawn large
+  sample.place(ShapeId{7}, 80, {60, 50}, 0.7f);  // makes the program draw the artwork large
   sample.place(ShapeId{7}, 10, {160, 50}, 0.4f);
   const cv::Mat picture = drawn_picture(sample.report);
   cv::Scalar mean, deviation;
   cv::meanStdDev(picture(cv::Rect(315, 95, 10, 10)), mean, deviation);
   EXPECT_NEAR(mean[0], 128, 6);
-  EXPECT_LT(deviation[0], 20);  // a box filter leaves a few percent of the stripes; sampling would leave 80 and more
+  EXPECT_LT(deviation[0], 20);  // a box filter leaves a few percent of the stripes, sampling leaves 80 and more
 }
 
 TEST(Png, OutsideOfTheRegionIsWhiteWithASmoothEdge) {
@@ -160,7 +160,7 @@ TEST(Png, WithoutABackgroundAllButThePiecesIsTransparent) {
   for (int x = 0; x < picture.cols; ++x) {
     const cv::Vec4b c = picture.at<cv::Vec4b>(100, x);
     mixed += c[3] > 0 && c[3] < 255;
-    for (int i = 0; i < 3; ++i) {  // straight: laid over the background it is what was there before
+    for (int i = 0; i < 3; ++i) {  // straight alpha: laid over the background, it gives the earlier picture
       EXPECT_NEAR((c[i] * c[3] + kBackground[i] * (255 - c[3])) / 255., opaque.at<cv::Vec3b>(100, x)[i], 2) << x;
     }
   }
@@ -174,7 +174,7 @@ TEST(Png, ALineMayRunAlongTheOutlines) {
   const cv::Mat picture = drawn_picture(sample.report);
   const cv::Vec3b line(0, 255, 0);
   EXPECT_EQ(at(picture, 153, 100), kBackground);
-  EXPECT_EQ(at(picture, 156, 100), line);  // half of its 10 px beyond the outline
+  EXPECT_EQ(at(picture, 156, 100), line);  // half of its 10 px lie beyond the outline
   EXPECT_EQ(at(picture, 163, 100), line);
   EXPECT_EQ(at(picture, 166, 100), kRed);
   EXPECT_EQ(at(picture, 200, 64), line);
@@ -183,7 +183,7 @@ TEST(Png, ALineMayRunAlongTheOutlines) {
 
 TEST(Png, PiecesMayCastAShadowOnWhatLiesBelowThem) {
   OneSquare sample(0);
-  sample.place(ShapeId{7}, 40, {141, 50}, 0);  // beside the first, which lies below it
+  sample.place(ShapeId{7}, 40, {141, 50}, 0);  // this one lies beside the first, which is below it
   sample.report.output.shadow_strength = 0.5;
   sample.report.output.shadow_offset_px[0] = 4;
   sample.report.output.shadow_offset_px[1] = 8;
@@ -203,7 +203,7 @@ TEST(Png, PiecesMayCastAShadowOnWhatLiesBelowThem) {
 
 TEST(Png, ASoftShadowFadesAsAGaussianHoweverCoarselyItIsMade) {
   OneSquare sample(0);
-  sample.report.output.width_px = 1600;  // the square's right side at 960, and a blur of 32 px
+  sample.report.output.width_px = 1600;  // the square's right side is at 960, and the blur has 32 px
   sample.report.output.shadow_strength = 1;
   sample.report.output.shadow_offset_px[0] = sample.report.output.shadow_offset_px[1] = 0;
   sample.report.output.shadow_blur_px = 4;
@@ -293,7 +293,7 @@ TEST(Png, TheFileDecodesToThePicture) {
   EXPECT_FALSE(std::filesystem::exists(folder.path("collage.png.tmp")));
 }
 
-/// What follows the chunk's name, four bytes each.
+/// Reads one of the four-byte numbers after the chunk's name.
 std::uint32_t number_in_chunk(const std::string& png, const std::string& chunk, std::size_t index) {
   const auto at = png.find(chunk);
   if (at == std::string::npos) return 0;
@@ -319,11 +319,11 @@ TEST(Png, TheFileSaysHowLargeItIsOnPaperAndKeepsItsTransparency) {
   const std::string png = written();
   EXPECT_EQ(number_in_chunk(png, "IHDR", 0), 600u);
   EXPECT_EQ(number_in_chunk(png, "IHDR", 1), 300u);
-  EXPECT_EQ(number_in_chunk(png, "pHYs", 0), 11811u);  // a metre
+  EXPECT_EQ(number_in_chunk(png, "pHYs", 0), 11811u);  // px per metre
   EXPECT_EQ(number_in_chunk(png, "pHYs", 1), 11811u);
   const cv::Mat read = test::read_image(folder.path("collage.png"));
   EXPECT_EQ(cv::norm(read, drawn_picture(sample.report), cv::NORM_INF), 0);
-  // 600 px on 50.8 mm and 300 px on 25.5 mm: as near as whole numbers are.
+  // 600 px on 50.8 mm and 300 px on 25.5 mm, as near as whole numbers can be.
   sample.report.box.width_px = 200;
   sample.report.box.height_px = 100;
   sample.report.box.width_mm = 50.8;
@@ -355,7 +355,7 @@ TEST(Png, TheBytesDependNeitherOnBandsNorOnMemoryNorOnThreads) {
   }
 }
 
-/// Wants to stop as soon as it is told of progress.
+/// A drawing that wants to stop at its first progress message.
 class ImpatientDrawing : public test::SilentDrawing {
  public:
   std::optional<StopReason> stop_requested() override {

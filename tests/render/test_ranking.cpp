@@ -1,4 +1,4 @@
-// Several collages in order: weights, order, the files of a ranking.
+// The ranking of several collages: weights, order, and files.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -81,7 +81,7 @@ TEST(Ranking, its_picture_marks_what_is_unfinished) {
     one.stopped_by = stopped_by;
     return ranking_files(ranked({one}, weights), weights).png;
   };
-  EXPECT_EQ(picture(StopReason::full), picture(StopReason::seconds));  // a limit of the job
+  EXPECT_EQ(picture(StopReason::full), picture(StopReason::seconds));  // this is a limit of the job
   EXPECT_NE(picture(StopReason::full), picture(StopReason::time_limit));
   EXPECT_EQ(picture(StopReason::signal), picture(StopReason::time_limit));
 }

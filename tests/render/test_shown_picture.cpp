@@ -1,4 +1,4 @@
-// The picture that the pieces show: as the background of a result's pictures, and laid over all that they show.
+// The picture that the pieces show: as the background of a result's pictures, and laid over the pieces.
 #include "render/shown_picture.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ const cv::Vec4b kRust(32, 64, 160, 255), kSky(224, 160, 96, 255), kBlack(0, 0, 0
 
 cv::Vec3b opaque(const cv::Vec4b& bgra) { return {bgra[0], bgra[1], bgra[2]}; }
 
-/// The left half in one colour, the right half in another.
+/// A picture with one colour on the left half and another on the right half.
 cv::Mat halves(const cv::Vec4b& left, const cv::Vec4b& right, cv::Size size = {200, 100}) {
   cv::Mat bgra(size, CV_8UC4, cv::Scalar(left));
   bgra(cv::Rect(size.width / 2, 0, size.width - size.width / 2, size.height)) = cv::Scalar(right);
@@ -30,7 +30,7 @@ cv::Mat halves(const cv::Vec4b& left, const cv::Vec4b& right, cv::Size size = {2
 
 double difference(const cv::Vec3b& a, const cv::Vec3b& b) { return cv::norm(a, b, cv::NORM_INF); }
 
-/// A result on a canvas of 200 x 100 px, a px of the picture for each, that shows a picture.
+/// A result that shows a picture, on a canvas of 200 x 100 px, drawn at 1 px per canvas px.
 struct WithPicture : SampleCollage {
   explicit WithPicture(const cv::Mat& bgra) {
     report.output.width_px = 200;
@@ -40,7 +40,7 @@ struct WithPicture : SampleCollage {
   ScratchFolder folder;
 };
 
-/// Without pieces.
+/// The same result without pieces.
 struct OnPicture : WithPicture {
   explicit OnPicture(const cv::Mat& bgra = halves(kRust, kSky)) : WithPicture(bgra) {
     report.placements.clear();
@@ -77,7 +77,7 @@ TEST(ImageBackground, IsWhiteWhereThePictureIsTransparent) {
   EXPECT_LE(difference(collage.drawn_at(200).at<cv::Vec3b>(50, 150), {255, 255, 255}), 1);
 }
 
-/// Stripes that are finer than 2 px of the canvas are averaged.
+/// Stripes finer than 2 px of the canvas are averaged.
 TEST(ImageBackground, IsSoft) {
   cv::Mat stripes(400, 800, CV_8UC4, cv::Scalar::all(255));
   for (int x = 0; x < stripes.cols; x += 4) stripes.colRange(x, x + 2) = cv::Scalar(kBlack);
@@ -86,7 +86,7 @@ TEST(ImageBackground, IsSoft) {
   EXPECT_EQ(collage.report.ground.svg_size, cv::Size2d(100, 50));
 }
 
-/// Shown larger, neighbours are mixed, but the left edge is not mixed with the right one.
+/// Enlarging mixes neighbouring pixels, but must not mix the left edge with the right one.
 TEST(ImageBackground, DoesNotGoOnAtTheOtherEdge) {
   OnPicture collage;
   const cv::Mat picture = collage.drawn_at(800);
@@ -122,7 +122,7 @@ TEST(ImageBackground, OtherBackgroundsAreColours) {
   EXPECT_EQ(flat_background({.background = kImageBackground}), "#ffffff");
 }
 
-/// A result with two pieces, under its picture.
+/// A result with two pieces below its picture.
 struct UnderPicture : WithPicture {
   explicit UnderPicture(double opacity, const cv::Mat& bgra = halves(kRust, kSky)) : WithPicture(bgra) {
     report.overlay_opacity = opacity;
@@ -133,7 +133,7 @@ struct UnderPicture : WithPicture {
   }
 };
 
-/// BGR, as far as the overlay lets through what lies below it.
+/// BGR of `below`, mixed with the overlay of this opacity.
 cv::Mat blended(const cv::Mat& below, const cv::Mat& bgra, double opacity) {
   cv::Mat bgr, mixed;
   cv::cvtColor(bgra, bgr, cv::COLOR_BGRA2BGR);
@@ -160,7 +160,7 @@ TEST(ImageOverlay, IsNotThereByDefault) {
   EXPECT_EQ(cv::norm(picture, drawn_picture(collage.report), cv::NORM_INF), 0);
 }
 
-/// What a piece is to show does not depend on the overlay.
+/// The colour that a piece should show does not depend on the overlay.
 TEST(ImageOverlay, KeepsWhatHasThePicturesColour) {
   for (const double opacity : {0.1, 0.25, 0.5}) {
     UnderPicture collage(opacity, halves(kRust, kRust));
@@ -190,7 +190,7 @@ TEST(ImageOverlay, IsClearWhereThePictureIsTransparent) {
 
 TEST(ImageOverlay, EndsAtTheCanvasEdge) {
   UnderPicture collage(0.5);
-  collage.report.canvas_edge.curves = {{{50, 0}, {150, 0}, {150, 100}, {50, 100}}};  // across both pieces
+  collage.report.canvas_edge.curves = {{{50, 0}, {150, 0}, {150, 100}, {50, 100}}};  // crosses both pieces
   const cv::Mat picture = collage.drawn();
   collage.report.overlay = {};
   const cv::Mat plain = drawn_picture(collage.report);

@@ -1,4 +1,4 @@
-// Letters that pieces keep out of, as a layer of collage.svg and collage.png.
+// Letters as keep-out zones, drawn as a layer of collage.svg and collage.png.
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>
@@ -13,7 +13,7 @@ namespace test_svg_keep_out {
 
 using namespace test;
 
-/// A page of 100 x 50 on the canvas of 200 x 100: a bar of letters below both pieces.
+/// A page of 100 x 50 on the canvas of 200 x 100, with a bar as letters below both pieces.
 struct WithKeepOut : SampleCollage {
   explicit WithKeepOut(const std::string& body) {
     const std::string head = std::string(kXmlns) + "width=\"100\" height=\"50\">";

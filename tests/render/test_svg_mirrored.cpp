@@ -1,4 +1,4 @@
-// Pieces that are mirrored, in collage.svg and collage.png.
+// Mirrored pieces in collage.svg and collage.png.
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>
@@ -12,7 +12,7 @@ namespace test_svg_mirrored {
 
 using namespace test;
 
-/// A flag: no turn brings it onto its mirror image. Its artwork is just its outline, in red.
+/// A flag, which no turn brings onto its mirror image. Its artwork is its outline in red.
 Shape flag_shape() {
   Outline flag{{{{0, 0}, {10, 0}, {10, 3}, {2, 3}, {2, 12}, {0, 12}}}};
   Shape shape = test::make_test_shape("flag", flag);
@@ -27,7 +27,7 @@ Shape flag_shape() {
 
 Shape mirrored_flag() { return mirror_image(flag_shape(), PadParameters{}.levels); }
 
-/// The flag as library shape 7, its mirror image as 3; the background is white.
+/// The flag as library shape 7, its mirror image as shape 3, on a white background.
 struct Flags : SampleCollage {
   Flags() {
     report.output.background = "#ffffff";
@@ -40,8 +40,7 @@ struct Flags : SampleCollage {
   }
 };
 
-/// The share of the pixels in which the two differ, of those that are in either: what is drawn of a piece, and a fill
-/// of `outline` at its place.
+/// Compares the drawn piece with a fill of `outline` in its pose: the share of pixels in only one of them, among those in either.
 double disagreement(const cv::Mat& picture, const Outline& outline, const Similarity& canvas_from_shape,
                     cv::Rect part) {
   cv::Mat filled(picture.size(), CV_8UC1, cv::Scalar(0));
@@ -62,7 +61,7 @@ TEST(SvgOutput, MirroredArtworkLiesInItsOutline) {
   const Similarity right = sample.report.placements[1].canvas_from_shape;
   const cv::Rect left_half(0, 0, 200, 200), right_half(200, 0, 200, 200);
   for (const bool original_there : {true, false}) {
-    if (!original_there) {  // a mirror image alone, as of a shape that stands mirrored only
+    if (!original_there) {  // only the mirror image is there, as for a shape that stands only mirrored
       sample.report.shapes = {};
       sample.report.shapes.add(ShapeId{3}, mirrored_flag());
       sample.report.placements.pop_back();

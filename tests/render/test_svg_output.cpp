@@ -1,4 +1,4 @@
-// collage.svg: drawn by another renderer it is the picture that collage.png is.
+// collage.svg, drawn by another renderer, gives the same picture as collage.png.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -33,7 +33,7 @@ TEST(SvgOutput, EachArtworkIsDefinedOnceAndPlacedOften) {
   EXPECT_EQ(count(svg, "viewBox=\"0 0 200 100\""), 1u);
 }
 
-/// What a sheet of it loads would be lost in a copy (svg_style.h).
+/// A copy would lose content that the drawing's sheet loads (svg_style.h).
 TEST(SvgOutput, ADrawingThatCannotBeCopiedIsAPicture) {
   TwoFaces sample;
   const std::string head =
@@ -55,7 +55,7 @@ TEST(SvgOutput, IdsAreUnique) {
     const std::string id = svg.substr(begin, svg.find('"', begin) - begin);
     EXPECT_TRUE(ids.insert(id).second) << id;
   }
-  EXPECT_EQ(ids.size(), 12u);  // two artworks, an id of each, two clips, two layers, four pieces
+  EXPECT_EQ(ids.size(), 12u);  // two artworks with an id inside each, two clips, two layers, four pieces
 }
 
 TEST(SvgOutput, InkscapeShowsLayersAndWhatThePiecesAre) {
@@ -108,7 +108,7 @@ TEST(SvgOutput, ReadsTheOriginalFromItsPlace) {
 TEST(SvgOutput, ArtworkDoesNotStickOutOfItsOutline) {
   SampleCollage sample;
   cv::Mat page(200, 300, CV_8UC4, cv::Scalar::all(0));
-  page(cv::Rect(2, 2, 296, 196)) = cv::Scalar(0, 0, 255, 255);  // the disc with all that is around it
+  page(cv::Rect(2, 2, 296, 196)) = cv::Scalar(0, 0, 255, 255);  // the disc and everything around it
   const test::Bytes png = test::encoded(page, ".png");
   test::embed_artwork(sample.report.shapes[0], std::string(png.begin(), png.end()), 300, 200, 106);
   sample.report.placements = {sample.report.placements[1]};
@@ -175,11 +175,11 @@ TEST(SvgOutput, IsAsLargeOnPaperAsItsCanvasIsAskedFor) {
   sample.report.box.width_px = 200;
   sample.report.box.height_px = 100;
   sample.report.box.width_mm = 210;
-  sample.report.box.height_mm = 105.4;  // 100.381 px: a piece's mm are mm of the page
+  sample.report.box.height_mm = 105.4;  // gives 100.381 px: mm of a piece are mm of the page
   EXPECT_EQ(count(drawn_svg(sample.report), " width=\"210.000mm\" height=\"105.400mm\" viewBox=\"0 0 200 100.381\""),
             1u);
   EXPECT_EQ(count(drawn_svg(sample.report), "preserveAspectRatio=\"none\""), 0u);
-  // Copies are to meet: the px of the canvas fill the page.
+  // Copies must meet, so the px of the canvas fill the page.
   sample.canvas = make_seamless_canvas(200, 100, true, false);
   EXPECT_EQ(
       count(drawn_svg(sample.report), " height=\"105.400mm\" viewBox=\"0 0 200 100\" preserveAspectRatio=\"none\""),
@@ -201,7 +201,7 @@ TEST(SvgOutput, OutlinesAndShadowsAreThoseOfThePng) {
   output.shadow_offset_px[0] = -3;
   output.shadow_offset_px[1] = 6;
   output.shadow_blur_px = 3;
-  EXPECT_GT(mean_difference(plain, drawn_picture(sample.report)), 10);  // there is much to be the same
+  EXPECT_GT(mean_difference(plain, drawn_picture(sample.report)), 10);  // there is much to compare
   EXPECT_LT(mean_difference(drawn(drawn_svg(sample.report), 400), drawn_picture(sample.report)), 1.6);
   const std::string svg = drawn_svg(sample.report);
   EXPECT_LT(svg.find("layer-canvas"), svg.find("layer-shadow"));

@@ -1,4 +1,4 @@
-// The TIFF as other programs read it: all of its sizes, to the pixel.
+// The TIFF as other programs read it: all of its sizes, exact to the pixel.
 #include "render/tiff_pyramid.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ Value field(TIFF* tiff, std::uint32_t tag) {
   return value;
 }
 
-/// The current directory's, as BGR or BGRA.
+/// The pixels of the current directory, as BGR or BGRA.
 cv::Mat pixels(TIFF* tiff) {
   const int channels = field<std::uint16_t>(tiff, TIFFTAG_SAMPLESPERPIXEL);
   const int tile_px = int(field<std::uint32_t>(tiff, TIFFTAG_TILEWIDTH));
@@ -57,7 +57,7 @@ cv::Mat noise(const cv::Size& size, int type) {
   return picture;
 }
 
-/// Rows come as a picture is drawn: not in rows of tiles.
+/// Writes rows as a drawing delivers them, which are not whole rows of tiles.
 void write(TiffPyramid& tiff, const cv::Mat& picture) {
   for (int y = 0; y < picture.rows; y += 100) tiff.write(picture.rowRange(y, std::min(y + 100, picture.rows)));
 }
@@ -91,7 +91,7 @@ TEST(TiffPyramid, HoldsThePictureAndItsHalves) {
   const TiffPtr tiff(TIFFOpen(folder.path("collage.tiff").c_str(), "r"));
   ASSERT_TRUE(tiff);
   EXPECT_FALSE(TIFFIsBigTIFF(tiff.get()));
-  // 1101 px on 93.218 mm and 823 px on 69.6807 mm, to far less than 0.001 mm.
+  // 1101 px on 93.218 mm and 823 px on 69.6807 mm, with an error far below 0.001 mm.
   EXPECT_NEAR(1101 * 25.4 / double(field<float>(tiff.get(), TIFFTAG_XRESOLUTION)), 93.218, 1e-4);
   EXPECT_NEAR(823 * 25.4 / double(field<float>(tiff.get(), TIFFTAG_YRESOLUTION)), 69.6807, 1e-4);
   EXPECT_EQ(field<std::uint32_t>(tiff.get(), TIFFTAG_SUBFILETYPE), 0u);
@@ -159,7 +159,7 @@ TEST(TiffPyramid, AFullDiskIsAnErrorAndLeavesNothing) {
   make();
   const auto needed = rlim_t(std::filesystem::file_size(folder.path("collage.tiff")));
   std::filesystem::remove(folder.path("collage.tiff"));
-  // Too little for the first tile, for the whole picture, for the smaller ones beside it, and for the last directory.
+  // Too little room for the first tile, the whole picture, the reduced ones, or the last directory.
   for (const rlim_t bytes : {rlim_t(1000), needed / 4, needed * 9 / 10, needed - 1}) {
     const test::FileSizeLimit limit(bytes);
     EXPECT_THROW(make(), EnvironmentError) << bytes;

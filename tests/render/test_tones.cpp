@@ -1,4 +1,4 @@
-// colour.shift: how far tones go, and what it lays over a piece.
+// colour.shift: the range of the tones, and the patches that it lays over a piece.
 #include "render/pieces/tones.h"
 
 #include <gtest/gtest.h>
@@ -15,11 +15,11 @@ namespace test_tones {
 /// The shapes' mean colour is a grey of lightness 60: #919191.
 constexpr double kGrey = 145;
 
-/// Two pieces, at x = 50 and 140 of 200.
+/// Two pieces, at x = 50 and x = 140 of 200.
 struct Covering : test::SampleCollage {
   explicit Covering(std::vector<std::string> covered) { report.covered = std::move(covered); }
 
-  /// All shapes have this grid.
+  /// Gives all shapes this grid.
   void paint(const ColourGrid& grid) {
     PlacedShapes shapes;
     for (const ShapeId id : {ShapeId{7}, ShapeId{3}}) {
@@ -39,7 +39,7 @@ std::vector<Tone> tones_of(const Covering& collage, const cv::Mat& picture, doub
   return tones_towards_picture(collage.report, drawn, picture, most_difference);
 }
 
-/// What the patch makes of a colour in a cell.
+/// The colour of a cell after the patch is laid over it.
 cv::Vec3d patched(const cv::Vec3d& bgr, const cv::Vec4b& over) {
   const double alpha = over[3] / 255.;
   return bgr * (1 - alpha) + cv::Vec3d(over[0], over[1], over[2]) * alpha;
@@ -95,7 +95,7 @@ TEST(Tones, OfNothingAreNone) {
   EXPECT_TRUE(tones_of(Covering({}), {}, 8).empty());
 }
 
-/// A picture that is dark on the left of the first piece and light on its right.
+/// A picture that is dark at the left of the first piece and light at its right.
 TEST(Tones, FollowThePictureWithinAPiece) {
   Covering collage({"#919191", "#919191"});
   collage.report.placements[0].canvas_from_shape = {40, 0, 100, 50};
@@ -129,7 +129,7 @@ TEST(Tones, WishNothingWhereThePictureIsTransparent) {
   EXPECT_TRUE(tones[1].patch.empty());
 }
 
-/// Black lines on white would be veiled for nothing.
+/// A strong patch would veil black lines on white without need.
 TEST(Tones, OfAShortWayAreHardlySeen) {
   Covering collage({"#ffffff", "#fafafa"});
   collage.report.colours = {"#fefefe", "#ffffff"};
@@ -141,7 +141,7 @@ TEST(Tones, OfAShortWayAreHardlySeen) {
   }
 }
 
-/// The right half is hardly drawn on, in a colour of its own.
+/// The right half has hardly any drawing on it, in a colour of its own.
 TEST(Tones, OfCellsThatAreHardlyDrawnOnFollowTheOthers) {
   Covering collage({"#919191", "#919191"});
   ColourGrid grid;

@@ -1,4 +1,4 @@
-// All that a run leaves behind.
+// All files that a run leaves behind.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -43,7 +43,7 @@ TEST(CollageFiles, WritesThemAllAndNothingElse) {
               (std::set<std::string>{"pieces.geojson", "card.json", "card.txt", "job.toml", "manifest.json"}));
     EXPECT_EQ(read_manifest(dir).finished, finished);
     EXPECT_EQ(content_of(dir + "/card.txt"), card);
-    // Disc of 40 px squared and ring of 60 px squared on 200 x 100 px.
+    // A disc of 40 px squared and a ring of 60 px squared on 200 x 100 px.
     EXPECT_NE(card.find("26.0"), std::string::npos) << card;
   }
 }
@@ -74,7 +74,7 @@ TEST(CollageFiles, WhereAFileCannotBeWrittenThereIsNoResult) {
   const test::ScratchFolder folder;
   const test::SampleCollage sample;
   publish_result(folder.path(""), sample.report, sample.source(), true);
-  fs::create_directories(folder.path("card.txt.tmp/in_the_way"));  // of the last file before the manifest
+  fs::create_directories(folder.path("card.txt.tmp/in_the_way"));  // this file is the last one before the manifest
   EXPECT_THROW(publish_result(folder.path(""), sample.report, sample.source(), true), EnvironmentError);
   EXPECT_THROW(read_manifest(folder.path("")), InputError);
 }

@@ -1,4 +1,4 @@
-// Which pieces are meant by who draws over a collage.
+// The pieces that a user marks by drawing over a collage.
 #include "result/erased_pieces.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(ErasedPieces, ARectangleMeansThoseWithTheirCentreInIt) {
   EXPECT_TRUE(pieces_in({{0, 0}, {10, 10}}, pieces).empty());
 }
 
-/// Two cells to a px.
+/// A mask with two cells per px.
 Grid<float> marked(int x0, int y0, int x1, int y1) {
   Grid<float> mask(400, 200, 0.f);
   for (int y = 2 * y0; y < 2 * y1; ++y) std::fill(mask.row(y) + 2 * x0, mask.row(y) + 2 * x1, 1.f);
@@ -69,7 +69,7 @@ TEST(ErasedPieces, AMaskIsLaidOverTheCanvasWhateverItsSize) {
   EXPECT_LT(mask(120, 80), 0.5f);
 }
 
-/// The picture that is drawn over has a height in whole px.
+/// The picture that the user draws over has a height in whole px.
 TEST(ErasedPieces, AMaskMayBeAsSmallAsACollagesPicture) {
   const test::ScratchFolder folder;
   const std::string file = folder.write("mask.svg", svg(100, 70, "<rect x='10' y='5' width='40' height='20'/>"));
@@ -79,7 +79,7 @@ TEST(ErasedPieces, AMaskMayBeAsSmallAsACollagesPicture) {
   EXPECT_EQ(pieces_under(mask, pieces, canvas), std::vector<int>{0});
 }
 
-/// A picture as a collage has it: squares of many colours, up to its edge, on white.
+/// A picture like that of a collage: squares of many colours up to its edge, on white.
 cv::Mat collage_picture() {
   cv::Mat picture(150, 300, CV_8UC3, cv::Scalar::all(255));
   for (int y = 0; y < 5; ++y) {
@@ -109,7 +109,7 @@ class PaintedOverTest : public testing::Test {
   Canvas canvas_ = make_rectangle_canvas(300, 150);
 };
 
-/// As PNG and with the noise of JPEG.
+/// The copy is a PNG, or a JPEG with its noise.
 TEST_F(PaintedOverTest, OfACopyThatWasPaintedOverThePaintIsMeant) {
   for (const char* name : {"painted.png", "painted.jpg"}) {
     SCOPED_TRACE(name);
@@ -122,7 +122,7 @@ TEST_F(PaintedOverTest, OfACopyThatWasPaintedOverThePaintIsMeant) {
   }
 }
 
-/// Not the copy of another picture, nor a scribble on a page of its own.
+/// Neither a painted copy of another picture nor a scribble on a separate page counts as paint.
 TEST_F(PaintedOverTest, OfAnotherPictureNothingIsTakenForPaint) {
   cv::Mat other(150, 300, CV_8UC3);
   cv::randu(other, cv::Scalar::all(0), cv::Scalar::all(255));
@@ -133,7 +133,7 @@ TEST_F(PaintedOverTest, OfAnotherPictureNothingIsTakenForPaint) {
   EXPECT_NEAR(marked_part(mask_of("page.png", page)), 70.f * 6 / (300 * 150), 0.006f);
 }
 
-/// Whose silhouette is cut out as that of any drawing.
+/// Its silhouette would be cut out as that of any drawing.
 TEST_F(PaintedOverTest, OfACopyOnAPlainGroundThePaintIsMeantToo) {
   cv::Mat picture(150, 300, CV_8UC3, cv::Scalar::all(255));
   collage_picture()(cv::Rect(0, 0, 200, 100)).copyTo(picture(cv::Rect(50, 25, 200, 100)));

@@ -1,4 +1,4 @@
-// What a folder holds already, and whether a job would make something else of it.
+// The result that a folder already holds, and whether a job would make another one.
 #include <gtest/gtest.h>
 
 #include <filesystem>

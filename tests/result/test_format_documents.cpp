@@ -1,5 +1,4 @@
-// The numbers and names in docs/checkpoint-format.md, docs/library-format.md and docs/result-format.md are those of the
-// source.
+// The numbers and names in docs/checkpoint-format.md, docs/library-format.md and docs/result-format.md equal those of the source.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -25,7 +24,7 @@ std::string document(const std::string& name) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// A document whose sentences may be broken into lines anywhere.
+/// A document whose sentences may have line breaks anywhere.
 class Document {
  public:
   explicit Document(const std::string& name) : name_(name), lines_(document(name)), text_(lines_) {
@@ -38,7 +37,7 @@ class Document {
   void expect_line(const std::string& line) const {
     EXPECT_NE(("\n" + lines_).find("\n" + line + "\n"), std::string::npos) << "docs/" << name_ << " lacks: " << line;
   }
-  /// The beginning of a row of a table.
+  /// Expects a table row with this beginning.
   void expect_row(const std::string& begin) const {
     EXPECT_NE(lines_.find("\n| " + begin), std::string::npos) << "docs/" << name_ << " lacks a row: " << begin;
   }
@@ -47,7 +46,7 @@ class Document {
   std::string name_, lines_, text_;
 };
 
-/// 4000000 -> "4,000,000"
+/// Turns 4000000 into "4,000,000".
 std::string grouped(std::size_t number) {
   std::string text = std::to_string(number);
   for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, 1, ',');

@@ -1,4 +1,4 @@
-// pieces.geojson: what other programs rely on.
+// pieces.geojson: the properties that other programs rely on.
 #include <gtest/gtest.h>
 
 #include <clocale>
@@ -115,7 +115,7 @@ TEST(NumberText, FixedDecimalsWithoutMinusZero) {
 
 TEST(NumberText, TheLocaleDoesNotMatter) {
   const std::string before = std::setlocale(LC_ALL, nullptr);
-  std::setlocale(LC_ALL, "de_DE.UTF-8");  // where it is not installed nothing changes
+  std::setlocale(LC_ALL, "de_DE.UTF-8");  // without this locale nothing changes
   EXPECT_EQ(fixed(0.5, 1), "0.5");
   std::setlocale(LC_ALL, before.c_str());
 }

@@ -1,4 +1,4 @@
-// GeoJSON and the files of a result that would eat the machine: each is refused, or read, within seconds and 512 MiB.
+// GeoJSON and other result files that would need too much of the machine. Each is refused or read within seconds and 512 MiB.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -35,7 +35,7 @@ class LargeResults : public testing::Test {
 
   void read_placed() { read_placed_pieces(folder_.path("")); }
 
-  /// By all who read pieces.
+  /// Expects a refusal by all functions that read pieces.
   void expect_refused(const test::LargeText& text, const std::string& by_polygons, const std::string& by_start,
                       const std::string& by_placed) {
     text.write(pieces_);
@@ -67,14 +67,14 @@ TEST_F(LargeResults, OfManyValuesAreRefused) {
                               "[[1,1],[9,1],[9,9],[1,1]]]}}";
   expect_refused({kBegin + feature, "," + feature, 1'000'000, "]}"}, "more than 100000 features",
                  "more than 100000 features", "more than 1000000 features");
-  // What nobody reads takes no memory.
+  // Parts that no function reads take no memory.
   expect_refused({kBegin + R"({"a":[)", "[],", 20'000'000, R"([]],"properties":{)" + kPose + "}}]}"},
                  "geometry.type: found nothing", "", "");
   expect_refused({kBegin + R"({"properties":{)", R"("a":{},)", 8'000'000, kPose + "}}]}"},
                  "geometry.type: found nothing", "", "");
 }
 
-/// A result of the program itself may have more pieces than a job gives.
+/// The program's own results may have more pieces than a job may give.
 TEST_F(LargeResults, OfManyPiecesAreRead) {
   const std::string feature = R"({"properties":{)" + kPose + "}}";
   test::LargeText{kBegin + feature, "," + feature, 250'000, "]}"}.write(pieces_);
@@ -119,7 +119,7 @@ TEST_F(LargeResults, CardsAndManifestsAreSmall) {
     test::expect_refused(manifest, said, [&] { read_manifest(folder_.path("")); });
   };
   expect_manifest_refused({R"({"a":[)", "[],", 20'000'000, "[]]}"}, "found more than 2000000 values");
-  std::string members;  // no two alike
+  std::string members;  // all different
   for (int i = 0; i < 900'000; ++i) members += ",\"" + std::to_string(i) + "\":1";
   expect_manifest_refused({"{\"b\":1" + members, "", 0, "}"}, "not a manifest of tessera collage");
 }

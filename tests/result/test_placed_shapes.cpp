@@ -1,4 +1,4 @@
-// Shapes that were placed are found by their ids, and mirror images by what they are drawn from.
+// Placed shapes are found by their ids, mirror images by the shape that they are drawn from.
 #include "result/placed_shapes.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Polygons of any GeoJSON as pieces: ours, other people's, and those that nobody should hand on.
+// Polygons of any GeoJSON as pieces: files of the program, of other programs, and invalid ones.
 #include "result/polygon_pieces.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ std::string repeated(const std::string& text, std::size_t times) {
   return all;
 }
 
-/// The positions of a comb from `at` on, so many teeth `apart_px`, from `low_px` to `high_px` below it. Two more close it.
+/// The positions of a comb from `at` on: `count` teeth `apart_px` apart, from `low_px` to `high_px` below it. Two more close it.
 std::string teeth(int count, double apart_px, double low_px, double high_px, Vec2 at = {}) {
   const auto position = [&](double x, double y) {
     return "[" + std::to_string(at.x + x) + "," + std::to_string(at.y + y) + "]";
@@ -51,7 +51,7 @@ std::string teeth(int count, double apart_px, double low_px, double high_px, Vec
   return all;
 }
 
-const std::string kSquare = "[[10,10],[30,10],[30,30],[10,30],[10,10]]";  // 20 px
+const std::string kSquare = "[[10,10],[30,10],[30,30],[10,30],[10,10]]";  // 20 px wide
 const std::string kHole = "[[15,15],[25,15],[25,25],[15,25],[15,15]]";
 
 class PolygonPieces : public testing::Test {
@@ -60,7 +60,7 @@ class PolygonPieces : public testing::Test {
     return read_polygon_pieces(folder_.write("pieces.geojson", bytes), canvas());
   }
 
-  /// What is said behind the file's name.
+  /// The message after the file's name.
   std::string mistake(const std::string& bytes) {
     const std::string said = test::message_of([&] { pieces_in(bytes); });
     const std::string where = folder_.path("pieces.geojson") + ": ";
@@ -203,7 +203,7 @@ TEST_F(PolygonPieces, NumbersAreWithinReason) {
 TEST_F(PolygonPieces, OfASeamlessCanvasAreTakenFromAnyPeriod) {
   Canvas seamless = canvas();
   seamless.period = {200, 100};
-  // 340 px long and 10 high; its centre lies in the one period, one before it, and three behind.
+  // The piece is 340 px long and 10 high. Its centre lies in the period itself, one before it, or three after it.
   for (const int x : {-160, -360, 440}) {
     const std::string from = std::to_string(x), to = std::to_string(x + 340);
     const std::string ring = "[[" + from + ",20],[" + to + ",20],[" + to + ",30],[" + from + ",30],[" + from + ",20]]";
@@ -251,7 +251,7 @@ TEST_F(PolygonPieces, WhatIsNoFileIsAMistake) {
 TEST_F(PolygonPieces, FilesThatWouldEatTheMachineAreRefused) {
   const std::string open_features = R"({"features":[)";
   const std::string open_ring = open_features + R"({"geometry":{"type":"Polygon","coordinates":[[)";
-  // Its teeth are 0.01 px wide and 98 high, in the box of one piece.
+  // The teeth are 0.01 px wide and 98 px high, in the box of one piece.
   const std::string comb = feature("[[" + teeth(9'000, 0.01, 1, 99) + ",[99,0],[0,0]]]");
   const std::string dense = feature("[[" + teeth(2'000, 0.001, 1.95, 2) + ",[2,0],[0,0]]]");
   const std::string long_comb = feature("[[" + teeth(90, 1, 1, 99) + ",[99,0],[0,0]]]");
@@ -277,7 +277,7 @@ TEST_F(PolygonPieces, FilesThatWouldEatTheMachineAreRefused) {
 
 TEST_F(PolygonPieces, DenseFilesWithinTheLimitsAreMeasuredInSeconds) {
   const std::string long_comb = feature("[[" + teeth(90, 1, 1, 99) + ",[99,0],[0,0]]]");
-  std::string small_combs;  // each 1.9 px from four others
+  std::string small_combs;  // each is 1.9 px from four others
   for (int i = 0; i < 1'250; ++i) {
     const double x = i % 50 * 3.9, y = i / 50 * 3.9;
     const std::string end = ",[" + std::to_string(x + 2) + "," + std::to_string(y) + "],";

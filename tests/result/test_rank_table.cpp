@@ -1,4 +1,4 @@
-// The table of the ranks: what stands in it follows from what was measured, and its shares add up.
+// The table of the ranks: its values follow from the measurements, and its shares add up.
 #include "result/rank_table.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// docs/result-format.md leaves no field of a result out.
+// docs/result-format.md describes every field of a result.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -20,7 +20,7 @@ namespace test_result_format {
 
 using nlohmann::json;
 
-/// From a heading, "## ..." or "### ...", to the next one of any level.
+/// The text from a heading, "## ..." or "### ...", to the next heading of any level.
 std::string documented_section(const std::string& heading) {
   std::ifstream file(std::string(TESSERA_SOURCE_DIR) + "/docs/result-format.md");
   const std::string all = "\n" + std::string{std::istreambuf_iterator<char>(file), {}};
@@ -28,7 +28,7 @@ std::string documented_section(const std::string& heading) {
   return begin == std::string::npos ? "" : all.substr(begin, all.find("\n#", begin + 1) - begin);
 }
 
-/// Alone in backticks, or as a part of a name with dots.
+/// Returns whether the text names the key, alone in backticks or as a part of a name with dots.
 bool names(const std::string& text, const std::string& key) {
   for (const char* before : {"`", "."}) {
     for (const char* after : {"`", "."}) {

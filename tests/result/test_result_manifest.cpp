@@ -1,4 +1,4 @@
-// What a folder's manifest must say before anything else of the folder is believed.
+// The fields that a folder's manifest must have before the program trusts the folder.
 #include <gtest/gtest.h>
 
 #include <fstream>

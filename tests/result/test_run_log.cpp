@@ -1,4 +1,4 @@
-// The log of the runs that worked on a result.
+// The log of all runs that worked on a result.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 

@@ -1,4 +1,4 @@
-// What a run keeps about itself, in the record for the card and in run.log.
+// The records of a run about itself, for the card and in run.log.
 #include "core/base/stop.h"
 #include "run/collage_journal.h"
 
@@ -33,7 +33,7 @@ class Journal : public testing::Test {
 };
 
 TEST_F(Journal, keeps_what_happens_in_the_record_and_in_the_log) {
-  journal_.ranks_are({{"node1", {}}, {"node2", {{"gpu", "G", "P", "D", 80}}}});
+  journal_.set_rank_sites({{"node1", {}}, {"node2", {{"gpu", "G", "P", "D", 80}}}});
   CheckpointState from;
   from.name = "out/checkpoint.h5";
   from.placements.resize(3);

@@ -1,4 +1,4 @@
-// What a job's keys come to when its library and canvas are known.
+// The values of a job's keys once its library and canvas are known.
 #include "run/collage_problem.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ class ProblemOfJob : public testing::Test {
   test::ScratchFolder folder_;
 };
 
-/// With fit = "all" the sizes of the job only compare with each other.
+/// With fit = "all" the sizes of the job only compare pieces with each other.
 TEST_F(ProblemOfJob, trials_of_a_quality_go_by_the_sizes_that_are_found) {
   const int small = trials("[pieces]\nfit = \"all\"\nuses = 1\nscale_px = [20, 40]\n");
   EXPECT_EQ(trials("[pieces]\nfit = \"all\"\nuses = 1\nscale_px = [2000, 4000]\n"), small);
@@ -44,7 +44,7 @@ TEST_F(ProblemOfJob, other_trials_are_those_of_the_job) {
   EXPECT_EQ(trials("[pieces]\nfit = \"all\"\n", {"quality="}), 0);
 }
 
-/// The other ranks, checkpoints and results have the number.
+/// The other ranks, checkpoints and results get the number.
 TEST_F(ProblemOfJob, the_effective_job_has_trials_instead_of_a_quality) {
   const CanvasProblem problem(job("[pieces]\nfit = \"all\"\nuses = 1\n"));
   const std::string written = to_toml(problem.job());
@@ -53,7 +53,7 @@ TEST_F(ProblemOfJob, the_effective_job_has_trials_instead_of_a_quality) {
   EXPECT_EQ(to_toml(job_from_toml(written, "job.toml")), written);
 }
 
-/// Who draws a result reads its picture as finely as the run did.
+/// tessera draw reads a result's picture as finely as the run did.
 TEST_F(ProblemOfJob, the_smallest_size_follows_from_a_written_job) {
   for (const char* keys :
        {"[pieces]\nscale_px = [20, 40]\n", "[pieces]\nfit = \"all\"\nuses = 1\nscale_px = [200, 400]\n",

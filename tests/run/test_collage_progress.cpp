@@ -1,4 +1,4 @@
-// What is shown of a run, and that a signal ends it without ending the process.
+// The display of a run's progress, and a signal that ends the run without ending the process.
 #include <gtest/gtest.h>
 
 #include <csignal>

@@ -1,4 +1,4 @@
-// What tessera collage says on stderr beside errors.
+// The messages of tessera collage on stderr besides errors.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -91,7 +91,7 @@ TEST(WrittenKeys, RowsOfTablesHaveTheirNamesAndValues) {
   EXPECT_EQ(keys.rows_with_values("regions", "scale_px", {0}), "scale_mm of [[regions]] \"sky\" (now [4, 32])");
 }
 
-/// [pieces] is not named where no shape goes by it.
+/// [pieces] is not named if it decides for no shape.
 TEST(PlaceAdvice, OnlyWhatDecidesIsNamed) {
   Job job;
   JobRow row;

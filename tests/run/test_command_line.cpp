@@ -1,4 +1,4 @@
-// The command line in the records of a run can be given to a shell again.
+// A shell can run the command line from the records of a run again.
 #include "run/command_line.h"
 
 #include <gtest/gtest.h>

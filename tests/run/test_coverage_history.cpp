@@ -1,4 +1,4 @@
-// What the last tenth of a run brought.
+// The gain in the last tenth of a run.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -25,7 +25,7 @@ TEST(CoverageHistory, pieces_that_were_taken_out_count) {
 TEST(CoverageHistory, does_not_say_what_it_does_not_know) {
   CoverageHistory history;
   EXPECT_FALSE(history.gained_in_last_tenth(1));
-  for (int i = 0; i < 100; ++i) history.add(1000 + i, 0.9);  // a resumed run
+  for (int i = 0; i < 100; ++i) history.add(1000 + i, 0.9);  // this run was resumed
   EXPECT_FALSE(history.gained_in_last_tenth(1100));
   EXPECT_TRUE(history.gained_in_last_tenth(1200));
   CoverageHistory two;

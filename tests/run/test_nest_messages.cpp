@@ -1,4 +1,4 @@
-// What the ranks of a nesting tell each other arrives as it was, and only between ranks of one program.
+// Messages between the ranks of a nesting arrive unchanged, and only between ranks of one program.
 #include "run/nesting/nest_messages.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What a worker compares with the master before the first round, over ranks that are threads.
+// A worker's comparison with the master before the first round, over ranks that are threads.
 #include "run/problem_exchange.h"
 
 #include <gtest/gtest.h>
@@ -12,14 +12,14 @@
 namespace tessera::cli {
 namespace test_problem_exchange {
 
-/// What the worker's `join` throws, as text; "" for nothing. The master runs "master 1" with a job of seed 5.
+/// The text of the exception that the worker's `join` throws, or "". The master runs "master 1" with a job of seed 5.
 template <class Join>
 std::string complaint(Join join) {
   comm::InProcessNetwork network(2);
   std::jthread master([&network] {
     Job job;
     job.library = "/a/library.h5";
-    job.quality = QualityWord::none;  // an effective job has the number in its place
+    job.quality = QualityWord::none;  // an effective job has the number instead
     job.settings.seed = 5;
     const auto ranks = network.connect(0);
     announce_job(*ranks, "master 1", job);
@@ -49,7 +49,7 @@ TEST(RankAgreement, another_program_is_refused) {
       "node");
 }
 
-/// The master's name may be any bytes.
+/// The master's name may hold any bytes.
 TEST(RankAgreement, another_program_is_found_out_before_anything_else_is_read) {
   comm::InProcessNetwork network(2);
   network.connect(0)->broadcast(comm::Bytes{'x', '\x1b', '\x01'});

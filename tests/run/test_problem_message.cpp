@@ -1,4 +1,4 @@
-// What rank 0 found on the canvas arrives at every worker bit for bit.
+// The canvas data that rank 0 found arrive at every worker bit for bit.
 #include "run/problem_message.h"
 
 #include <gtest/gtest.h>

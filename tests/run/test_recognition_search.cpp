@@ -1,4 +1,4 @@
-// Queries looked up by several ranks: the same answer on any number of them, and no answer from another library.
+// Several ranks look up queries: the answer is the same on any number of them, and another library gives no answer.
 #include "run/recognition/recognition_search.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ void write_library(const std::string& path, std::uint32_t count) {
   writer.finish();
 }
 
-/// Each of some shapes, turned, twice as large as it was drawn.
+/// A question with a few of the shapes, each turned and twice as large as drawn.
 RecognitionQuestion question_of(const std::string& path) {
   const LibraryFile library(path);
   RecognitionQuestion question;
@@ -50,7 +50,7 @@ RecognitionQuestion question_of(const std::string& path) {
   return question;
 }
 
-/// HDF5 is for one thread at a time, and these ranks are threads: so they read one after the other.
+/// HDF5 allows only one thread at a time. These ranks are threads, so they read one after the other.
 class OneAtATime : public ShapeLibrary {
   template <class Read>
   static auto locked(Read read) -> decltype(read()) {

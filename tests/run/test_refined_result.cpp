@@ -1,4 +1,4 @@
-// What tessera refine makes of a result's job, and where it goes.
+// The job that tessera refine makes from a result's job, and its folder.
 #include "run/refined_result.h"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ TEST(RefinedResult, ItsFolderIsOneTextWhateverItsName) {
   EXPECT_EQ(key(starting_keys(result_of({}, 9)), "start.keep"), "free");
 }
 
-/// What an earlier refinement removed is not to go again: by then others have its number.
+/// Pieces that an earlier refinement removed must not go again, because other pieces have their numbers by then.
 TEST(RefinedResult, NothingOfAnEarlierRefinementIsLeft) {
   const std::vector<std::string> keys = starting_keys(result_of({}, 9));
   for (const char* list : {"start.remove", "start.lock", "start.not_anew"}) EXPECT_EQ(key(keys, list), "[]") << list;
@@ -117,7 +117,7 @@ TEST(RefinedResult, ItsPiecesAreNotToBeOthers) {
             "--set quality=good: no key to refine a result with; allowed: --relax --trials N, or improve.trials=N");
 }
 
-/// An earlier version did not say.
+/// Results of an earlier version lack this information.
 TEST(RefinedResult, SaysWhichPiecesAreLocked) {
   RefinedResult result = result_of({}, 9);
   result.whole.job.start.pieces = "earlier";

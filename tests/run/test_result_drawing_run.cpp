@@ -1,4 +1,4 @@
-// What drawing a result tells about the layers around foreign drawings.
+// The messages of drawing a result about the layers around foreign drawings.
 #include "run/result_drawing_run.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace test_result_drawing_run {
 
 class ToldLayers : public testing::Test {
  protected:
-  /// What is said on stderr.
+  /// The text on stderr.
   std::string told(const DrawerLayers& layers) {
     testing::internal::CaptureStderr();
     tell_layers("result", layers, log_);

@@ -1,4 +1,4 @@
-// How long a run will take, from how it has gone.
+// The estimate of a run's time from its progress so far.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -43,7 +43,7 @@ TEST(TimeEstimate, GoesByThePaceOfFilling) {
   EXPECT_NEAR(estimate.left_s(half_filled()).value(), 10, 1e-3);
 }
 
-/// "0:00 left" stood there for a minute.
+/// Without the trials the estimate would stay at "0:00 left".
 TEST(TimeEstimate, TrialsThatAreToComeTakeTimeToo) {
   TimeEstimate estimate({}, {.trials = 2000, .seconds = 0});
   estimate.left_s({});
@@ -82,7 +82,7 @@ TEST(TimeEstimate, ImprovingMayHaveALimitInSeconds) {
   EXPECT_NEAR(estimate.left_s({.pieces = 200, .coverage = 0.93, .seconds = 50, .trials = 99}).value(), 30, 1e-3);
 }
 
-/// "889:20 left" was said at the begin of the fifth attempt.
+/// The earlier attempts would make the estimate far too long.
 TEST(TimeEstimate, AnAttemptIsNotJudgedByThoseBeforeIt) {
   TimeEstimate estimate({.pieces = 0, .coverage = 0.6f, .seconds = 0}, kNoTrials);
   estimate.left_s({});

@@ -1,4 +1,4 @@
-// When a run must be over.
+// The time at which a run must be over.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -113,16 +113,16 @@ TEST(TimeLimit, remembers_the_longest_round) {
 }
 
 TEST(TimeLimit, keeps_time_to_leave) {
-  EXPECT_FALSE(TimeLimit(60).round_over(50));
-  EXPECT_TRUE(TimeLimit(60).round_over(58));
-  EXPECT_FALSE(TimeLimit(60).drawing_over(58));
-  EXPECT_TRUE(TimeLimit(60).drawing_over(59.5));
+  EXPECT_FALSE(TimeLimit(60).must_end_round(50));
+  EXPECT_TRUE(TimeLimit(60).must_end_round(58));
+  EXPECT_FALSE(TimeLimit(60).must_end_drawing(58));
+  EXPECT_TRUE(TimeLimit(60).must_end_drawing(59.5));
 }
 
 TEST(TimeLimit, ends_drawing_a_second_early) {
-  EXPECT_TRUE(TimeLimit(1).drawing_over(0));
-  EXPECT_FALSE(TimeLimit(60).drawing_over(0));
-  EXPECT_FALSE(TimeLimit().drawing_over(0));
+  EXPECT_TRUE(TimeLimit(1).must_end_drawing(0));
+  EXPECT_FALSE(TimeLimit(60).must_end_drawing(0));
+  EXPECT_FALSE(TimeLimit().must_end_drawing(0));
 }
 
 }  // namespace test_time_limit

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# concept_figures_test.sh PROGRAM: the figures of docs/concepts are those that the program draws today, and each page of the concepts
-# has a figure.
+# concept_figures_test.sh PROGRAM: the figures of docs/concepts are those that the program draws today, and each page of the concepts has a
+# figure.
 set -euo pipefail
 program=$1
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."

@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# docs_test.sh NEW_FOLDER: scripts/docs.sh makes a site without a warning, and a browser that shows it asks no other host for
-# anything.
+# docs_test.sh NEW_FOLDER: scripts/docs.sh makes a site without a warning. A browser that shows it loads nothing from another host.
 set -euo pipefail
 folder=$1
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
@@ -14,7 +13,7 @@ pages=$(find "$folder" -name '*.html' | wc -l)
 for page in index.html docs/guide/first-collage.html docs/job-format.html docs/measurements.html docs/scaling.html; do
   [[ -s $folder/$page ]] || fail "no $page"
 done
-# Links to other hosts are for readers to follow; scripts, style sheets, pictures and fonts are loaded.
+# Readers may follow links to other hosts. But scripts, style sheets, pictures and fonts would be loaded.
 loaded=$(grep -rnoE '<(script|img|iframe|source)[^>]* src="?(https?:)?//[^"> ]+|<link[^>]*(stylesheet|preconnect|icon)[^>]* href="?(https?:)?//[^"> ]+' \
          "$folder" --include='*.html' | head -n 5 || true)
 [[ -z $loaded ]] || fail "a page loads: $loaded"

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What the pages on files say that a user is told, the program says: each message in the last column of their tables stands
-in the sources, or at least its longest part without numbers and names. And every ending of a file that the sources know stands in these pages."""
+"""The program prints the messages that the pages on files document. Each message in the last column of their tables stands in the
+sources, or at least its longest part without numbers and names does. The pages list every file name ending that the sources know."""
 
 import glob
 import os
@@ -18,7 +18,7 @@ def sources():
 
 
 def literals():
-    """The texts of the sources, those that the compiler joins as one."""
+    """The string literals of the sources. Literals that the compiler joins are one text."""
     texts = []
     for source in sources():
         joined = re.sub(r'(?<!\\)"\s*\n\s*"', "", source)

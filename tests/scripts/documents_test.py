@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""documents_test.py TESSERA: what pages name is there: the targets of their links, the commands and options of their
-examples, and the keys of a job. And README.md is short."""
+"""documents_test.py TESSERA: everything that pages name exists: the targets of their links, the commands and options of their
+examples, and the keys of a job. README.md must be short."""
 
 import functools
 import glob
@@ -18,7 +18,7 @@ FILE_ENDINGS = ("png", "svg", "h5", "json", "toml", "txt", "geojson", "log", "cs
 
 
 def anchors_of(text):
-    """As forges make them of headings."""
+    """The anchors that forges make from the headings."""
     found = set()
     for heading in re.findall(r"^#+ +(.+)$", text, re.M):
         heading = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading)
@@ -33,7 +33,7 @@ def help_of(program, *words):
 
 
 def command_faults(program, line):
-    """Of `tessera WORD [WORD] ... --option ...`, for each command of the line."""
+    """The faults in each command `tessera WORD [WORD] ... --option ...` of the line."""
     for part in re.split(r"&&|\|\||;", line.split(" # ")[0].split("   #")[0]):
         words = part.split()
         if "tessera" not in words:
@@ -83,12 +83,12 @@ def faults_of(page, program, keys):
         key = KEY.match(word)
         if not key or key[1].endswith(tuple("." + ending for ending in FILE_ENDINGS)):
             continue
-        if key[1] not in keys and re.sub("_mm$", "_px", key[1]) not in keys:  # lengths have a twin in mm
+        if key[1] not in keys and re.sub("_mm$", "_px", key[1]) not in keys:  # lengths have a second key in mm
             yield f"no job has the key {key[1]}"
 
 
 def keys_of_jobs():
-    """From the page that a test of the program compares with its table of keys."""
+    """The keys of a job, from docs/job-format.md. Another test compares that page with the program's table of keys."""
     with open("docs/job-format.md", encoding="utf-8") as file:
         text = file.read()
     keys = set(re.findall(r"`([a-z_]+\.[a-z_0-9]+)", text))

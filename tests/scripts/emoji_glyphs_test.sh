@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# scripts/emoji_glyphs.py on Debian's emoji: a picture a glyph, named after its characters.
+# scripts/emoji_glyphs.py on Debian's emoji: it writes a picture for each glyph, named after its characters.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# gpu_bundle_test.sh FOLDER: makes both archives of scripts/gpu-bundle.sh, and runs gpu-check in a root that has the C
-# library and a few commands and nothing else: with the first alone there is no device, with both all checks pass.
-# Skipped (77) where this user may not change the root. Minutes.
+# gpu_bundle_test.sh FOLDER: makes both archives of scripts/gpu-bundle.sh. Runs gpu-check in a root folder that has only the C library and a
+# few commands.
+# With the first archive alone there is no device; with both all checks pass.
+# The test is skipped (77) if this user may not change the root. It takes minutes.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 folder=$1
@@ -12,7 +13,7 @@ rm -rf "$folder"
 mkdir -p "$folder"
 root=$(readlink -f "$folder")/root
 
-# The root: commands, what they load, and all of glibc, as its parts load each other by name.
+# The root folder holds the commands, the libraries that they load, and all of glibc, whose parts load each other by name.
 commands=(awk basename bash cat chmod cmp cp cut date diff dirname env find grep gzip head hostname id ldconfig ldd ls
   mkdir mktemp mv nproc readlink rm sed sh sha256sum sleep sort tail tar tee timeout touch tr uname wc xargs xz)
 mkdir -p "$root"/{usr/bin,usr/lib,usr/lib64,proc,sys,dev,tmp,root,etc}
@@ -30,7 +31,7 @@ dpkg -L libc6 | grep -E '^(/usr)?/lib/x86_64-linux-gnu/.*\.so' | while read -r l
   [[ ! -f $library ]] || { mkdir -p "$root${library%/*}"; cp -L "$library" "$root$library"; }
 done
 
-# in_root COMMAND: in the root, with nothing of this machine's environment.
+# in_root COMMAND: runs COMMAND in that root, without this machine's environment.
 in_root() {
   # shellcheck disable=SC2016  # the inner shell expands them
   "${enter[@]}" bash -c 'for place in proc sys dev; do mount --rbind "/$place" "$1/$place"; done

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# gpu_check_test.sh: scripts/gpu-check.sh on a bundle of stand-in programs: which checks run, what a failure, a hang and
-# the end of the minutes come to, the table, exit codes.
+# gpu_check_test.sh: runs scripts/gpu-check.sh on a bundle of replacement programs. It checks which checks run, the effects of a failure, a
+# hang and the time limit, the table, and the exit codes.
 # shellcheck disable=SC2016  # the stand-ins expand their variables themselves
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.." || exit 1
@@ -46,12 +46,12 @@ stand_in tests/golden/golden_test.sh <<<'echo 14 jobs'
 touch "$bundle/tests/golden_inputs" "$bundle/lib/libopencl_profile.so" "$bundle/jobs/animals.toml"
 sed 's/"test_pair_search 90"/"test_pair_search 5"/' scripts/gpu-check.sh >"$bundle/gpu-check.sh"
 
-# check ARGUMENT...: what it says and its exit code go to variables.
+# check ARGUMENT...: puts the output and the exit code into variables.
 check() {
   code=0
   said=$(PATH=$PATH:/usr/sbin bash "$bundle/gpu-check.sh" "$@" 2>&1) || code=$?
 }
-# expect CODE WHAT PATTERN...: each in what was said; "!PATTERN": not.
+# expect CODE WHAT PATTERN...: the output matches each PATTERN; "!PATTERN" must not match.
 expect() {
   local what=$2 pattern
   [[ $code == "$1" ]] || { echo "FAILED $what: exit code $code, not $1"; echo "$said"; exit 1; }
@@ -117,10 +117,10 @@ touch "$bundle/no_devices"
 check "$bundle" "$sandbox/out"
 expect 1 'no device' '^There is no OpenCL device' '!^golden'
 
-# env.sh: the list of the machine, a driver's library that nobody lists, PoCL.
+# env.sh with three kinds of drivers: the machine's list, a driver's library that no list names, and PoCL.
 touch "$sandbox/libnvidia-opencl.so.1"
 mkdir -p "$bundle/pocl/lib/x86_64-linux-gnu"
-# chosen LISTED UNLISTED [VARIABLE=VALUE]: what env.sh makes of it.
+# chosen LISTED UNLISTED [VARIABLE=VALUE]: prints what env.sh chooses in that case.
 chosen() {
   env -u OCL_ICD_VENDORS "${@:3}" bash -c 'vendors=$1 found=$2
     source <(sed "s#^choose_opencl\$##; s#\${BASH_SOURCE\[0\]}#'"$bundle"'/env.sh#" "'"$bundle"'/env.sh")

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# gpu_share_test.sh GPU_SHARE.SH: what each worker of a node sees of its GPUs, by the variables that sites set.
+# gpu_share_test.sh GPU_SHARE.SH: the GPUs that each worker of a node sees, by the variables that sites set.
 set -euo pipefail
 gpu_share=$1
 # shellcheck disable=SC2016  # the worker's shell expands it
@@ -19,6 +19,6 @@ expect 1 2 "1,3  " CUDA_VISIBLE_DEVICES=0,1,2,3
 expect 2 3 "0  " CUDA_VISIBLE_DEVICES=0,1
 expect 1 2 " 1 " ROCR_VISIBLE_DEVICES=0,1
 expect 1 2 "  1" GPU_DEVICE_ORDINAL=0,1
-expect 1 2 " 1 " ROCR_VISIBLE_DEVICES=0,1 GPU_DEVICE_ORDINAL=0,1  # the second counts among what the first leaves
+expect 1 2 " 1 " ROCR_VISIBLE_DEVICES=0,1 GPU_DEVICE_ORDINAL=0,1  # the second variable counts among the GPUs that the first one leaves
 expect 0 1 " 0,1 0,1" ROCR_VISIBLE_DEVICES=0,1 GPU_DEVICE_ORDINAL=0,1
 expect 0 2 "  "

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# house_figure_test.sh: docs/house.svg shows the rooms of src/ and their includes as they are.
+# house_figure_test.sh: docs/house.svg shows the rooms of src/ and their present includes.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 figure=$(mktemp)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# scripts/install-packages.sh on a stand-in for dpkg and apt: what is missing of the sections that are named is asked
-# for, nothing else; and the sections of scripts/packages.txt.
+# scripts/install-packages.sh with replacements of dpkg and apt: it asks for the missing packages of the named sections, and for no others.
+# The test also checks the sections of scripts/packages.txt.
 # shellcheck disable=SC2016  # the stand-ins expand their variables themselves
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
@@ -31,7 +31,7 @@ stand_in sudo <<<'exec "$@"'
 stand_in apt-get <<<'echo "$@" >>"$CALLS"; exit "${APT_STATUS:-0}"'
 stand_in dpkg-query <<<'printf "%b" "$INSTALLED"; exit 1'
 
-# install_with INSTALLED SECTION...: runs the script; its output, exit status and apt-get's arguments go to variables.
+# install_with INSTALLED SECTION...: runs the script. Variables get its output, its exit status and the arguments of apt-get.
 install_with() {
   : >"$sandbox/calls"
   status=0
@@ -77,7 +77,7 @@ APT_STATUS=100 install_with 'installed here\n'
 expect 'a failing apt-get is a failure' [ "$status" -eq 1 ]
 expect 'and says so' grep -q 'apt-get install failed' <<<"$output"
 
-# The list itself.
+# Checks of the list itself.
 list=scripts/packages.txt
 output=$(grep -vnE '^(#.*|\[[a-z-]+\]|[a-z0-9.+-]+ +# .+|)$' "$list" || true)
 expect 'a line is a comment, a heading, or a package and why' [ -z "$output" ]
@@ -87,14 +87,14 @@ output=$(awk 'NF && $1 !~ /^#/ { print $1 }' "$list" | sort | uniq -d)
 expect 'no heading and no package stands twice' [ -z "$output" ]
 expect 'the sections' [ "$(grep '^\[' "$list" | paste -sd ' ')" = '[program] [tests] [long-tests] [docs]' ]
 
-# asked_of_apt ARGUMENT...: the packages that apt is asked for on a machine that has none of them, one a line.
+# asked_of_apt ARGUMENT...: prints the packages that apt is asked for on a machine without any of them, one a line.
 cp "$list" "$sandbox/scripts"
 asked_of_apt() {
   install_with '' "$@"
   expect "$*: success" [ "$status" -eq 0 ]
   tr ' ' '\n' <<<"${calls##*--no-install-recommends }"
 }
-# sections_of SCRIPT: the arguments that it gives.
+# sections_of SCRIPT: prints the sections that the script asks for.
 sections_of() { sed -n 's/^scripts\/install-packages.sh *\([a-z -]*\).*/\1/p' "scripts/$1"; }
 for_tests_alone='valgrind|libc6-dbg|slurm-wlm|munge|mesa-opencl-icd|llvm-15|libclc-15|inkscape|chromium|libgtest-dev'
 read -ra arguments < <(sections_of demo.sh)

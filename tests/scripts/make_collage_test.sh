@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# make_collage_test.sh: what scripts/collage.sh, for demo.sh and gallery.sh, makes of exit codes.
+# make_collage_test.sh: how scripts/collage.sh, used by demo.sh and gallery.sh, handles exit codes.
 set -uo pipefail
 scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../scripts" && pwd)
 # shellcheck source=scripts/collage.sh

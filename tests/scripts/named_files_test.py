@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Every source file that a comment or a page names is there: one that was moved or renamed leaves no wrong name behind.
+"""Every source file that a comment or a page names exists, so that a moved or renamed file leaves no wrong name behind.
 
-Looked at are names with a folder: "core/pad/pad.h" anywhere, and in pages also `core/pad/pad.*` and `core/{a,b}.*`."""
+The test checks names with a folder: "core/pad/pad.h" anywhere, and in pages also `core/pad/pad.*` and `core/{a,b}.*`."""
 
 import glob
 import os
@@ -9,14 +9,14 @@ import re
 import sys
 
 ROOTS = ("", "src/", "tests/", "kernels/")
-# (?<!...): a part of a longer path, of a URL or of an include is none.
+# (?<!...) excludes parts of a longer path, of a URL or of an include.
 FILE = re.compile(r"(?<![\w/.<\"$}{-])((?:[a-z_]+/)+[a-z_0-9]+\.(?:h|cpp|cl))\b")
 PATTERN = re.compile(r"`((?:src/)?(?:core|files|text|artwork|library|job|layers|recognition|package|checkpoint|result|render|products|comm|worker"
                      r"|master|terminal|run|plan|program|bench|cli|kernels)/[\w/{},*]+(?:\.\*)?)`")
 
 
 def texts():
-    """Pages, sources and scripts; not what this test and the test of rooms make up."""
+    """Pages, sources and scripts, except this test and the test of rooms, which use invented names."""
     made_up = ("tests/scripts/rooms_refusals_test.sh", "tests/scripts/named_files_test.py")
     for root in ("src", "include", "python", "examples", "tests", "kernels", "bench", "scripts", "slurm", "docs", "."):
         for folder, folders, files in os.walk(root):
@@ -29,7 +29,7 @@ def texts():
 
 
 def alternatives(name):
-    """core/{a,b}.* is core/a.* and core/b.*."""
+    """Expands core/{a,b}.* to core/a.* and core/b.*."""
     found = re.search(r"\{([\w,]+)\}", name)
     if not found:
         return [name]

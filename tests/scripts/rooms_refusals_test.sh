@@ -9,7 +9,7 @@ echo '#include "low/a.h"' >"$src"/high/b.h
 touch "$src"/low/a.h
 printf 'low  what is below\nhigh  what is above\n' >"$src"/rooms.txt
 
-# refused WORDS
+# refused WORDS: rooms_test.sh fails with a message that contains WORDS
 refused() {
   local said
   if said=$("$rooms_test" "$src" 2>&1); then

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# rooms_test.sh [FOLDER]: every folder of src/ that holds C++ stands in src/rooms.txt, a file includes nothing of a room
-# that stands after its own there, and no room is too large. FOLDER: another src/, for the test of this test.
+# rooms_test.sh [FOLDER]: every folder of src/ with C++ files is listed in src/rooms.txt. A file includes only rooms up to its own in that
+# list, and no room is too large.
+# FOLDER: another src/, for the test of this test.
 set -euo pipefail
 cd "${1:-$(dirname "${BASH_SOURCE[0]}")/../../src}"
 most_files=40
@@ -24,7 +25,7 @@ for room in "${!place[@]}"; do
   ((files <= most_files)) || fail "$room holds $files files; allowed: $most_files or fewer"
 done
 
-# "core/field/room.cpp core/base" for each include of another room.
+# Each line of the input is an include of another room: "core/field/room.cpp core/base".
 while read -r file included; do
   own=${file%/*}
   [[ -n ${place[$included]-} && -n ${place[$own]-} ]] || continue

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# scripts/silhouette_twins.py: a turned and enlarged copy is a twin, and so is a mirror image of what was mirrored; another shape and
-# another class are none. Exit code 77 (skipped) without Debian's python3-numpy and python3-pil.
+# scripts/silhouette_twins.py: twins are a turned and enlarged copy, and a mirror image of a mirrored silhouette; another shape or another
+# class is no twin.
+# Exit code 77 (skipped) without Debian's python3-numpy and python3-pil.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 

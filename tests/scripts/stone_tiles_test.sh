@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# scripts/stone_tiles.py: a map of the sheet's size, the same each time.
+# scripts/stone_tiles.py: makes a map of the sheet's size, which is the same each time.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# threads_test.sh: files of src/ make threads, use OpenCV's, or count the machine's cores, only where the list below
-# says why.
-# Whatever computes takes the rank's pool instead (core/base/rank_pool.h).
+# threads_test.sh: only the files of src/ in the list below make threads, use OpenCV's threads, or count the machine's cores; the list gives
+# the reasons.
+# All other computations use the rank's pool (core/base/rank_pool.h).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../../src"
 

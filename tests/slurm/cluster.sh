@@ -1,14 +1,14 @@
 # shellcheck shell=bash
-# A Slurm of four nodes on this machine, for slurm_test.sh, which sources it. Nothing of it outlives the test, however
-# that ends: all runs in name spaces (processes, mounts, network) whose first process is the test itself. What it writes
-# lies in memory, its network is a loopback of its own, and a node is a process that can be killed with all its
-# children.
+# A Slurm of four nodes on this machine. slurm_test.sh sources this file.
+# Everything runs in name spaces (processes, mounts, network) whose first process is the test itself. So no process outlives the test,
+# however it ends.
+# It writes only into memory, its network is its own loopback, and a node is a process that can be killed with all its children.
 
 readonly lab=/run/lab  # on a /run that only the test sees
-# --kill-child: if the test itself is killed, all of it goes.
+# --kill-child: if the test itself is killed, the whole cluster ends.
 readonly name_spaces=(--pid --fork --kill-child --mount-proc --mount --net --uts --ipc)
 
-# Prints why there can be no cluster here; nothing where there can.
+# Prints why there can be no cluster here, or nothing if there can be one.
 reason_against_cluster() {
   [[ $EUID -eq 0 ]] || { echo "not root, which name spaces need"; return; }
   unshare "${name_spaces[@]}" true 2>/dev/null || echo "unshare ${name_spaces[*]} is not allowed here"
@@ -19,12 +19,12 @@ start_cluster() {  # SLURM_CONF; returns when all nodes are idle
   mount -t tmpfs tmpfs /run
   mkdir -p "$lab"/{log,state,tmp} "$lab/munge"
   ip link set lo up
-  ip address add 10.0.0.1/32 dev lo  # with none but 127.0.0.1 the C library resolves no IPv4 address at all
+  ip address add 10.0.0.1/32 dev lo  # with only 127.0.0.1 the C library resolves no IPv4 address at all
   hostname login
-  export TMPDIR=$lab/tmp  # Open MPI's sessions
-  # It takes the loopback only when told to.
+  export TMPDIR=$lab/tmp  # for Open MPI's sessions
+  # Open MPI uses the loopback only if told to.
   export OMPI_MCA_oob_tcp_if_include=lo OMPI_MCA_btl_tcp_if_include=lo
-  mknod "$lab/gpu0" c 1 3  # /dev/null under other names
+  mknod "$lab/gpu0" c 1 3  # the GPUs are copies of /dev/null
   mknod "$lab/gpu1" c 1 3
   start_munge
   slurmctld -f "$SLURM_CONF" -i
@@ -41,13 +41,13 @@ start_munge() {
     --pid-file="$lab/munge/pid" --seed-file="$lab/munge/seed"
 }
 
-declare -A node_process  # of each node the process whose end is the node's end
+declare -A node_process  # for each node, the process whose end is the node's end
 
 start_node() {  # NAME
   local name=$1
   mkdir -p "$lab/spool.$name" "$lab/tmp.$name"
-  # A host name and a /dev/shm of its own, or Open MPI takes all nodes for one. Slurm's daemon must not be process 1,
-  # which has no default signal actions.
+  # Each node needs its own host name and /dev/shm, or Open MPI takes all nodes for one.
+  # Slurm's daemon must not be process 1, which has no default signal actions.
   unshare --pid --fork --kill-child --mount-proc --mount --uts bash -c "
     hostname $name
     mount -t tmpfs tmpfs /dev/shm
@@ -56,14 +56,14 @@ start_node() {  # NAME
   node_process[$name]=$!
 }
 
-kill_node() {  # NAME: as if somebody pulled the plug
+kill_node() {  # NAME: ends the node like a power failure
   kill -KILL "${node_process[$1]}"
   wait "${node_process[$1]}" 2>/dev/null || true
 }
 
 all_nodes_idle() { [[ $(sinfo -h -o '%D %t' 2>/dev/null) == "4 idle" ]]; }
 
-# Waits for a condition; ends the test when it does not come.
+# Waits for a condition. The test fails if it does not come in time.
 wait_until() {  # SECONDS WHAT CONDITION...
   local limit_s=$1 what=$2 end=$((SECONDS + $1))
   shift 2
@@ -73,11 +73,11 @@ wait_until() {  # SECONDS WHAT CONDITION...
   done
 }
 
-# Of a job: PENDING, RUNNING, COMPLETED, FAILED, ...
+# job_state JOB: prints PENDING, RUNNING, COMPLETED, FAILED, ...
 job_state() { job_field "$1" JobState; }
 job_field() { scontrol show job "$1" 2>/dev/null | grep -oE "\b$2=[^ ]*" | head -n 1 | cut -d= -f2; }
 
-# Waits for the job's end, which must be COMPLETED; in the job's log is why it is not.
+# Waits for the job's end, which must be COMPLETED. Otherwise the job's log gives the reason.
 expect_completed() {  # SECONDS JOB
   local limit_s=$1 job=$2
   wait_until "$limit_s" "the end of job $job" job_over "$job"

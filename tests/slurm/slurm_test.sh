@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# slurm_test.sh TESSERA NEW_FOLDER: the templates of slurm/ on a Slurm of four nodes (cluster.sh). Exit code 77: there
-# can be no cluster here.
+# slurm_test.sh TESSERA NEW_FOLDER: the templates of slurm/ on a Slurm of four nodes (cluster.sh). Exit code 77 means that no cluster can
+# run here.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source-path=SCRIPTDIR source=cluster.sh
@@ -56,7 +56,7 @@ scale_px = [14, 60]
 [output]
 width_px = 160
 END
-  sed 's/^\[output\]/[improve]\ntrials = 300\n&/' small.toml >long.toml  # 10 s or so
+  sed 's/^\[output\]/[improve]\ntrials = 300\n&/' small.toml >long.toml  # takes about 10 s
   sed 's/trials = 300/trials = 930/' long.toml >longer.toml
 }
 
@@ -89,7 +89,7 @@ END
   ok "collage on four nodes: the bytes of one process"
 }
 
-# Two of a shape are to be farther apart than the canvas is wide. Exit code 3 is done: the job completes and says so.
+# Two pieces of a shape must be farther apart than the canvas is wide. With exit code 3 the job completes and says so.
 check_incomplete_collage() {
   local job
   job=$(submit collage.sbatch --ntasks=2 small.toml own.h5 incomplete --set 'pieces.uses=[2, 2]' \
@@ -101,7 +101,7 @@ check_incomplete_collage() {
   ok "an incomplete collage is done, and says so"
 }
 
-# From a folder that has nothing to do with the templates, with the program in PATH alone; and without the program.
+# Submits from an unrelated folder, with the program only in PATH; and without the program.
 check_another_folder() {
   local job
   mkdir -p elsewhere path
@@ -118,7 +118,7 @@ check_another_folder() {
   ok "submitted from another folder; no program: said with the cure"
 }
 
-# Each node's GPUs are divided among its workers; the program sees them through the variable that drivers obey.
+# The GPUs of each node are divided among its workers. The program sees its share through the drivers' own variable.
 check_gpu_shares() {
   cat >show_gpus.sh <<'END'
 #!/bin/bash
@@ -129,8 +129,8 @@ END
   job=$(TESSERA=$PWD/show_gpus.sh submit collage.sbatch --nodes=2 --ntasks=5 --ntasks-per-node=3 --gres=gpu:2 \
         small.toml own.h5 gpus)
   expect_completed 30 "$job"
-  # Three ranks of the first node: the master and two workers with a GPU each; two workers of the second. Which nodes
-  # they are depends on what else runs: they are numbered as they come.
+  # The first node has three ranks: the master and two workers with a GPU each. The second has two workers.
+  # Slurm chooses the nodes by load, so the test numbers them in the order of the output.
   printf '%s\n' '1 rank 0 gpus 0,1' '1 rank 2 gpus 0' '1 rank 4 gpus 1' '2 rank 1 gpus 0' '2 rank 3 gpus 1' |
     diff - <(sort gpus.txt | awk '!($1 in node) { node[$1] = ++nodes } { $1 = node[$1]; print }') || fail "GPU shares"
   ok "GPUs: a share for each worker of a node"
@@ -146,7 +146,7 @@ check_campaign() {
   [[ -s campaign/ranking.png ]] || fail "campaign: no ranking.png"
   expect_same_pieces alone campaign/seed_1
   cp campaign/ranking.csv array.csv
-  # On one process: nothing is left to do, and the ranking is the same.
+  # The same campaign in one process: all results are there, and the ranking is the same.
   "$program" campaign small.toml --set 'library.file=own.h5' --seeds 1-3 --weight variety=0.2 --out campaign \
     >campaign.log
   [[ $(grep -c 'finished before' campaign.log) == 3 ]] || fail "campaign: results of the array were made again"
@@ -166,7 +166,7 @@ check_scaling() {
 }
 array_over() { [[ -z $(squeue -h -j "$1" 2>/dev/null) ]]; }
 
-# What the templates promise of restarts, with programs that stand in for tessera: ranks other than 0 do nothing.
+# The templates' promises about restarts, with programs that replace tessera. Ranks other than 0 do nothing.
 stand_in() {  # NAME, what rank 0 does on standard input; $out is its folder
   {
     cat <<'END'
@@ -186,7 +186,7 @@ END
   chmod +x "$1"
 }
 
-# It never gets further than a checkpoint.
+# The program never gets further than a checkpoint.
 start_endless_job() {
   stand_in endless.sh <<'END'
 touch "$out/checkpoint.h5"
@@ -204,7 +204,7 @@ check_endless_job() {
   ok "restarts: two allowed, two made"
 }
 
-# Slurm sends the signal before the time limit up to a minute early: here some time in the first ten seconds of a run.
+# Slurm sends the signal before the time limit up to a minute early. Here it comes some time in the first ten seconds.
 start_job_beyond_its_limit() {
   beyond_job=$(TESSERA_MAX_RESTARTS=20 submit collage.sbatch --nodes=2 --nodelist=n3,n4 --ntasks=3 --ntasks-per-node=2 \
                --time=1 --signal=B:USR2@50 longer.toml own.h5 beyond)
@@ -218,7 +218,7 @@ check_job_beyond_its_limit() {
   ok "time limit: signal, checkpoint, $(job_field "$beyond_job" Restarts) restarts, the same bytes"
 }
 
-# A node is lost with all that runs on it; the job comes back on others. Where there is a checkpoint it goes on there.
+# A node is lost with all its processes. The job restarts on other nodes, from its checkpoint if there is one.
 start_job_that_loses_a_node() {
   widow_job=$(submit collage.sbatch --nodes=2 --ntasks=3 --ntasks-per-node=2 long.toml own.h5 widow)
   wait_until 30 "the start of job $widow_job" [ -d widow ]
@@ -234,7 +234,7 @@ check_job_that_lost_a_node() {
   ok "a node is lost: restart on others, the same bytes"
 }
 
-# The signal is the one that comes before the time limit. Not on n2, which was killed; Slurm may not know yet.
+# The signal is the one before the time limit. The job avoids n2, which was killed, as Slurm may not know that yet.
 check_interrupted_collage() {
   local job
   job=$(submit collage.sbatch --exclude=n2 --nodes=2 --ntasks=3 --ntasks-per-node=2 long.toml own.h5 interrupted)
@@ -268,7 +268,7 @@ check_scaling
 check_endless_job
 start_job_that_loses_a_node
 "$program" collage longer.toml --out longer_alone --quiet
-"$program" collage long.toml --out long_alone --quiet  # Slurm needs 20 s to see that a node is gone
+"$program" collage long.toml --out long_alone --quiet  # Slurm needs 20 s to notice that a node is gone
 check_interrupted_collage
 check_job_beyond_its_limit
 check_job_that_lost_a_node

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# templates_test.sh NEW_FOLDER: what the templates say of options and limits that do not go with them. No Slurm: its
-# commands, mpirun and the program are stand-ins.
+# templates_test.sh NEW_FOLDER: the templates' messages about options and limits that do not fit them. It runs without Slurm: Slurm's
+# commands, mpirun and the program are replaced.
 set -uo pipefail
 folder=$1
 slurm=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../slurm" && pwd)
@@ -15,7 +15,7 @@ done
 chmod +x bin/*
 touch job.toml own.h5
 
-# collage SECONDS_LEFT OPTION...
+# collage SECONDS_LEFT OPTION...: runs the template with this time left
 collage() {
   local left_s=$1
   shift

@@ -1,4 +1,4 @@
-// Little artworks in memory, and their area, for the tests that read artwork.
+// Small artworks in memory, and their areas, for tests that read artwork.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace tessera::test {
 
-/// What is said of a drawing that makes librsvg panic. With the address sanitizer a panic aborts before the drawer's
-/// own end for it is reached.
+/// The reason that is reported for a drawing that makes librsvg panic. Under the address sanitizer a panic aborts the process before the
+/// drawer can end it in its own way.
 #ifdef __SANITIZE_ADDRESS__
 inline constexpr const char* kPanicReason = "crashed its process (Aborted)";
 #else
@@ -39,7 +39,7 @@ inline double area_px2(const Silhouette& s) {
   return sum;
 }
 
-/// Of the whole page.
+/// The silhouette's share of the whole page.
 inline double area_fraction(const Silhouette& s) { return area_px2(s) / (double(s.width_px) * s.height_px); }
 
 inline const std::string kDisc = R"(<circle cx="30" cy="25" r="20" fill="#ff0000"/>)";

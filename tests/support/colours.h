@@ -1,4 +1,4 @@
-// Colours for tests: drawings of two tones, pictures that they are to show.
+// Colours for tests: drawings of two tones, and target pictures.
 #pragma once
 
 #include <cstdint>
@@ -26,12 +26,12 @@ inline ColourGrid two_toned_grid(const Lab& left, const Lab& right) {
   return grid;
 }
 
-/// Spread over the colours that screens show; the same number, the same colour.
+/// A colour from the range that screens show. The same number gives the same colour.
 inline Lab numbered_colour(std::uint32_t number) {
   return {float(15 + number * 37 % 75), float(int(number * 53 % 100) - 50), float(int(number * 71 % 100) - 50)};
 }
 
-/// `colour` of the middle of each texel, canvas px.
+/// A target whose texels have the colour `colour(p)`, where p is the texel's middle in canvas px.
 inline std::shared_ptr<const ColourTarget> picture(int width_px, int height_px,
                                                    const std::function<Texel(Vec2)>& colour) {
   constexpr int kTexel_px = 2;
@@ -46,7 +46,7 @@ inline std::shared_ptr<const ColourTarget> picture(int width_px, int height_px,
 
 inline Texel opaque(const Lab& lab) { return {lab.lightness, lab.a, lab.b, 1}; }
 
-/// Of shapes without contrasts of their own.
+/// A colour wish for shapes of one colour each (`of_shapes`), without contrasts inside a shape.
 inline ColourWish wish_for(std::shared_ptr<const ColourTarget> target, const std::vector<Lab>& of_shapes,
                            float weight = 1) {
   std::vector<ShapeColour> colours;

@@ -1,4 +1,4 @@
-// The plain C++ matcher over a library that is divided among several parts, as it is among ranks.
+// The plain C++ matcher over a library that is divided into parts, as among ranks.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace tessera::test {
 
-/// A part ends at each of `cuts`, which do not fall, and at the library's end.
+/// Divides the library at each of `cuts`, which must be in ascending order; the last part ends at the library's end.
 inline CompositeMatcher divided_matcher(const std::vector<Shape>& library, const MatchingContext& context,
                                         std::vector<std::uint32_t> cuts) {
   cuts.push_back(std::uint32_t(library.size()));

@@ -1,7 +1,7 @@
 # shellcheck shell=bash
-# For the tests that are shell scripts, which source it: five drawings to make a library from.
+# Five drawings for a library. Tests that are shell scripts source this file.
 
-# make_drawings FOLDER: bean, star, corner, leaf and drop, as SVG
+# make_drawings FOLDER: writes bean, star, corner, leaf and drop as SVG
 make_drawings() {
   mkdir -p "$1"
   draw_svg "$1/bean" "M10 50 C10 10 90 10 90 50 C90 90 70 60 50 60 C30 60 10 90 10 50Z"

@@ -1,4 +1,4 @@
-// The pictures of a report, for the tests: as tessera draw makes them, but in memory.
+// Draws a report's pictures as tessera draw does, but in memory.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -19,7 +19,7 @@ class SilentDrawing : public DrawingObserver {
   std::optional<StopReason> stop_requested() override { return std::nullopt; }
 };
 
-/// The shapes of a report, ready to be drawn.
+/// A report with its shapes' artwork, ready to be drawn.
 struct DrawnCollage {
   explicit DrawnCollage(const CollageReport& its_report, const DrawerSettings& settings = {.processes = 2})
       : report(its_report),

@@ -1,4 +1,4 @@
-// What a full disk does, for this process only.
+// Simulates a full disk for this process only.
 #pragma once
 
 #include <sys/resource.h>
@@ -7,7 +7,7 @@
 
 namespace tessera::test {
 
-/// While it lives no file grows beyond `bytes`.
+/// While an object of this class lives, no file can grow beyond `bytes`.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {

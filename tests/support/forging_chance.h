@@ -1,4 +1,4 @@
-// What is forged where, by chance from a seed: the same on every machine.
+// Random choices for forgeries. They follow from a seed, the same on every machine.
 #pragma once
 
 #include <random>
@@ -17,8 +17,7 @@ class ForgingChance {
   const std::vector<Column>& columns() const { return columns_; }
   const Column& any_column() { return columns_[below(columns_.size())]; }
 
-  /// Half of the files lose the digests of their parts, as an older version wrote them: nothing but the limits tells
-  /// then.
+  /// Removes the digests of the parts from half of the files, as an older version wrote them. Then only the limits can reveal a forgery.
   bool make_older(hid_t file) {
     if (below(2) == 0) return false;
     H5Ldelete(file, "/shapes/part_digest", H5P_DEFAULT);

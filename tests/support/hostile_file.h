@@ -1,5 +1,5 @@
-// What the tests of forged files share: each forgery is read by a child with limits, which refuses it with the file's
-// name, or takes it for what it may be.
+// The base of tests with forged files. A child process with limits reads each forgery.
+// It must refuse the file with the file's name, or take it as a valid file.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,8 +13,8 @@
 
 namespace tessera::test {
 
-/// What was done, and whether a reader may take the file for another good one: numbers that are possible are no
-/// mistake, whoever made them.
+/// A description of the forgery, and whether a reader may take the file for a different valid file. Numbers that are possible are no error,
+/// whoever wrote them.
 struct Forgery {
   std::string what;
   bool may_differ = false;
@@ -22,13 +22,13 @@ struct Forgery {
 
 class HostileFile : public testing::Test {
  protected:
-  /// Writes the good file and changes it.
+  /// Writes the valid file, then changes it.
   virtual Forgery forge(std::uint32_t seed) = 0;
-  /// All that the program reads of the file; returns what is wrong with what it read, or nothing.
+  /// Reads everything that the program reads of the file. Returns what is wrong with it, or an empty text.
   virtual std::string read(bool may_differ) const = 0;
   virtual const std::string& path() const = 0;
 
-  /// Returns the message of the refusal, or what is wrong after "WRONG: ".
+  /// Returns the message of the refusal, or "WRONG: " and the mistake, or an empty text.
   std::string use(bool may_differ) const {
     try {
       const std::string wrong = read(may_differ);
@@ -40,7 +40,7 @@ class HostileFile : public testing::Test {
     }
   }
 
-  /// Returns whether it was refused.
+  /// Returns whether the reader refused the file.
   bool try_file(const Forgery& forgery, std::uint32_t seed) const {
     const std::string what = "seed " + std::to_string(seed) + ": " + forgery.what;
     const ChildReport report = in_child([&] { return use(forgery.may_differ); });
@@ -50,7 +50,7 @@ class HostileFile : public testing::Test {
     return true;
   }
 
-  /// Returns how many were refused.
+  /// Returns the number of refused files.
   std::uint32_t try_forgeries(std::uint32_t first, std::uint32_t count) {
     std::uint32_t refused = 0;
     for (std::uint32_t seed = first; seed < first + count; ++seed) refused += try_file(forge(seed), seed);

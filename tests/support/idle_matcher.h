@@ -1,4 +1,4 @@
-// A matcher that finds nothing, for tests of who asks matchers what.
+// A matcher that finds nothing. Tests use it to see which questions reach a matcher.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace tessera::test {
 
-/// How many samples a count is of.
+/// The number of samples in a count request.
 inline std::size_t samples_asked(const CountRequest& request) {
   return std::size_t(std::count_if(request.bins.begin(), request.bins.end(), [](std::uint32_t b) { return b > 0; }));
 }
@@ -16,7 +16,7 @@ class IdleMatcher : public Matcher {
  public:
   void start_field(int, int, Vec2) override {}
   void update_field(const FieldPatch&) override {}
-  void limit(const StandingLimits&) override {}
+  void limit(const StanceLimits&) override {}
   void post_dock(const DockRequest&) override {}
   DockReply take_dock() override { return {}; }
   void post_refine(const std::vector<Docking>&) override {}

@@ -1,4 +1,4 @@
-// Pictures for tests: written in every format that the program reads, and read back by the program's own readers.
+// Pictures for tests: encoded in every format that the program reads, and decoded by the program's own readers.
 #pragma once
 
 // clang-format off
@@ -39,7 +39,7 @@ struct JpegKind {
 inline Bytes jpeg_of(const cv::Mat& image, const JpegKind& kind = {}) {
   jpeg_compress_struct info{};
   jpeg_error_mgr errors;
-  info.err = jpeg_std_error(&errors);  // ends the program at a mistake
+  info.err = jpeg_std_error(&errors);  // ends the program at an error
   jpeg_create_compress(&info);
   unsigned char* memory = nullptr;
   unsigned long size = 0;
@@ -65,7 +65,7 @@ inline Bytes jpeg_of(const cv::Mat& image, const JpegKind& kind = {}) {
   return bytes;
 }
 
-/// `image`: grey (stored as BGR), BGR or straight BGRA. Without losses unless `quality` is given.
+/// `image`: grey (stored as BGR), BGR or straight BGRA. Lossless unless `quality` is given.
 inline Bytes webp_of(const cv::Mat& image, int quality = 0) {
   cv::Mat colours = image;
   if (image.channels() == 1) cv::cvtColor(image, colours, cv::COLOR_GRAY2BGR);
@@ -164,7 +164,7 @@ inline Bytes tiff_of_pages(const std::vector<cv::Mat>& pages, const TiffKind& ki
   return memory.bytes();
 }
 
-/// `image`: 8 or 16 bits; grey, BGR or BGRA, stored without saying what the fourth channel is.
+/// `image`: 8 or 16 bits; grey, BGR or BGRA. The file does not say what the fourth channel means.
 inline Bytes tiff_of(const cv::Mat& image, const TiffKind& kind = {}) { return tiff_of_pages({image}, kind); }
 
 /// `image`: grey or BGR.
@@ -191,7 +191,7 @@ inline Bytes bmp_of(const cv::Mat& image) {
   return bytes;
 }
 
-/// `extension`: ".png", ".jpg", ".webp" (without losses), ".tiff" or ".bmp"; JPEG and BMP have no alpha.
+/// `extension`: ".png", ".jpg", ".webp" (lossless), ".tiff" or ".bmp"; JPEG and BMP have no alpha.
 inline Bytes encoded(const cv::Mat& image, const std::string& extension) {
   if (extension == ".png") return png_of(image);
   if (extension == ".webp") return webp_of(image);
@@ -203,7 +203,7 @@ inline Bytes encoded(const cv::Mat& image, const std::string& extension) {
   throw std::invalid_argument(extension);
 }
 
-/// In the format that its name says.
+/// Writes the picture in the format of the path's extension.
 inline bool write_image(const std::string& path, const cv::Mat& image) {
   const Bytes bytes = encoded(image, std::filesystem::path(path).extension());
   std::ofstream file(path, std::ios::binary);
@@ -211,7 +211,7 @@ inline bool write_image(const std::string& path, const cv::Mat& image) {
   return bool(file.flush());
 }
 
-/// EXIF data that say nothing but how the camera was held.
+/// EXIF data with an orientation and nothing else.
 inline Bytes exif_with_orientation(std::uint8_t orientation) {
   return {'M', 'M', 0, 42, 0, 0, 0, 8, 0, 1, 1, 0x12, 0, 3, 0, 0, 0, 1, 0, orientation, 0, 0, 0, 0, 0, 0};
 }
@@ -224,7 +224,7 @@ inline Bytes jpeg_with_exif(Bytes jpeg, const Bytes& exif) {
   return jpeg;
 }
 
-/// The PNG with one more chunk behind its first one.
+/// Inserts one chunk after the PNG's first chunk.
 inline Bytes png_with_chunk(Bytes png, const std::string& name, const Bytes& data) {
   constexpr std::size_t kFirstChunkEnds = 8 + 12 + 13;
   const auto append = [](Bytes& to, std::uint32_t number) {
@@ -243,7 +243,7 @@ inline Bytes png_with_profile(const Bytes& png, const Bytes& profile) {
   Bytes packed(compressBound(uLong(profile.size())));
   uLongf size = uLongf(packed.size());
   compress(packed.data(), &size, profile.data(), uLong(profile.size()));
-  Bytes data = {'a', 0, 0};  // its name, and the kind of compression
+  Bytes data = {'a', 0, 0};  // the profile's name and the kind of compression
   data.insert(data.end(), packed.begin(), packed.begin() + std::ptrdiff_t(size));
   return png_with_chunk(png, "iCCP", data);
 }
@@ -264,7 +264,7 @@ inline Bytes riff_chunk(const std::string& name, const Bytes& data) {
   return joined({Bytes(name.begin(), name.end()), low_byte_first(data.size(), 4), data, Bytes(data.size() % 2, 0)});
 }
 
-/// A WebP in the extended format. `flags`: what its head says is in it.
+/// A WebP in the extended format. `flags`: the contents that its header announces.
 inline Bytes extended_webp(std::uint8_t flags, const cv::Size& size, const std::vector<Bytes>& chunks) {
   const Bytes head = joined({{flags, 0, 0, 0},
                              low_byte_first(std::size_t(size.width - 1), 3),
@@ -272,10 +272,10 @@ inline Bytes extended_webp(std::uint8_t flags, const cv::Size& size, const std::
   return riff_chunk("RIFF", joined({{'W', 'E', 'B', 'P'}, riff_chunk("VP8X", head), joined(chunks)}));
 }
 
-/// The one chunk of a WebP with nothing but pixels.
+/// The pixel chunk of a WebP that has no other chunk.
 inline Bytes pixels_of_webp(const Bytes& webp) { return Bytes(webp.begin() + 12, webp.end()); }
 
-/// Pictures of one size, one after the other.
+/// An animation of pictures of one size.
 inline Bytes animated_webp(const std::vector<cv::Mat>& pictures) {
   constexpr std::uint8_t kAnimation = 2;
   std::vector<Bytes> chunks = {riff_chunk("ANIM", Bytes(6, 0))};
@@ -289,7 +289,7 @@ inline Bytes animated_webp(const std::vector<cv::Mat>& pictures) {
   return extended_webp(kAnimation, pictures.front().size(), chunks);
 }
 
-/// The picture in the format of this name, lying as a camera that was held in this way stores it.
+/// The encoded picture, with its pixels stored as a camera in this orientation stores them.
 inline Bytes encoded_with_orientation(const cv::Mat& image, const std::string& extension, std::uint8_t orientation) {
   const Bytes exif = exif_with_orientation(orientation);
   if (extension == ".jpg") return jpeg_with_exif(encoded(image, extension), exif);
@@ -301,7 +301,7 @@ inline Bytes encoded_with_orientation(const cv::Mat& image, const std::string& e
   return tiff_of(image, {.orientation = orientation});
 }
 
-/// The picture in the format of this name, with a profile of its colours.
+/// The encoded picture with a colour profile.
 inline Bytes encoded_with_profile(const cv::Mat& image, const std::string& extension, const Bytes& profile) {
   if (extension == ".jpg") return jpeg_of(image, {.quality = 95, .profile = profile});
   if (extension == ".png") return png_with_profile(encoded(image, extension), profile);
@@ -313,10 +313,10 @@ inline Bytes encoded_with_profile(const cv::Mat& image, const std::string& exten
   return tiff_of(image, {.profile = profile});
 }
 
-/// As it is stored.
+/// Decodes without a change of bit depth.
 inline cv::Mat decoded(const Bytes& bytes) { return decode_image(bytes, "picture", PixelBits::as_stored).pixels; }
 
-/// Empty where there is no readable picture.
+/// Empty if there is no readable picture.
 inline cv::Mat read_image(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   try {
@@ -326,9 +326,9 @@ inline cv::Mat read_image(const std::string& path) {
   }
 }
 
-/// BGR of 8 bits, whatever is stored.
+/// Converts to BGR with 8 bits a channel.
 inline cv::Mat bgr_of_image(const cv::Mat& image) {
-  cv::Mat bgr = image;  // empty, too
+  cv::Mat bgr = image;  // may be empty
   if (image.channels() == 1) cv::cvtColor(image, bgr, cv::COLOR_GRAY2BGR);
   if (image.channels() == 4) cv::cvtColor(image, bgr, cv::COLOR_BGRA2BGR);
   return bgr;

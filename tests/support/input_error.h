@@ -1,4 +1,4 @@
-// What an InputError says, for tests of messages.
+// Reads the message of an InputError, for tests of messages.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 
 namespace tessera::test {
 
-/// Empty where `action` throws none.
+/// Returns the message, or an empty text if `action` throws no InputError.
 inline std::string message_of(const std::function<void()>& action) {
   try {
     action();

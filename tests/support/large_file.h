@@ -1,4 +1,4 @@
-// Files of many megabytes that are mostly the same, written without being in memory, and what reading them takes.
+// Repetitive files of many megabytes, written block by block, and the resources that a reader needs for them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 
 namespace tessera::test {
 
-/// `begin`, `unit` so many times, `end`.
+/// `begin`, then `unit` repeated `times` times, then `end`.
 struct LargeText {
   std::string begin, unit;
   std::size_t times = 0;
@@ -48,12 +48,12 @@ struct LargeText {
 #ifdef __SANITIZE_ADDRESS__
 inline constexpr std::size_t kMostOfReader_bytes = std::size_t(2) << 30;
 #else
-/// A drawer has 512 MiB beyond what it starts with.
+/// A drawer may use 512 MiB more than it has at its start.
 inline constexpr std::size_t kMostOfReader_bytes = std::size_t(640) << 20;
 #endif
 
-/// `read` refuses the file, or takes it where `said` is empty: in seconds, with little memory, by one line that names
-/// the file and says `said`.
+/// Expects that `read` refuses the file with one line that contains the path and `said`. An empty `said` expects that `read` takes the
+/// file. Either way `read` needs little time and memory.
 inline void expect_refused(const std::string& path, const std::string& said, const std::function<void()>& read) {
   const ChildReport report = in_child([&]() -> std::string {
     try {

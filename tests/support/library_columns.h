@@ -1,4 +1,4 @@
-// The columns of a library file as a list, for tests that hold for each of them.
+// The columns of a library file as a list, for tests that apply to every column.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace tessera::test {
 
-/// All but those of the smoothing levels. A column that is missing in the binding does not compile.
+/// All columns except those of the smoothing levels. If a column is missing in the structured binding, this does not compile.
 inline std::vector<layout::Column> columns_beside_levels(const layout::Columns& columns) {
   const auto& [name, perimeter, radius, mean_lab, first_curve, first_point, outline_points, field_distance, field_scale,
                field_extent, artwork_path, artwork_size, artwork_centroid, artwork_unit, first_thumbnail_byte,

@@ -1,4 +1,4 @@
-// What a foreign file does to a process that reads it: told by a child, which may crash, hang or eat memory.
+// Runs a reader of a foreign file in a child process, and reports whether the child crashed, hung or used too much memory.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -15,9 +15,9 @@
 namespace tessera::test {
 
 struct ChildReport {
-  std::string said;            // what `use` returned
-  std::string death;           // empty: it ended by itself
-  std::size_t peak_bytes = 0;  // resident memory at most
+  std::string said;            // the text that `use` returned
+  std::string death;           // empty if the child ended by itself
+  std::size_t peak_bytes = 0;  // peak resident memory
 };
 
 #ifdef __SANITIZE_ADDRESS__
@@ -26,8 +26,9 @@ inline constexpr unsigned kMostProcessorTime_s = 100;  // instrumented programs 
 inline constexpr unsigned kMostProcessorTime_s = 20;
 #endif
 
-/// Runs `use`, which returns a text, in a child that is ended after so much processor time, however busy the machine is,
-/// or where it hangs. Call it while the process has no threads but those of the pool, which end before.
+/// Runs `use`, which returns a text, in a child process. A limit of processor time and, against hanging, one of wall-clock time end the
+/// child.
+/// Call it while the process has no threads except those of the pool. It ends these first.
 template <class Use>
 ChildReport in_child(Use use) {
   constexpr unsigned kMost_s = 5 * kMostProcessorTime_s;
@@ -64,18 +65,19 @@ ChildReport in_child(Use use) {
 }
 
 #ifdef __SANITIZE_ADDRESS__
-inline constexpr std::size_t kMostOfChild_bytes = 2'000'000'000;  // with what the parent freed, which is kept a while
+inline constexpr std::size_t kMostOfChild_bytes =
+    2'000'000'000;  // includes memory that the parent freed, which is kept for a while
 #else
 inline constexpr std::size_t kMostOfChild_bytes = 1'000'000'000;
 #endif
 
-/// Neither dead nor hung nor larger than that.
+/// Expects that the child neither crashed nor reached a limit of time or memory.
 inline void expect_survived(const ChildReport& report, const std::string& what) {
   EXPECT_EQ(report.death, "") << what;
   EXPECT_LT(report.peak_bytes, kMostOfChild_bytes) << what;
 }
 
-/// One line that begins with the file's name.
+/// Expects one line that begins with the file's path.
 inline void expect_names_the_file(const std::string& message, const std::string& path, const std::string& what) {
   EXPECT_EQ(message.substr(0, path.size()), path) << what << ": " << message;
   EXPECT_EQ(message.find('\n'), std::string::npos) << what << ": " << message;

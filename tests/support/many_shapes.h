@@ -1,4 +1,4 @@
-// A library file of many shapes, of which no two models are alike, made in little time.
+// Writes quickly a library file of many shapes, of which no two have equal models.
 #pragma once
 
 #include "library/storage/library_file.h"
@@ -6,7 +6,7 @@
 
 namespace tessera::test {
 
-/// Some outlines again and again, with other lengths.
+/// Repeats a few outlines with other perimeters.
 inline void write_many_shapes(const std::string& path, std::uint32_t count) {
   const std::vector<Shape> some = formula_shapes(6, PadParameters());
   LibraryWriter writer(path, PadParameters());
@@ -16,7 +16,7 @@ inline void write_many_shapes(const std::string& path, std::uint32_t count) {
     shape.artwork.width_px = shape.artwork.height_px = 600;
     shape.mean_lab = {50, 10, -20};
     shape.drawn_scale_px = 20 + float(i % 30);
-    shape.perimeter *= 1 + float(i) / float(count);  // tells the models apart
+    shape.perimeter *= 1 + float(i) / float(count);  // makes the models different
     writer.append(shape);
   }
   writer.finish();

@@ -18,15 +18,15 @@ inline void set_field(Matcher& matcher, const CanvasField& field) {
 struct Round {
   std::vector<DistanceHistogram> histograms;
   DockReply docked;
-  std::vector<RefinedDocking> refined;  // of all docked
-  std::vector<DockingTerms> measured;   // of all docked, where docking left them
+  std::vector<RefinedDocking> refined;  // of all dockings
+  std::vector<DockingTerms> measured;   // of all dockings, in the poses of the dock reply
 };
 
 inline CountRequest count_all(const std::vector<TargetSample>& samples) {
   return {samples, std::vector<std::uint32_t>(samples.size(), kDistanceBins)};
 }
 
-/// Pairs below the bins that hold a fiftieth of all pads, as the master asks.
+/// Takes the pairs below the bin at which a fiftieth of all PADs is counted, as the master does.
 inline Round run_round(Matcher& matcher, const MatchingScene& scene) {
   Round round;
   matcher.post_count(count_all(scene.samples));
@@ -53,7 +53,7 @@ inline float difference(const Similarity& a, const Similarity& b) {
                   std::max(std::abs(a.tx - b.tx), std::abs(a.ty - b.ty)));
 }
 
-/// The same bits; where a device cannot do that, by how much it differs.
+/// Expects the same bits, or small differences on a device that cannot give the same bits.
 inline void expect_same_dockings(const std::vector<Docking>& found, const std::vector<Docking>& expected) {
   ASSERT_EQ(found.size(), expected.size());
   std::size_t differing = 0;

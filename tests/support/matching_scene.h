@@ -1,5 +1,5 @@
-// Something to match: a small library of formula shapes, a canvas on which a few of them lie already, and the target
-// samples of what is free. The same on every machine.
+// A scene for matchers: a small library of formula shapes, a canvas with a few of them, and the target samples of the free region. It is
+// the same on every machine.
 #pragma once
 
 #include <cmath>
@@ -25,7 +25,7 @@ inline Shape shape_from_outline(const Outline& outline, const PadParameters& pad
   return make_shape(traced, pad);
 }
 
-/// Blobs, and among them a star, a rectangle, a bean and a ring.
+/// Blobs with a star, a rectangle, a bean and a ring among them.
 inline std::vector<Shape> formula_shapes(int count, const PadParameters& pad) {
   const std::vector<Outline> others = {star_outline(5), rectangle_outline(1.f, 0.6f), bean_outline(), ring_outline()};
   std::vector<Shape> shapes;
@@ -43,7 +43,7 @@ struct MatchingScene {
   MatchingContext context;
   std::vector<ShapeModel> models;
   CanvasField field;
-  std::vector<TargetSample> samples;  // at most as many as asked for, evenly from all
+  std::vector<TargetSample> samples;  // an even choice from all, at most as many as asked for
 };
 
 struct SceneSize {
@@ -61,7 +61,7 @@ inline CollageSettings scene_settings() {
   return settings;
 }
 
-/// Shapes in a ring around the middle, so that they leave gulfs between them.
+/// Places shapes in a ring around the middle, with narrow gaps between them.
 inline void stamp_shapes(FreeField& free, const std::vector<Shape>& shapes, int count, float canvas_px) {
   for (int i = 0; i < count; ++i) {
     const float angle = kTwoPi * float(i) / float(count) + 0.3f;
@@ -88,7 +88,7 @@ inline std::vector<TargetSample> trace_samples(const FreeField& free, const Coll
 
 inline MatchingScene make_scene(const CollageSettings& settings = scene_settings(), const SceneSize& size = {}) {
   const PadParameters library_pad;
-  static std::map<int, const std::vector<Shape>> made;  // most of a scene's time
+  static std::map<int, const std::vector<Shape>> made;  // these take most of a scene's time
   if (!made.contains(size.shapes)) made.emplace(size.shapes, formula_shapes(size.shapes, library_pad));
   const std::vector<Shape>& shapes = made.at(size.shapes);
   MatchingScene scene;

@@ -1,4 +1,4 @@
-// What others may put under a name in a folder that they may write to, too, before the program writes there.
+// Obstacles that other users may create under a name in a shared folder before the program writes there.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ enum class Plant { link, link_to_nothing, hard_link, pipe, socket, file };
 inline constexpr Plant kPlants[] = {Plant::link, Plant::link_to_nothing, Plant::hard_link,
                                     Plant::pipe, Plant::socket,          Plant::file};
 
-/// A file of the user's, which no writer may change, and things under other names that lead to it or would block.
+/// A file of the user that no writer may change, and obstacles under other names: links to that file, pipes, sockets.
 class PlantedFiles {
  public:
   PlantedFiles() { elsewhere_.write("precious", kContent); }

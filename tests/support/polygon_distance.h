@@ -1,4 +1,4 @@
-// Distances between polygons by brute force, in double: every segment against every other.
+// Distances between polygons by brute force in double precision: every segment against every other.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +32,7 @@ inline double segment_distance(Point a, Point b, Point c, Point d) {
                   std::min(distance_to(c, a, b), distance_to(d, a, b)));
 }
 
-/// Between the curves of two outlines; 0 where they cross.
+/// The distance between the curves of two outlines; 0 if they cross.
 inline double boundary_distance(const Outline& one, const Outline& other) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& u : one.curves) {
@@ -53,7 +53,7 @@ inline bool lies_in(const Outline& outline, Vec2 p) {
   return inside;
 }
 
-/// 0 where they cross or one lies in the other.
+/// The distance between two filled outlines; 0 if they cross or one lies inside the other.
 inline double polygon_distance(const Outline& one, const Outline& other) {
   if (lies_in(one, other.curves[0][0]) || lies_in(other, one.curves[0][0])) return 0;
   return boundary_distance(one, other);

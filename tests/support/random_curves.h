@@ -9,7 +9,7 @@
 
 namespace tessera::test {
 
-/// Interior on the left, perimeter about 6 to 9, without symmetry, `points` points of even arclength.
+/// `points` points at equal arclength. The interior is on the left, the perimeter is about 6 to 9, and the curve has no symmetry.
 inline std::vector<Vec2> random_curve(std::uint32_t seed, int points) {
   std::mt19937 bits(seed);
   const auto uniform = [&](float low, float high) { return low + (high - low) * float(bits() >> 8) / 16777216.f; };

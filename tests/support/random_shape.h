@@ -1,4 +1,4 @@
-// Shapes full of random numbers, within the limits of the library format but without geometric sense.
+// Shapes of random numbers within the limits of the library format, without geometric sense.
 #pragma once
 
 #include <algorithm>
@@ -49,7 +49,7 @@ class RandomShape {
     return result;
   }
 
-  /// The chunks of a small RGBA PNG around bytes that no decoder would take.
+  /// The chunks of a small RGBA PNG around bytes that no decoder accepts.
   static std::vector<std::uint8_t> png(const std::vector<std::uint8_t>& pixels) {
     std::vector<std::uint8_t> file{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 0, 0, 0, 13, 'I', 'H', 'D', 'R', 0,
                                    0,    0,   9,   0,   0,    0,    7,    8,    6, 0, 0, 0,  0,   0,   0,   0,   0};

@@ -1,11 +1,11 @@
-// The cores of a test.
+// Sets the number of cores for a test.
 #pragma once
 
 #include "core/base/rank_pool.h"
 
 namespace tessera::test {
 
-/// While it lives this rank computes on so many cores, whatever the machine has.
+/// While an object of this class lives, this rank computes on the given number of cores, whatever the machine has.
 class RankBreadth {
  public:
   explicit RankBreadth(int cores) : before_(rank_cores()) { rank_pool().resize(cores); }

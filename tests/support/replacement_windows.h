@@ -1,4 +1,4 @@
-// Windows of replacement trials that follow from a number, over a few synthetic shapes.
+// Windows of replacement trials over a few synthetic shapes. Each window follows from its number.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace tessera::test {
 
-/// Shape i is one of a few, whatever i: a library as large as a test wants.
+/// A library of any size: every id gives one of a few shapes.
 class EndlessShapes : public ShapeSource {
  public:
   const Shape& shape(ShapeId id) override {
@@ -26,14 +26,14 @@ class EndlessShapes : public ShapeSource {
   }
   const ShapeModel& model(ShapeId) override { throw std::logic_error("nobody needs models here"); }
 
-  /// How many shapes were asked for.
+  /// The number of shapes that were read.
   std::size_t read() const { return read_; }
 
  private:
   std::size_t read_ = 0;
 };
 
-/// The canvas is as large as the window's box.
+/// The edge distances of a canvas that is as large as the window's box.
 inline EdgeField edge_of(const Box& box) {
   constexpr float kNode_px = 4;
   const int width = int(box.width() / kNode_px) + 1;
@@ -48,8 +48,8 @@ inline EdgeField edge_of(const Box& box) {
   return edge;
 }
 
-/// Pieces of 20 to 40 px, one in each of 5 x 5 cells, the first of which does not move; shapes `first` to `first` + 3
-/// are those that stand and may come in.
+/// A window with pieces of 20 to 40 px, one in each of 5 x 5 cells. The first piece does not move.
+/// The pieces and the shapes that may replace them are shapes `first` to `first` + 3.
 inline ReplacementWindow any_window(std::uint64_t number, std::uint32_t first = 0) {
   constexpr int kCells = 5;
   constexpr float kCell_px = 34;
@@ -91,7 +91,7 @@ inline std::vector<ReplacementWindow> any_windows(std::size_t count, std::uint64
   return windows;
 }
 
-/// More trials than anybody waits for.
+/// More trials than a test can wait for.
 inline std::vector<ReplacementWindow> endless_windows(std::size_t count) {
   std::vector<ReplacementWindow> windows = any_windows(count, 3);
   for (ReplacementWindow& window : windows) window.trials = 1'000'000'000;

@@ -1,4 +1,4 @@
-// What a limit of threads does, for this process only.
+// Simulates a limit on the number of threads for this process only.
 #pragma once
 
 #include <pthread.h>
@@ -10,8 +10,9 @@
 
 namespace tessera::test {
 
-/// While it lives a thread's stack is so large that the address space has room for so many of them; a stack that cannot
-/// be mapped is no thread. Stacks of threads that have ended are of another size, so they are not taken again.
+/// While an object of this class lives, the process can start only `count` threads. Each thread's stack is so large that the address space
+/// has room for `count` of them.
+/// Stacks of ended threads have another size, so the system does not use them again.
 class RoomForStacks {
  public:
   explicit RoomForStacks(int count) {

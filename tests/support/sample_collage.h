@@ -1,4 +1,4 @@
-// A collage of two or three pieces, put together by hand, for the tests of what is written about it.
+// A collage of two or three pieces, made by hand, for tests of its output files.
 #pragma once
 
 #include <cmath>
@@ -10,12 +10,12 @@
 
 namespace tessera::test {
 
-/// Canvas 200 x 100 px, picture twice that; library shape 7 is a disc, 3 a ring, both without artwork.
+/// The canvas has 200 x 100 px, the picture twice that. Library shape 7 is a disc, shape 3 a ring; both have no artwork.
 struct SampleCollage {
   SampleCollage() {
     job.path = "sample.toml";
     job.library = "/nowhere/sample.h5";
-    job.quality = QualityWord::none;  // an effective job has the number in its place
+    job.quality = QualityWord::none;  // an effective job has the number instead
     report.statistics.stopped_by = StopReason::full;
     report.output.width_px = 400;
     report.output.background = "#ffe0c0";
@@ -49,10 +49,10 @@ struct SampleCollage {
   CollageReport report;
 };
 
-/// Gives a shape this file as its embedded artwork, on a page of `width` x `height` units; the shape's centre lies in
-/// the page's middle and one shape unit is `unit` of them.
+/// Gives the shape `file` as its embedded artwork, on a page of `width` x `height` units. The shape's centre lies in the middle of the
+/// page, and one shape unit is `unit` page units long.
 inline void embed_artwork(Shape& shape, const std::string& file, float width, float height, float unit) {
-  const float px = 512 / std::max(width, height);  // the size that library build draws at
+  const float px = 512 / std::max(width, height);  // 512 is the size at which library build draws
   shape.artwork.original.assign(file.begin(), file.end());
   shape.artwork.width_px = int(std::ceil(width * px));
   shape.artwork.height_px = int(std::ceil(height * px));

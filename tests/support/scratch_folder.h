@@ -1,4 +1,4 @@
-// A folder of its own for one test, removed with all that is in it.
+// A temporary folder for one test, removed with its contents at the end.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ class ScratchFolder {
 
   std::string path(const std::string& name) const { return path_ / name; }
 
-  /// Writes the file and gives its path.
+  /// Writes the file and returns its path.
   std::string write(const std::string& name, const std::string& bytes) const {
     std::ofstream(path(name), std::ios::binary) << bytes;
     return path(name);

@@ -1,5 +1,4 @@
-// Models that are read shape by shape and PAD by PAD, as those of a very large library. What was not asked for is
-// wrong.
+// A model source that reads shape by shape and PAD by PAD, as for a very large library. Parts that were not asked for have wrong values.
 #pragma once
 
 #include "core/matching/model_source.h"
@@ -24,7 +23,7 @@ class SingleModels : public ModelSource {
     return result;
   }
 
-  bool reads_singly() const override { return true; }
+  bool supports_random_access() const override { return true; }
 
   std::vector<ShapeModel> contours(std::span<const ShapeId> shapes) const override {
     std::vector<ShapeModel> result;

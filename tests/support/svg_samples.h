@@ -1,4 +1,4 @@
-// For the tests of collage.svg: a collage with artwork, and how to look at what is written.
+// For tests of collage.svg: a collage with artwork, and ways to look at the written file.
 #pragma once
 
 #include <opencv2/imgproc.hpp>
@@ -11,7 +11,7 @@
 
 namespace tessera::test {
 
-/// What librsvg makes of it; it has no transparent parts.
+/// The picture that librsvg draws of the SVG. It must have no transparent parts.
 inline cv::Mat drawn(const std::string& svg, int width_px) {
   const std::span bytes(reinterpret_cast<const std::uint8_t*>(svg.data()), svg.size());
   cv::Mat bgr;
@@ -43,7 +43,7 @@ inline constexpr char kXmlns[] = R"~(<svg xmlns="http://www.w3.org/2000/svg" )~"
 
 struct TwoFaces : SampleCollage {
   TwoFaces() {
-    // The same ids and classes in both, one page in mm with a view box, one in px without.
+    // Both drawings use the same ids and classes. One page is in mm with a view box, the other in px without one.
     const std::string in_mm = std::string(kXmlns) + R"~(width="160mm" height="120mm" viewBox="0 0 80 60">)~";
     const std::string in_px = std::string(kXmlns) + R"~(width="80" height="60">)~";
     embed_artwork(report.shapes[0], face("red", in_mm), 80, 60, 50);

@@ -1,4 +1,4 @@
-// A little library of synthetic shapes with their PADs, for tests of matching and of whole collages.
+// A small library of synthetic shapes with their PADs, for tests of matching and of whole collages.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace tessera::test {
 
-/// A test shape with all its smoothing levels.
+/// Makes a test shape with all its smoothing levels.
 inline Shape make_library_shape(const std::string& name, const Outline& outline) {
   Shape shape = make_test_shape(name, outline);
   const std::vector<Vec2> fine = resampled_closed(shape.outline.curves.front(), 2048);
@@ -22,7 +22,7 @@ inline Shape make_library_shape(const std::string& name, const Outline& outline)
   return shape;
 }
 
-/// Blobs, with a star, a bean and a ring among them.
+/// Blobs with a star, a bean and a ring among them.
 inline std::vector<Shape> synthetic_library(int count) {
   std::vector<Shape> shapes;
   for (int i = 0; i < count; ++i) {

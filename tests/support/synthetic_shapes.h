@@ -1,4 +1,4 @@
-// Shapes for tests, made from formulas: no artwork, no library file, the same on every machine.
+// Shapes for tests, made from formulas: without artwork or library file, the same on every machine.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ inline constexpr int kOuterPoints = 512;
 inline constexpr int kHolePoints = 64;
 inline constexpr int kFieldNodes = 96;
 
-/// r(angle) for `points` even angles, counter-clockwise in the numbers: positive shoelace area.
+/// The curve r(angle) at `points` even angles. It runs counter-clockwise in numbers, so its shoelace area is positive.
 template <class Radius>
 std::vector<Vec2> polar_curve(Radius&& r, int points = 4 * kOuterPoints) {
   std::vector<Vec2> curve;
@@ -42,11 +42,11 @@ inline Outline ring_outline(float hole_radius = 0.5f) {
   return {{polar_curve([](float) { return 1.f; }), reversed(polar_curve([=](float) { return hole_radius; }))}};
 }
 
-/// Two rings and a bridge, in lines of this width; the rings have a radius of about 1.
+/// Two rings and a bridge, drawn with lines of this width. The rings have a radius of about 1.
 inline Outline spectacles_outline(float line) {
   constexpr float kCentre = 1.35f;
   const float outer = 1 + line / 2;
-  const float bridge = std::asin(line / 2 / outer);  // half of the angle at which it is seen
+  const float bridge = std::asin(line / 2 / outer);  // half of the angle at which a ring's centre sees it
   const auto lens = [&](float centre, float from, float to, float radius) {
     std::vector<Vec2> curve = polar_curve([](float) { return 1.f; });
     for (std::size_t i = 0; i < curve.size(); ++i) {
@@ -62,7 +62,7 @@ inline Outline spectacles_outline(float line) {
   return {{outside, reversed(lens(-kCentre, 0, kTwoPi, inner)), reversed(lens(kCentre, 0, kTwoPi, inner))}};
 }
 
-/// Straight sides and sharp spikes.
+/// A shape of straight sides and sharp spikes.
 inline Outline star_outline(int spikes, float inner_radius = 0.5f) {
   std::vector<Vec2> curve;
   for (int i = 0; i < 2 * spikes; ++i) {
@@ -76,7 +76,7 @@ inline Outline rectangle_outline(float width, float height) {
   return {{{{0, 0}, {width, 0}, {width, height}, {0, height}}}};
 }
 
-/// A kidney: convex, with one dent.
+/// A smooth kidney with one dent.
 inline Outline bean_outline() {
   return {{polar_curve([](float a) { return 1 + 0.25f * std::cos(2 * a) - 0.22f * std::cos(3 * a); })}};
 }
@@ -130,7 +130,7 @@ inline float curve_length(const std::vector<Vec2>& curve) {
   return float(sum);
 }
 
-/// `points` points of even arclength, the first one kept.
+/// The curve resampled to `points` points at equal arclength. The first point stays.
 inline std::vector<Vec2> resampled(const std::vector<Vec2>& curve, int points) {
   std::vector<Vec2> even;
   const float spacing = curve_length(curve) / float(points);
@@ -150,7 +150,7 @@ inline float distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
   return norm(p - (a + d * t));
 }
 
-/// Brute force, positive outside.
+/// The signed distance to the outline by brute force, positive outside.
 inline float signed_distance(const Outline& outline, Vec2 p) {
   float nearest = 1e9f;
   bool inside = false;
@@ -176,8 +176,9 @@ inline ShapeField brute_force_field(const Outline& outline, float radius) {
   return field;
 }
 
-/// A library shape in its own frame from an outline of any size and place: outline, perimeter, radius and field are
-/// filled. The levels stay empty. Its artwork is a page of 100 px with the shape in its middle, without any file.
+/// Makes a library shape in its own frame from an outline of any size and place. It fills outline, perimeter, radius and field; the levels
+/// stay empty.
+/// The artwork is a page of 100 px with the shape in its middle and no file.
 inline Shape make_test_shape(const std::string& name, const Outline& raw) {
   Shape shape;
   shape.name = name;

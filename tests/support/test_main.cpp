@@ -1,8 +1,8 @@
-// main() of the test programs. A program holds many files of tests; --file=test_pad runs those of test_pad.cpp alone.
-// --long: of the file those whose suite's name begins with Long, which else are left out: more seeds of a test that takes
-// long.
-// --suites=a,b: the headers a.h and b.h hold tests, too. A test in any other header would belong to no entry of ctest
-// and run nowhere, so that the program refuses to run any file.
+// main() of the test programs. One program holds many files of tests.
+// --file=test_pad runs the tests of test_pad.cpp alone.
+// --long runs instead those suites of the file whose names begin with Long: more seeds of tests that take long.
+// --suites=a,b says that the headers a.h and b.h hold tests, too. Tests in any other header would belong to no entry of ctest and never
+// run, so the program then refuses to run any file.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -25,7 +25,7 @@ void each_test(Visit visit) {
 
 std::string file_of(const testing::TestInfo& test) { return std::filesystem::path(test.file()).stem().string(); }
 
-/// GoogleTest's filter for the long tests of this file, or for all others; empty where it has none.
+/// GoogleTest's filter for the long tests of this file, or for all its other tests; empty if there are none.
 std::string filter_of(std::string_view file, bool are_long) {
   std::string filter;
   each_test([&](const testing::TestSuite& suite, const testing::TestInfo& test) {
@@ -36,7 +36,7 @@ std::string filter_of(std::string_view file, bool are_long) {
   return filter;
 }
 
-/// A header with tests that `suites` does not name.
+/// The name of a header with tests that `suites` does not list.
 std::optional<std::string> unnamed_suite(const std::string& suites) {
   std::optional<std::string> unnamed;
   each_test([&](const testing::TestSuite&, const testing::TestInfo& test) {
@@ -47,7 +47,7 @@ std::optional<std::string> unnamed_suite(const std::string& suites) {
   return unnamed;
 }
 
-/// What follows "--NAME=", where the argument begins so.
+/// The text after "--NAME=", if the argument begins with that.
 std::optional<std::string> value_of(std::string_view argument, std::string_view option) {
   if (argument.substr(0, option.size()) != option) return std::nullopt;
   return std::string(argument.substr(option.size()));

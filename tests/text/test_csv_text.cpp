@@ -1,4 +1,4 @@
-// Texts from elsewhere in tables for spreadsheets. That tables are read rightly is for test_wishes_file.cpp.
+// Foreign texts in tables for spreadsheets. test_wishes_file.cpp tests how tables are read.
 #include "text/csv_text.h"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ TEST(CsvSeparator, IsWhatTheFirstRowHas) {
   EXPECT_EQ(csv_separator(""), ',');
 }
 
-/// Where a spreadsheet divides the line at commas, and where it does so at semicolons.
+/// A spreadsheet may divide the line at commas or at semicolons.
 RC_GTEST_PROP(CsvTextCell, is_one_cell_that_is_no_formula, ()) {
   const auto text = *rc::gen::container<std::string>(rc::gen::element('a', ' ', ',', ';', '"', '=', '-', '\n', '\t'));
   const std::vector<CsvRow> rows = read_csv("1," + csv_text_cell(text) + ",2\n");

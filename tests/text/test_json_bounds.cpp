@@ -1,4 +1,4 @@
-// What a JSON text has too much of is told from its characters, whatever parts they come in; files read in blocks.
+// The bounds of a JSON text are checked from its characters, whatever parts it comes in. Files are read in blocks.
 #include "text/json_bounds.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ std::string refusal(const std::string& text, const JsonBounds& bounds) {
   return test::message_of([&] { check_json(text, bounds); });
 }
 
-/// Lists, objects, texts with all that must be escaped, and numbers.
+/// Random lists, objects, numbers, and texts with every character that must be escaped.
 json random_json(int levels) {
   const int kind = *rc::gen::inRange(0, levels > 0 ? 5 : 3);
   if (kind == 0) return *rc::gen::arbitrary<int>();
@@ -36,7 +36,7 @@ json random_json(int levels) {
   return value;
 }
 
-/// Of lists and objects in each other.
+/// The depth of nested lists and objects.
 std::size_t levels_of(const json& value) {
   std::size_t most = 0;
   if (!value.is_structured()) return 0;
@@ -64,7 +64,7 @@ RC_GTEST_PROP(JsonBounds, AreThoseOfTheTree, ()) {
   if (levels > 0) RC_ASSERT(refusal(text, {.levels = levels - 1}) != "");
   RC_ASSERT(refusal(text, {.members = std::max<std::size_t>(1, members)}) == "");
   if (members > 1) RC_ASSERT(refusal(text, {.members = members - 1}) != "");
-  // Each empty list or object may count for one value more.
+  // Each empty list or object may count for one more value.
   RC_ASSERT(refusal(text, {.values = 2 * values_of(value)}) == "");
   if (values_of(value) > 2) RC_ASSERT(refusal(text, {.values = values_of(value) / 2 - 1}) != "");
 }

@@ -14,12 +14,11 @@
 namespace {
 
 std::atomic<int> making{0};       // threads in pthread_mutex_init()
-std::atomic<int> most_making{0};  // at one time
+std::atomic<int> most_making{0};  // at the same time
 
 }  // namespace
 
-/// Stands before the C library's own function, by which libxml2 makes its locks, and takes so long that another thread
-/// which may enter it does.
+/// Replaces the C library's function, with which libxml2 makes its locks. It takes so long that any other thread that may enter it does.
 extern "C" int pthread_mutex_init(pthread_mutex_t* mutex, const pthread_mutexattr_t* attributes) {
   const int now = ++making;
   for (int most = most_making; most < now && !most_making.compare_exchange_weak(most, now);) {
@@ -33,7 +32,7 @@ extern "C" int pthread_mutex_init(pthread_mutex_t* mutex, const pthread_mutexatt
 namespace tessera {
 namespace {
 
-/// This file's tests run in a process of their own, which has not used libxml2 before.
+/// The tests of this file run in a separate process that has not used libxml2 before.
 TEST(LibxmlState, IsMadeByOneThread) {
   std::atomic<int> waiting{4};
   std::vector<std::thread> threads;

@@ -1,4 +1,4 @@
-// Tables and lines for people whose cells are texts from elsewhere.
+// Readable tables and lines whose cells are foreign texts.
 #include "text/text_table.h"
 
 #include <gtest/gtest.h>

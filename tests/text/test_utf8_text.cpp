@@ -21,7 +21,7 @@ TEST(PrintableUtf8, ReplacesControlsAndBrokenBytes) {
   EXPECT_EQ(printable_utf8("\xed\xa0\x80"), "___");  // a surrogate
   EXPECT_EQ(printable_utf8("\xc2\x85"), "__");       // a C1 control
   EXPECT_EQ(printable_utf8("\xf9\x80\x80\x80"), "____");
-  EXPECT_EQ(printable_utf8("\xef\xbf\xbe\xef\xbf\xbf"), "______");  // which XML does not allow
+  EXPECT_EQ(printable_utf8("\xef\xbf\xbe\xef\xbf\xbf"), "______");  // XML does not allow these
 }
 
 TEST(PrintableUtf8, ReplacesWhatIsNotSeenOrReordersTheTextRoundIt) {

@@ -1,20 +1,21 @@
 #!/usr/bin/env bash
-# checked_kernels_test.sh memcheck|helgrind TEST_KERNELS TEST_PAIR_SEARCH TEST_OPENCL_RUNTIME NEW_FOLDER: every kernel
-# runs on PoCL under valgrind, which sees what the compiled kernels do: reads beyond buffers and of what nobody wrote
-# (memcheck), work items of two threads at the same place (helgrind). That they still give the reference's bits is
-# seen on the way, on a CPU without AVX-512, as valgrind has none. Faulty kernels show that faults are found. Work items
-# for lanes are left out but for the building blocks: to compile all of them takes PoCL longer there than all the rest.
+# checked_kernels_test.sh memcheck|helgrind TEST_KERNELS TEST_PAIR_SEARCH TEST_OPENCL_RUNTIME NEW_FOLDER: runs every kernel on PoCL under
+# valgrind, which observes the compiled kernels.
+# memcheck finds reads beyond buffers and of uninitialised data. helgrind finds work items of two threads at the same place.
+# The kernels must also give the reference's bits, here on a CPU without AVX-512, which valgrind does not support.
+# Faulty kernels show that both tools find faults.
+# Work items for lanes are left out except for the building blocks: PoCL would need longer to compile them than for all the rest.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 tool=$1 test_kernels=$2 test_pair_search=$3 test_opencl_runtime=$4 folder=$5
 
 rm -rf "$folder"
 mkdir -p "$folder/pocl"
-export POCL_CACHE_DIR=$folder/pocl  # kernels for this other CPU
+export POCL_CACHE_DIR=$folder/pocl  # the kernels for this other CPU
 
-# checked LOG COMMAND...: fails where valgrind has anything to say.
-# Threads get their turns by --fair-sched: without it one may do all work items while the others wait for valgrind's lock,
-# and there is no race to be seen.
+# checked LOG COMMAND...: fails if valgrind reports anything.
+# --fair-sched gives threads their turns. Without it one thread may run all work items while the others wait for valgrind's lock, which
+# hides a race.
 checked() {
   local log=$1
   shift
@@ -22,7 +23,7 @@ checked() {
     --log-file="$log" "$@"
 }
 
-# found FAULT: whether valgrind tells of the faulty kernel of that name.
+# found FAULT: succeeds if valgrind reports the faulty kernel of that name.
 found() {
   local log=$folder/$1.log
   export TESSERA_TEST_FAULTY=1

@@ -1,5 +1,5 @@
-// kernel_program FOLDER: writes the source of the kernels and the options of devices whose work items are lanes, as the
-// program itself compiles them: kernels.cl, and options_N.txt for each match.levels N.
+// kernel_program FOLDER: writes the kernels' source and build options, as the program compiles them for devices whose work items are lanes.
+// The files are kernels.cl, and options_N.txt for each match.levels N.
 #include <fstream>
 
 #include "core/settings/tuning.h"

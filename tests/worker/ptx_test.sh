@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# ptx_test.sh KERNEL_PROGRAM FOLDER: what the kernels become in NVIDIA's PTX, made by Debian's clang and libclc: no
-# fused and no approximate operation for any match.levels. Where there is a ptxas, also registers, spills and stack on
-# an H100.
+# ptx_test.sh KERNEL_PROGRAM FOLDER: compiles the kernels to NVIDIA's PTX with Debian's clang and libclc.
+# For any match.levels there must be no fused and no approximate operation.
+# If ptxas is there, it also checks registers, spills and stack for an H100.
 set -euo pipefail
 kernel_program=$1 folder=$2
 
@@ -15,7 +15,7 @@ fail() {
   exit 1
 }
 
-# libclc's get_global_id knows no offset, which NVIDIA's OpenCL puts into these registers.
+# libclc's get_global_id ignores the offset that NVIDIA's OpenCL puts into these registers.
 cat >global_id.h <<'END'
 static size_t tessera_global_id(uint d) {
   uint offset = 0;
@@ -27,7 +27,7 @@ static size_t tessera_global_id(uint d) {
 END
 kernels=$(grep -oE '^([A-Z]+_KERNEL|kernel)\b.*void [a-z_]+' kernels.cl | awk '{ print $NF }' | paste -sd,)
 
-# ptx LEVELS OUT OPTION...: -cl-std is clang's own; how it rounds is told by OPTION.
+# ptx LEVELS OUT OPTION...: -cl-std is clang's own option; OPTION sets the rounding.
 ptx() {
   local levels=$1 out=$2 defines
   shift 2
@@ -39,7 +39,7 @@ ptx() {
   llc-15 -mcpu=sm_70 -O3 "${contraction[@]}" optimised.bc -o "$out"
 }
 
-# inexact PTX: the operations that may give other bits. Without .rn ptxas may fuse a product and a sum.
+# inexact PTX: prints the operations that may give other bits. Without .rn, ptxas may fuse a product and a sum.
 inexact() {
   local fused='(fma|mad)\.[a-z.]*f(32|64)' fusible='(add|sub|mul)\.f(32|64)' flushed='[a-z]+\.[a-z.]*ftz[a-z0-9.]*'
   local approximate='(div|sqrt|rcp|rsqrt|sin|cos|ex2|lg2|tanh)\.(approx|full)[a-z0-9.]*'
@@ -55,7 +55,7 @@ for options in options_*.txt; do
   [[ -z $found ]] || fail "match.levels = $levels: $found"
   [[ $(grep -c '\.entry ' "$levels.ptx") == "$(tr , '\n' <<<"$kernels" | wc -l)" ]] || fail "kernels are missing"
 done
-# The search itself finds what there is to find.
+# The search must find such operations in a careless build.
 contraction=(-fp-contract=fast -nvptx-prec-divf32=0)
 ptx 5 careless.ptx -ffp-contract=fast
 found=$(inexact careless.ptx || true)
@@ -72,5 +72,5 @@ awk '/Compiling entry function/ { split($0, words, "\047"); name = words[2] }
 echo "kernel, registers, bytes of stack, bytes of spills:"
 cat used.txt
 [[ $(wc -l <used.txt) == "$(tr , '\n' <<<"$kernels" | wc -l)" ]] || fail "ptxas says: $(cat ptxas.txt)"
-# 128 registers leave room for 16 warps of a multiprocessor.
+# With 128 registers a multiprocessor has room for 16 warps.
 awk '$2 > 128 || $3 > 512 || $4 > 0 { print "FAILED too much:", $0; failed = 1 } END { exit failed }' used.txt

@@ -1,15 +1,17 @@
 #!/usr/bin/env bash
-# rusticl_test.sh TEST_KERNELS TEST_PAIR_SEARCH TEST_OPENCL_RUNTIME TEST_DEVICE_MEMORY TEST_OPENCL_MATCHER TESSERA
-# GOLDEN_INPUTS CACHE_FOLDER: the kernels on another OpenCL implementation than PoCL: Mesa's rusticl with its CPU driver
-# llvmpipe (Debian: mesa-opencl-icd), whose compiler makes SPIR-V and NIR of them and vectors over work items of 256
-# bits. The bits must be the reference's there, too. It reports neither correctly rounded divisions nor denormal
-# numbers, and has both: jobs take it for what it computes, and one golden job must have the digest that it has on PoCL.
+# rusticl_test.sh TEST_KERNELS TEST_PAIR_SEARCH TEST_OPENCL_RUNTIME TEST_DEVICE_MEMORY TEST_OPENCL_MATCHER TESSERA GOLDEN_INPUTS
+# CACHE_FOLDER: runs the kernels on an OpenCL implementation other than PoCL.
+# This is Mesa's rusticl with its CPU driver llvmpipe (Debian: mesa-opencl-icd). Its compiler turns them into SPIR-V, NIR and vectors over
+# work items of 256 bits.
+# The bits must equal the reference's there, too.
+# rusticl reports neither correctly rounded divisions nor denormal numbers, but has both. Jobs accept it for its results, and one golden job
+# must have the same digest as on PoCL.
 set -euo pipefail
 test_kernels=$1 test_pair_search=$2 test_opencl_runtime=$3 test_device_memory=$4 test_opencl_matcher=$5
 tessera=$6 golden_inputs=$7 folder=$8
 golden=$(cd "$(dirname "${BASH_SOURCE[0]}")/../golden" && pwd)
 
-export OCL_ICD_VENDORS=/etc/OpenCL/vendors/rusticl.icd  # and no other implementation
+export OCL_ICD_VENDORS=/etc/OpenCL/vendors/rusticl.icd  # hides all other implementations
 export RUSTICL_ENABLE=llvmpipe
 [[ -e $OCL_ICD_VENDORS ]] || { echo "FAILED no $OCL_ICD_VENDORS: scripts/install-packages.sh tests"; exit 1; }
 mkdir -p "$folder"

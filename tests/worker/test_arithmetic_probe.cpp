@@ -1,5 +1,5 @@
-// Hard operands: near a half between two floats they are as near as they are meant to be, and a device that rounds
-// otherwise is told and refused.
+// Hard operands, whose results are near the middle between two floats: they are as near as intended.
+// A device that rounds differently is reported and refused.
 #include "worker/devices/arithmetic_probe.h"
 
 #include <gtest/gtest.h>
@@ -21,13 +21,13 @@ std::vector<std::uint32_t> expected_of(const std::vector<ArithmeticProbe>& probe
   return results;
 }
 
-/// How far the exact result lies from the middle between two floats, in distances of floats.
+/// The distance of the exact result from the middle between two floats, in units of the distance between floats.
 double from_the_middle(double exact, float rounded) {
   const double distance = std::nextafter(rounded, INFINITY) - double(rounded);
   return std::abs(std::abs(exact - double(rounded)) / distance - 0.5);
 }
 
-/// A device whose compiler makes `instead` of `part`, a part of the kernels.
+/// A device whose compiler replaces `part` of the kernels' source by `instead`.
 DeviceSession careless_session(const std::string& part, const std::string& instead) {
   std::string source = kernel_source;
   const std::size_t at = source.find(part);
@@ -60,7 +60,7 @@ TEST(ArithmeticProbes, QuotientsAndRootsAreHard) {
   EXPECT_GE(hard_roots, 256);
 }
 
-/// Half of the hard cases are rounded up and half down: a division that is off in one direction is seen.
+/// Half of the hard cases are rounded up and half down, so a division that errs in one direction is noticed.
 TEST(ArithmeticProbes, LieOnBothSidesOfTheMiddle) {
   int up = 0;
   int down = 0;
@@ -108,7 +108,7 @@ TEST(CheckArithmetic, ThisMachinesDevicesComputeRight) {
   }
 }
 
-/// What compilers do that are told to be fast, in place of the operation that stands in the kernel.
+/// Each case replaces an operation of the kernel by what a compiler for speed could make of it.
 TEST(CheckArithmetic, EachCarelessnessIsSeen) {
   const auto seen = [](const char* part, const char* instead) { return wrong_on(careless_session(part, instead)); };
   EXPECT_TRUE(has(seen("as_uint(a * b + c)", "as_uint(fma(a, b, c))"), "(fused multiply-add) ("));

@@ -1,4 +1,4 @@
-// Large buffers of a CPU are in huge pages, and given back.
+// Large buffers on a CPU use huge pages, and are freed.
 #include "worker/devices/device_memory.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace test_device_memory {
 
 constexpr std::size_t kLarge = std::size_t(64) << 20;
 
-/// Of this process, kB.
+/// The resident memory of this process, in kB.
 std::size_t resident_kb() {
   std::ifstream in("/proc/self/status");
   for (std::string line; std::getline(in, line);) {
@@ -27,7 +27,7 @@ std::size_t resident_kb() {
   return 0;
 }
 
-/// Of the mapping that holds an address ("hg": huge pages were asked for).
+/// The flags of the mapping that holds an address ("hg": huge pages were requested).
 std::string flags_of_mapping(const void* address) {
   std::ifstream in("/proc/self/smaps");
   bool holds = false;
@@ -59,7 +59,7 @@ TEST(DeviceMemory, OfLargeBuffersIsInHugePages) {
   EXPECT_EQ(make_device_buffer(on.context, on.device, 1000).getInfo<CL_MEM_HOST_PTR>(), nullptr);
 }
 
-/// Whoever gives it up, what was posted still ends; and then the memory is free.
+/// If a caller gives up, the posted work still ends, and then the memory is freed.
 TEST(DeviceMemory, IsFreeWhenNothingUsesItAnyMore) {
   const Device on;
   const std::vector<std::uint8_t> content(kLarge, 7);

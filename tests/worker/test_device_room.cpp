@@ -1,4 +1,4 @@
-// How many shapes a device can hold, and how a library is divided among devices that cannot hold all of it.
+// The number of shapes that fit on a device, and the division of a library among devices that cannot hold all of it.
 #include "worker/device_room.h"
 
 #include <gtest/gtest.h>

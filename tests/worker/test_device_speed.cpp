@@ -1,4 +1,4 @@
-// Runs as it is, and once more with two devices that differ (tests/worker/CMakeLists.txt).
+// It runs once as it is, and once with two different devices (tests/worker/CMakeLists.txt).
 #include "worker/device_speed.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(DeviceSpeeds, EqualDevicesAreNotMeasured) {
   EXPECT_EQ(launches, 0);
 }
 
-/// Of two devices, of which there are more shapes than both.
+/// Divides shapes between two different devices.
 class DifferentDevices : public testing::Test {
  protected:
   void SetUp() override {
@@ -53,7 +53,7 @@ TEST_F(DifferentDevices, GetAllShapesBetweenThem) {
   EXPECT_EQ(describe(divided)[0].shapes, sizes_of(divided)[0]);
 }
 
-/// The first device is held up between its launches, of which both have about as many.
+/// The first device is delayed between its launches; both devices have about equally many.
 TEST_F(DifferentDevices, TheSlowerOneGetsFewerShapes) {
   int launches = 0;
   parts(1000, [&] { ++launches; });

@@ -1,4 +1,4 @@
-// The shortlist is that of the reference: of each shape the best few from pairs, then the best of all, in a total order.
+// The shortlist equals the reference's: the best few pairs of each shape, then the best of all, in a total order.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace tessera::worker {
 namespace test_docked_shortlist {
 
-/// Hardly any different keys, and few shapes: ties everywhere, at the end of the list above all.
+/// Dockings of few shapes with hardly any different keys. So there are ties everywhere, above all at the end of the list.
 std::vector<Docking> tied_dockings(std::mt19937& random, std::size_t count) {
   std::vector<Docking> dockings(count);
   for (Docking& docking : dockings) {

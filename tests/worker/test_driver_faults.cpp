@@ -1,4 +1,4 @@
-// What keeps a driver from working, told in words.
+// Faults that keep a driver from working, explained in messages.
 #include "worker/devices/driver_faults.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace tessera::worker {
 namespace test_driver_faults {
 
-/// A folder of .icd files, which OCL_ICD_VENDORS names while it lives.
+/// A folder of .icd files. OCL_ICD_VENDORS names it while an object of this class lives.
 class DriverList : public testing::Test {
  protected:
   DriverList() {
@@ -65,7 +65,7 @@ TEST_F(DriverList, TellsOfACardWithoutItsLibrary) {
   const std::vector<std::string> faults = driver_list_faults(folder());
   ASSERT_EQ(faults.size(), 1u);
   EXPECT_TRUE(has(faults[0], "card of NVIDIA") && has(faults[0], "libnvidia-opencl.so.1")) << faults[0];
-  list("nvidia.icd", "libnvidia-opencl.so.1");  // told once: the library of the list cannot be loaded
+  list("nvidia.icd", "libnvidia-opencl.so.1");  // reported once: the library of the list cannot be loaded
   EXPECT_EQ(driver_list_faults(folder()).size(), 1u);
   std::filesystem::remove(folder() / "nvidiactl");
   std::filesystem::remove(folder() / "nvidia.icd");

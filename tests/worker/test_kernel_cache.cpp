@@ -1,4 +1,4 @@
-// Where compiled kernels are kept: what the user names, the node's own folder, or nowhere.
+// The folder for compiled kernels: the user's choice, the node's own folder, or none.
 #include "worker/devices/kernel_cache.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ std::string variable(const char* name) {
   return value ? value : "";
 }
 
-/// Every test begins with a TMPDIR of its own and without the drivers' variables.
+/// Every test has its own TMPDIR and starts without the drivers' variables.
 class KernelCacheTest : public testing::Test {
  protected:
   KernelCacheTest() {
@@ -66,7 +66,7 @@ TEST_F(KernelCacheTest, IsNoFolderOfSomebodyElse) {
   std::filesystem::remove(of_node());
   std::filesystem::create_directory(of_node());
   unsetenv("POCL_CACHE_DIR");
-  chmod(of_node().c_str(), 0777);  // anybody could put kernels there
+  chmod(of_node().c_str(), 0777);  // any user could put kernels there
   EXPECT_FALSE(choose_kernel_cache().kept);
 }
 

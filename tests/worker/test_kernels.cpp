@@ -1,5 +1,5 @@
-// The kernels against core, bit for bit: their building blocks by small probe kernels, the rest on random numbers,
-// which meet more of the arithmetic's corners than shapes do.
+// The kernels against core, bit for bit. Small probe kernels test their building blocks.
+// The rest runs on random numbers, which reach more special cases of the arithmetic than real shapes do.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -86,7 +86,7 @@ std::string name_of(DockingLanes lanes) { return lanes == DockingLanes::items ? 
 
 constexpr std::array kBothLanes = {DockingLanes::vectors, DockingLanes::items};
 
-/// The program with the probes, built once in both ways; gone before main ends, as the OpenCL runtime may go then.
+/// The program with the probes, built once in both ways. It is freed before main ends, because the OpenCL runtime may end then.
 class Kernels : public testing::TestWithParam<DockingLanes> {
  protected:
   static void SetUpTestSuite() {
@@ -99,7 +99,7 @@ class Kernels : public testing::TestWithParam<DockingLanes> {
   static void TearDownTestSuite() { sessions_.clear(); }
   static const DeviceSession& session() { return *sessions_.at(GetParam()); }
 
-  /// 16 numbers each.
+  /// Work for blocks of 16 numbers each.
   static WorkSize blocks(std::size_t count) {
     const std::size_t items = items_of_docking(GetParam());
     return {count * items, 1, items};
@@ -124,7 +124,7 @@ class Random {
   std::mt19937 engine_;
 };
 
-/// How many floats differ in their bits, with one example in the message.
+/// Counts the floats that differ in their bits. The message shows one example.
 void expect_same_bits(const std::vector<float>& found, const std::vector<float>& expected, const char* what) {
   ASSERT_EQ(found.size(), expected.size());
   std::size_t differing = 0;
@@ -205,7 +205,7 @@ CanvasField random_field(Random& random, int width, int height, float reach_px) 
   return field;
 }
 
-/// Mostly on the grid; also on its nodes, on its rim and far away.
+/// Points mostly on the grid, also on its nodes, on its rim and far away.
 std::vector<Vec2> points_on(const CanvasField& field, Random& random, std::size_t count) {
   const float width = float(field.value.width());
   const float height = float(field.value.height());
@@ -268,7 +268,7 @@ ArclengthPyramid random_pyramid(Random& random, float unit) {
   float left = 0;
   float right = 0;
   for (int i = 0; i < kMaxPadLevels; ++i) {
-    // Few different lengths: equal distances are common, and their order is tested.
+    // There are few different lengths, so that equal distances are common and their order is tested.
     pyramid.left[i] = left += unit * 0.125f * float(1 + random.below(3));
     pyramid.right[i] = right += unit * 0.125f * float(1 + random.below(3));
   }
@@ -297,14 +297,14 @@ ShapeModel random_model(Random& random, const MatchingContext& context) {
       made.samples.push_back(
           make_model_sample(random_pyramid(random, 1), context.pad.levels, keypoint_step(model.radius)));
     }
-    // Alike to the bit, as on a regular polygon: equal distances and equal keys.
+    // These samples are equal to the bit, as on a regular polygon: equal distances and equal keys.
     for (int j = 0; j < 12; ++j) made.samples[20 + j] = made.samples[random.below(3)];
     model.levels.push_back(made);
   }
   return model;
 }
 
-/// Hills and hollows some ten px wide.
+/// A field with hills and hollows some ten px wide.
 CanvasField wavy_field(Random& random, int size) {
   CanvasField field{Grid<float>(size, size), {-5.5f, -5.5f}};
   const float phase = random.between(0, 6);
@@ -327,7 +327,7 @@ test::MatchingScene random_scene(std::uint32_t seed) {
   if (seed == 7) scene.settings.pieces.min_rotation_rad = scene.settings.pieces.max_rotation_rad = 0.05f;
   scene.context = make_matching_context(scene.settings, 7);
   for (int i = 0; i < 7; ++i) scene.models.push_back(random_model(random, scene.context));
-  scene.models[5] = scene.models[2];  // twins
+  scene.models[5] = scene.models[2];  // makes twins
   scene.field = wavy_field(random, 220);
   for (int t = 0; t < 9; ++t) {
     TargetSample sample;
@@ -379,7 +379,7 @@ TEST_P(RandomScenes, AllPairs) {
   test::expect_same_dockings(found.dockings, expected.dockings);
 }
 
-/// From anywhere, off the canvas too: more of the descent's branches than from good dockings.
+/// Dockings at random places, also outside the canvas. They reach more branches of the descent than good dockings do.
 TEST_P(RandomScenes, RefinementFromAnywhere) {
   Random random(seed() + 1000);
   std::vector<Docking> dockings(200);

@@ -10,7 +10,7 @@
 namespace tessera::worker {
 namespace test_opencl_devices {
 
-/// The message of the error that choosing `use` throws.
+/// The message of the error when `use` chooses the devices.
 template <class Error>
 std::string refusal(const std::string& use) {
   try {
@@ -123,7 +123,7 @@ TEST(DeviceKernel, AFailingCallNamesItselfAndTheDevice) {
   }
 }
 
-/// Started with an empty folder as the list of platforms (tests/worker/CMakeLists.txt).
+/// ctest starts it with an empty folder as the list of platforms (tests/worker/CMakeLists.txt).
 TEST(NoPlatform, IsOneClearLine) {
   const char* const devices = std::getenv("TESSERA_TEST_DEVICES");
   if (!devices || std::string(devices) != "0") GTEST_SKIP() << "runs where there is no platform";

@@ -1,4 +1,4 @@
-// Runs as it is, and once more with two devices (tests/worker/CMakeLists.txt).
+// It runs once as it is, and once with two devices (tests/worker/CMakeLists.txt).
 #include "core/matcher_suite.h"
 
 #include <algorithm>
@@ -23,14 +23,14 @@ std::unique_ptr<Matcher> make_on_all_devices(const MatchingContext& context, std
   return worker::make_device_matcher("all", context, all_of(models, first), given(models, first));
 }
 
-/// Room on the device for one pair and one docking at first.
+/// At first the device has room for only one pair and one docking.
 std::unique_ptr<Matcher> make_with_little_room(const MatchingContext& context, std::uint32_t first,
                                                std::vector<ShapeModel> models) {
   return std::make_unique<worker::OpenCLMatcher>(worker::opencl_devices().front(), context, all_of(models, first),
                                                  given(models, first), worker::BetweenLaunches(), 1);
 }
 
-/// Contours and key points are read as they are needed, and few contours are kept.
+/// Contours and key points are read when needed, and few contours are kept.
 std::unique_ptr<Matcher> make_that_reads(const MatchingContext& context, std::uint32_t first,
                                          std::vector<ShapeModel> models) {
   const ShapeRange shapes = all_of(models, first);
@@ -40,7 +40,7 @@ std::unique_ptr<Matcher> make_that_reads(const MatchingContext& context, std::ui
       worker::kStageBytes, worker::HeldShapes{.most_whole = 0, .contours = 3});
 }
 
-/// As on a GPU.
+/// Uses work items as lanes, as on a GPU.
 std::unique_ptr<Matcher> make_with_items_for_lanes(const MatchingContext& context, std::uint32_t first,
                                                    std::vector<ShapeModel> models) {
   return std::make_unique<worker::OpenCLMatcher>(worker::opencl_devices().front(), context, all_of(models, first),
@@ -66,7 +66,7 @@ TEST(DockingLanes, AreVectorsOnACpu) {
   EXPECT_EQ(worker::lanes_for(device), worker::DockingLanes::vectors);
 }
 
-/// Where the device allows groups of 8 only (tests/worker/CMakeLists.txt).
+/// For a device that allows only groups of 8 (tests/worker/CMakeLists.txt).
 TEST(DockingLanes, AreNoItemsWhereGroupsOf16AreNotAllowed) {
   if (worker::opencl_devices().front().getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>() >= kLanes) {
     GTEST_SKIP() << "runs where groups are limited";
@@ -99,7 +99,7 @@ TEST(DeviceGroup, ManagesWithFewerShapesThanDevices) {
   EXPECT_EQ(matcher->shapes().end, 6u);
 }
 
-/// Samples that come again and again, more than are searched at a time.
+/// Repeated samples, more than are searched at a time.
 std::vector<TargetSample> repeated(const std::vector<TargetSample>& samples, std::size_t count) {
   std::vector<TargetSample> many;
   while (many.size() < count) many.push_back(samples[many.size() % samples.size()]);
@@ -130,8 +130,8 @@ TEST(OpenCLMatcher, BinsOfOtherSamplesThanTheLastAreRefused) {
   refuses(reference);
 }
 
-/// 4,096 samples at a time: a step waits for one launch of the search and posts the next, so that whoever has several
-/// devices keeps all of them busy. Nothing is left for take_count to wait for.
+/// One step searches 4,096 samples: it waits for one launch and posts the next, so that a caller keeps several devices busy.
+/// take_count has nothing left to wait for.
 TEST(OpenCLMatcher, CountsInSteps) {
   const MatchingScene scene = make_scene(scene_settings(), {6, 700, 9, 300});
   const CountRequest request{repeated(scene.samples, 9000), std::vector<std::uint32_t>(9000, 9)};
@@ -150,7 +150,7 @@ TEST(OpenCLMatcher, CountsInSteps) {
   EXPECT_EQ(counted, reference.take_count());
 }
 
-/// So many of them, each other than the others by its disc.
+/// `count` models, which differ by their discs.
 std::vector<ShapeModel> copies(const std::vector<ShapeModel>& models, int count) {
   std::vector<ShapeModel> many;
   for (int i = 0; i < count; ++i) {
@@ -160,7 +160,7 @@ std::vector<ShapeModel> copies(const std::vector<ShapeModel>& models, int count)
   return many;
 }
 
-/// More shapes than go to the device at a time, and than a segment of the index has.
+/// There are more shapes than go to the device at a time, and more than one segment of the index holds.
 TEST(OpenCLMatcher, ALargeLibraryIsTheSameAsForTheReference) {
   MatchingScene scene = make_scene(scene_settings(), {10, 200, 3, 3});
   scene.models = copies(scene.models, 2200);
@@ -171,7 +171,7 @@ TEST(OpenCLMatcher, ALargeLibraryIsTheSameAsForTheReference) {
   set_field(reference, scene.field);
   expect_same_round(run_round(*matcher, scene), run_round(reference, scene));
 
-  // The first segment alone, of samples that are held already.
+  // Only the first segment, for samples that the device already has.
   CountRequest first_segment = count_all(scene.samples);
   first_segment.segment_stride = 2;
   matcher->post_count(first_segment);
@@ -183,8 +183,9 @@ TEST(OpenCLMatcher, ALargeLibraryIsTheSameAsForTheReference) {
   expect_same_round(run_round(*matcher, scene), run_round(reference, scene));
 }
 
-/// Of a large library two ranks have some shapes, both within two segments. First it is estimated by every 16th segment,
-/// for which samples are sent, then all are asked how far they look.
+/// Each of two ranks has some shapes of a large library, within two segments.
+/// First the pairs are estimated from every 16th segment, for which the samples are sent. Then all ranks are asked, as far as each sample
+/// looks.
 TEST(OpenCLMatcher, PairLimitsOfALargeLibraryAreThoseOfAllItsPairs) {
   MatchingScene scene = make_scene(scene_settings(), {10, 200, 3, 5});
   constexpr std::uint32_t kShapes = 200 * kSegmentShapes;
@@ -224,8 +225,8 @@ TEST(OpenCLMatcher, PairLimitsOfALargeLibraryAreThoseOfAllItsPairs) {
   EXPECT_EQ(strides.back(), 1u);
 }
 
-/// Who has several devices posts to one after the other: none may wait for what the one before has to do. (PoCL's serial
-/// device does all of it when it is posted, pairs or not.)
+/// A caller with several devices posts to one after the other, and must not wait for the work of an earlier one.
+/// PoCL's serial device does all work at the post, whether pairs or draws.
 TEST(OpenCLMatcher, PostingPairsDoesNotWaitForRandomDraws) {
   const MatchingScene scene = make_scene(scene_settings(), {6, 700, 9, 300});
   const std::vector<TargetSample> samples = repeated(scene.samples, 300);
@@ -235,7 +236,7 @@ TEST(OpenCLMatcher, PostingPairsDoesNotWaitForRandomDraws) {
   matcher.post_count(count_all(samples));
   matcher.take_count();
   struct Least {
-    double posting_s = 1e9;  // of several times: something else may be in the way of one of them
+    double posting_s = 1e9;  // the best of several times, as other work may disturb one of them
     double whole_s = 1e9;
   };
   const auto dock = [&](std::uint32_t bins) {
@@ -257,7 +258,7 @@ TEST(OpenCLMatcher, PostingPairsDoesNotWaitForRandomDraws) {
   EXPECT_LT(dock(30).posting_s, draws.posting_s + 0.3 * draws.whole_s);
 }
 
-/// Of a library so large that draws are from a deck; the matchers have ten shapes of it that are in the deck.
+/// A scene of a library so large that draws come from a deck. The matchers have ten of the deck's shapes.
 MatchingScene scene_of_a_large_library(bool with_colours, std::uint32_t& first_shape) {
   constexpr std::uint32_t kShapes = kWholeDeck + 5000;
   CollageSettings settings = scene_settings();
@@ -291,7 +292,7 @@ TEST(OpenCLMatcher, ADeckIsTheSameAsForTheReference) {
   }
 }
 
-/// A contour that is there is not read again, nor one of another part of the library.
+/// A contour that is kept is not read again. A contour of another part of the library is never read.
 TEST(DeviceContours, AreReadOnce) {
   const MatchingScene scene = make_scene(scene_settings(), {6, 150, 0, 2});
   const auto models = std::make_shared<SingleModels>(scene.models, 100, scene.context.pad.levels);
@@ -325,10 +326,10 @@ TEST(OpenCLMatcher, AQuestionIsGivenUpBetweenLaunches) {
                                 given(scene.models), between_launches);
   set_field(matcher, scene.field);
   run_round(matcher, scene);
-  const int calls_of_a_round = calls - 1;  // one was that of the upload
+  const int calls_of_a_round = calls - 1;  // one call was that of the upload
   ASSERT_GT(calls_of_a_round, 5);
   left = calls_of_a_round / 2;
-  matcher.limit({});  // or it would remember the pairs
+  matcher.limit({});  // otherwise the matcher would remember the pairs
   EXPECT_THROW(run_round(matcher, scene), Interrupted);
 }
 

@@ -1,5 +1,5 @@
-// Work that is too much for one launch is divided, and every work item runs once. Arguments have the names and types of
-// the kernel's parameters.
+// Work that is too large for one launch is divided, and every work item runs once.
+// Arguments must have the names and types of the kernel's parameters.
 #include "worker/devices/device_kernel.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ constexpr const char* kCountVisits =
     "  if (x < width) atomic_inc(visits + get_global_id(1) * width + x);\n"
     "}\n";
 
-/// How many launches there were; every work item must have run once.
+/// The number of launches. Every work item must have run once.
 int launches_for(const WorkSize& size) {
   int launches = 0;
   const DeviceSession session(opencl_devices().front(), kCountVisits, "-cl-std=CL1.2", [&] { ++launches; });
@@ -46,19 +46,19 @@ TEST(Launch, OfLittleWorkIsOne) {
 }
 
 TEST(Launch, OfMuchWorkIsDividedByRows) {
-  EXPECT_EQ(launches_for({60, 3 * kMostWorkItems / 64, 16}), 3);  // 64 columns in groups of 16
+  EXPECT_EQ(launches_for({60, 3 * kMostWorkItems / 64, 16}), 3);  // 64 columns, in groups of 16
   EXPECT_EQ(launches_for({60, 3 * kMostWorkItems / 64 + 1, 16}), 4);
 }
 
 TEST(Launch, OfLongRowsIsDividedWithinThem) {
   EXPECT_EQ(launches_for({kMostWorkItems + 1, 2, 16}), 4);
-  EXPECT_EQ(launches_for({2 * kMostWorkItems + 5, 1, 24}), 3);  // the limit is no multiple of the group
+  EXPECT_EQ(launches_for({2 * kMostWorkItems + 5, 1, 24}), 3);  // the limit is not a multiple of the group
 }
 
-/// Kernels with faults, for checked_kernels_test.sh alone: they show that its tools find them.
+/// Faulty kernels for checked_kernels_test.sh alone. They show that its tools find the faults.
 class Faulty : public testing::Test {
  protected:
-  static constexpr std::size_t kPlaces = 1024;  // 4 KB: PoCL makes buffers larger, up to the next 128 bytes
+  static constexpr std::size_t kPlaces = 1024;  // 4 KB: PoCL rounds buffers up to a multiple of 128 bytes
 
   void SetUp() override {
     if (!std::getenv("TESSERA_TEST_FAULTY")) GTEST_SKIP() << "runs where faults are looked for";
@@ -74,21 +74,21 @@ class Faulty : public testing::Test {
   }
 };
 
-/// The first place beyond: farther away may be another living block, which hides the fault.
+/// Reads the first place beyond the buffer. A place farther away may belong to another live block, which would hide the fault.
 TEST_F(Faulty, ReadsBeyondItsBuffer) { run("place[0] = place[n];", 1); }
 
 TEST_F(Faulty, DecidesByWhatNobodyWrote) { run("if (place[7] > 3) place[0] = 1;", 1); }
 
 TEST_F(Faulty, TwoItemsWriteTheSamePlace) { run("for (uint i = 0; i < 100000; ++i) place[0] += 1;", 64); }
 
-/// Of the test's variants, whose surroundings must have an effect.
+/// Checks that the environments of the test's variants have an effect.
 TEST(Launch, KnowsTheGroupsThatTheDeviceAllows) {
   const char* const most = std::getenv("POCL_MAX_WORK_GROUP_SIZE");
   if (!most) GTEST_SKIP() << "runs where groups are limited";
   EXPECT_EQ(opencl_devices().front().getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>(), std::size_t(std::atoi(most)));
 }
 
-/// Where the device allows groups of 8 only, it gets none (tests/worker/CMakeLists.txt).
+/// If the device allows only groups of 8, the kernel gets none (tests/worker/CMakeLists.txt).
 TEST(Launch, AKernelThatNeedsGroupsGetsThemAndNoOthers) {
   const cl::Device device = opencl_devices().front();
   const DeviceSession session(device,
@@ -118,7 +118,7 @@ class Arguments : public testing::Test {
  protected:
   using Launch = std::function<void(DeviceKernel& kernel)>;
 
-  /// The message of the std::logic_error that the launch throws; empty where it throws none.
+  /// The message of the std::logic_error that the launch throws; empty if it throws none.
   std::string refusal(const Launch& launch) {
     DeviceKernel kernel(session_, "named");
     try {
@@ -144,7 +144,7 @@ TEST_F(Arguments, OfTheKernelsNamesAndTypesAreTaken) {
   EXPECT_EQ(
       refusal([&](DeviceKernel& kernel) {
         kernel.launch({1}, {{"pairs", pairs_}, {"count", 1}, {"lengths", lengths_}, {"capacity", 1}, {"rows", rows_}});
-        session_.wait_for_launches();  // a driver may not end while a kernel is under way
+        session_.wait_for_launches();  // a driver must not end while a kernel runs
       }),
       "");
 }
@@ -186,7 +186,7 @@ TEST_F(Arguments, OfAnotherNumberAreRefused) {
             "named gets 2 arguments and has 5 parameters");
 }
 
-/// What a driver says of a kernel's parameters.
+/// The parameters of a kernel as the driver describes them.
 std::vector<KernelParameter> told_parameters(const cl::Kernel& kernel) {
   const auto text = [](std::string told) { return told.substr(0, told.find('\0')); };
   std::vector<KernelParameter> parameters;
@@ -197,7 +197,7 @@ std::vector<KernelParameter> told_parameters(const cl::Kernel& kernel) {
   return parameters;
 }
 
-/// Other drivers may write types in other ways.
+/// Other drivers may write types differently.
 TEST(KernelParameters, AreThoseThatPoclTellsOfEachKernel) {
   const cl::Device device = opencl_devices().front();
   if (describe(device).platform != "Portable Computing Language") GTEST_SKIP() << "another driver";

@@ -1,5 +1,4 @@
-// Pairs that were found in any order become those that the reference selects: local minima along each level's closed
-// curve, the best few of each shape.
+// Pairs found in any order give the reference's selection: local minima along each level's closed curve, the best few of each shape.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -30,7 +29,7 @@ bool same(const std::vector<PairRecord>& a, const std::vector<PairRecord>& b) {
   });
 }
 
-/// As select_pairs() of core/matching/pair_selection.cpp walks round each curve. `distance`: of all sources.
+/// Selects pairs as select_pairs() of core/matching/pair_selection.cpp does on its way round each curve. `distance` covers all sources.
 std::vector<PairRecord> plainly_selected(const std::vector<u32>& distance, u32 reach, const MatchRecord& match) {
   std::vector<PairRecord> selected;
   for (u32 shape = 0; shape < match.shapes; ++shape) {
@@ -53,7 +52,7 @@ std::vector<PairRecord> plainly_selected(const std::vector<u32>& distance, u32 r
   return selected;
 }
 
-/// Few different distances: plateaus, and minima at the curves' ends.
+/// Few different distances give plateaus, and minima at the ends of curves.
 RC_GTEST_PROP(FoundPairs, are_those_that_the_reference_selects, ()) {
   const MatchRecord match = two_levels();
   std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());

@@ -1,4 +1,4 @@
-// The index finds what a look at every PAD finds, and looks at few of them; the room for what is found grows.
+// The index finds the same PADs as a look at every PAD, and looks at few of them; the room for results grows.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ Found sorted(const std::vector<PairRecord>& pairs) {
   return found;
 }
 
-/// Real outlines' PADs, 60 of them one after the other in other sizes of their levels.
+/// Searches in the PADs of real outlines.
 class PairSearchTest : public testing::Test {
  protected:
   PairSearchTest()
@@ -30,7 +30,7 @@ class PairSearchTest : public testing::Test {
         library_(opencl_devices().front(), scene_.context, all_of(scene_.models), given(scene_.models)),
         samples_(library_.session()) {}
 
-  /// Sample t looks `steps` far, or twice as far.
+  /// Sample t searches up to `steps`, or twice as far.
   void reach(u32 steps) {
     std::vector<SampleRecord> records = make_sample_records(scene_.samples, library_.match(), library_.pad_levels());
     for (std::size_t t = 0; t < records.size(); ++t) set_reach(records[t], t % 2 == 0 ? steps : 2 * steps);
@@ -76,7 +76,7 @@ TEST_F(PairSearchTest, LooksAtFewBlocks) {
 }
 
 TEST_F(PairSearchTest, MakesRoomForWhatItFinds) {
-  constexpr std::size_t kRoom = 1 << 12;  // half of it for blocks
+  constexpr std::size_t kRoom = 1 << 12;  // half of it is for blocks
   PairSearch roomy(library_, 1 << 22);
   PairSearch tight(library_, kRoom);
   std::uint64_t most_blocks = 0;
@@ -89,7 +89,7 @@ TEST_F(PairSearchTest, MakesRoomForWhatItFinds) {
   EXPECT_GT(most_blocks, kRoom / 2 / sizeof(BlockRecord)) << "there was room for all from the first";
 }
 
-/// Of several samples; whoever asks divides them. One alone gets all the room that it needs.
+/// Several samples give up, and the caller divides them. A single sample gets all the room that it needs.
 TEST_F(PairSearchTest, GivesUpWhereThereAreTooMany) {
   PairSearch roomy(library_, 1 << 22);
   PairSearch tight(library_, 1);

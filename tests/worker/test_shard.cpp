@@ -1,5 +1,4 @@
-// The part of the library on a device: how many bytes it will be is known before it is made, and nothing of it is lost
-// in the index.
+// The part of the library on a device. Its size in bytes is known before it is made, and the index loses no PAD.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +21,7 @@ TEST(Shard, bytes_are_known_beforehand) {
   for (const float max_scale_px : {40.f, 160.f, 600.f}) {
     CollageSettings settings;
     settings.pieces.max_scale_px = max_scale_px;
-    if (max_scale_px > 500) settings.pieces.max_rotation_rad = 0.5f;  // with chords
+    if (max_scale_px > 500) settings.pieces.max_rotation_rad = 0.5f;  // gives an index with chords
     const MatchingContext context = make_matching_context(settings, 3);
     const MatchRecord match = make_match_record(context, {0, 3});
     const std::vector<ShapeModel> models = test::models_of(shapes, context, 0, 3);
@@ -47,7 +46,7 @@ TEST(Shard, bytes_are_known_beforehand) {
   EXPECT_EQ(shard_bytes(make_matching_context(CollageSettings(), 1), 0, true).device, 0u);
 }
 
-/// Of a large part that can be read, contours and key points come when they are needed.
+/// In a large part that can be read, contours and key points are loaded when they are needed.
 TEST(Shard, a_large_one_holds_few_contours) {
   const MatchingContext context = make_matching_context(CollageSettings(), 1);
   const std::size_t shapes = HeldShapes().most_whole + 1;
@@ -58,7 +57,7 @@ TEST(Shard, a_large_one_holds_few_contours) {
   EXPECT_EQ(holds.device - reads.device, (shapes - HeldShapes().contours) * kContourFloats * sizeof(float));
 }
 
-/// Models without levels, beside PADs that were read alone.
+/// Models without levels, and their PADs read separately.
 TEST(Shard, takes_pads_that_are_given) {
   const MatchingContext context = make_matching_context(CollageSettings(), 2);
   const MatchRecord match = make_match_record(context, {0, 2});
@@ -97,7 +96,7 @@ IndexedPads random_pads(const MatchRecord& match) {
   return all;
 }
 
-/// Every number of levels: rows of another length each.
+/// Each number of levels gives rows of another length.
 TEST(IndexRows, hold_each_pad_once) {
   for (const int pad_levels : {2, 5, 6}) {
     const MatchRecord match = two_levels(70);
@@ -112,7 +111,7 @@ TEST(IndexRows, hold_each_pad_once) {
       for (std::size_t place = 0; place < rows.places.size() / numbers; ++place) {
         const std::uint8_t* const row =
             rows.rows.data() + place / kFilterLanes * kFilterLanes * (elements + 2) + place % kFilterLanes;
-        if (row[(elements + 1) * kFilterLanes] == 0) continue;  // no PAD
+        if (row[(elements + 1) * kFilterLanes] == 0) continue;  // this lane holds no PAD
         const std::uint16_t* const low = rows.places.data() + place * numbers;
         const std::uint16_t* const rest = low + low_numbers;
         const u32 source = rest[1] | u32(rest[2]) << 16;
@@ -131,7 +130,7 @@ TEST(IndexRows, hold_each_pad_once) {
   }
 }
 
-/// Segment by segment and level by level, one behind the other.
+/// The parts follow one another, segment by segment and level by level.
 TEST(IndexRows, parts_follow_one_another) {
   const MatchRecord match = two_levels(2 * kSegmentShapes + 5);
   const std::vector<IndexPart> parts = index_parts(match);
@@ -150,7 +149,7 @@ TEST(IndexRows, parts_follow_one_another) {
   EXPECT_EQ(parts.back().first_shape, 2 * kSegmentShapes);
 }
 
-/// So that a part of a segment takes its order from that of the whole, wherever the shard begins.
+/// A part of a segment takes its order from the whole segment's order, wherever the shard begins.
 TEST(IndexRows, segments_are_those_of_the_library) {
   MatchRecord match = two_levels(kSegmentShapes);
   match.first_shape = 3 * kSegmentShapes - 5;
@@ -164,7 +163,7 @@ TEST(IndexRows, segments_are_those_of_the_library) {
   EXPECT_EQ(make_index_rows(parts[2], match, pads, {5, false}, {}).roots.back().segment, 3u);
 }
 
-/// Another order of the same PADs.
+/// Gives another order of the same PADs.
 TEST(IndexRows, take_an_order_that_is_given) {
   const MatchRecord match = two_levels(70);
   const IndexedPads pads = random_pads(match);

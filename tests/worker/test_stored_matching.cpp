@@ -1,4 +1,4 @@
-// A device that reads models from a library file gives what the reference gives with models made of its shapes.
+// A device that reads models from a library file gives the same results as the reference with models made from its shapes.
 #include <gtest/gtest.h>
 
 #include "core/matching/reference_matcher.h"
@@ -14,7 +14,8 @@ namespace test_stored_matching {
 
 constexpr std::uint32_t kShapes = kSegmentShapes + 150;
 
-/// Of one segment a part and of the next one all, more than go to the device at a time, nothing held that can be read.
+/// The shapes are a part of one segment and all of the next. They are more than go to the device at a time; nothing that can be read is
+/// kept.
 TEST(StoredMatching, IsTheSameAsForTheReference) {
   const test::ScratchFolder folder;
   write_many_shapes(folder.path("many.h5"), kShapes);

@@ -1,4 +1,4 @@
-// Brackets in CSS: where what they hold ends.
+// Finds the ends of brackets in CSS.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +14,10 @@ using CssTokens = std::span<const CssToken>;
 /// The bracket that closes what this token opens; 0 where it opens nothing.
 char css_closer(const CssToken& token);
 
-/// Index, from `from` on, of the first mark of `marks` that stands in no bracket; tokens.size() where there is none.
+/// Index, from `from` on, of the first mark of `marks` outside of brackets; tokens.size() where there is none.
 std::size_t find_css_mark(CssTokens tokens, std::string_view marks, std::size_t from = 0);
 
-/// Without the white space around them.
+/// The tokens without white space at both ends.
 CssTokens trimmed_css(CssTokens tokens);
 
 }  // namespace tessera

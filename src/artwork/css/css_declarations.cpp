@@ -21,13 +21,13 @@ bool is_known_function(const CssToken& token) {
   return std::find(kKnown.begin(), kKnown.end(), name) != kKnown.end();
 }
 
-/// Marks that cannot load anything. A closing bracket is allowed where one is open.
+/// Whether the mark cannot load anything. A closing bracket is allowed only where one is open.
 bool is_harmless(const CssToken& mark) {
   return std::string_view(",/+-*%.!(").find(mark.text) != std::string_view::npos;
 }
 
-/// url("...") is a function of a string to the tokenizer. Returns how many tokens it has, with both brackets; 0 where
-/// something else stands in it.
+/// The number of tokens of url("..."), which the tokenizer reads as a function with a string, brackets included; 0
+/// where something else is in the brackets.
 std::size_t quoted_url_size(CssTokens tokens) {
   std::size_t i = 1;
   while (i < tokens.size() && tokens[i].kind == CssKind::space) ++i;
@@ -42,7 +42,7 @@ class LocalValue {
  public:
   explicit LocalValue(const std::string& id_prefix) : id_prefix_(id_prefix) {}
 
-  /// Nothing where a token could lead out of the document, or where no text gives these tokens.
+  /// The copied text. Nullopt where a token could lead out of the document, or where no text gives these tokens.
   std::optional<std::string> of(CssTokens tokens) {
     while (!tokens.empty()) {
       const std::size_t taken = take(tokens);
@@ -54,7 +54,7 @@ class LocalValue {
   }
 
  private:
-  /// How many tokens were copied; 0: the first one is refused.
+  /// Copies tokens and returns how many; 0: the first one is refused.
   std::size_t take(CssTokens tokens) {
     const CssToken& token = tokens.front();
     switch (token.kind) {
@@ -93,7 +93,7 @@ class LocalValue {
     } else if (!is_harmless(mark)) {
       return false;
     } else if (mark.is_mark('(')) {
-      // A comment divides a name from its bracket: no value has that, and careless readers could see a function.
+      // A comment separated a name from its bracket: no value has that, and simple readers could see a function.
       if (!copied_.empty() && copied_.back().kind == CssKind::identifier) return false;
       ++open_brackets_;
     }
@@ -106,7 +106,7 @@ class LocalValue {
     const CssToken url{CssKind::url, "#" + id_prefix_ + address.substr(1)};
     if (css_text(std::span(&url, 1)).value_or("\\").find('\\') == std::string::npos) {
       copy(url);
-    } else {  // quotes are read by more programs than escapes
+    } else {  // more programs can read quotes than escapes
       copy({CssKind::function, "url"});
       copy({CssKind::string, url.text});
       copy({CssKind::mark, ")"});
@@ -121,13 +121,13 @@ class LocalValue {
   std::size_t open_brackets_ = 0;
 };
 
-/// As librsvg knows them: it takes "FILL" for no property.
+/// Whether librsvg knows the name as a property: "FILL" is none.
 bool is_property_name(const std::string& name) {
   const auto is_plain = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
   return !name.empty() && name.front() != '-' && std::all_of(name.begin(), name.end(), is_plain);
 }
 
-/// `declaration`: from its first token to its semicolon; `text_of` gives the value's text, or nothing.
+/// Reads one declaration, from its first token to its semicolon; `text_of` gives the text of the value, or nullopt.
 template <class TextOf>
 std::optional<CssDeclaration> one_declaration(CssTokens declaration, TextOf text_of) {
   const CssToken& name = declaration.front();
@@ -139,7 +139,7 @@ std::optional<CssDeclaration> one_declaration(CssTokens declaration, TextOf text
   return CssDeclaration{name.text, std::move(*value)};
 }
 
-/// Where the declaration or at-rule that begins here ends. An at-rule ends with its block, too.
+/// The end of the declaration or at-rule that begins here. An at-rule may also end with its block.
 std::size_t end_of_declaration(CssTokens content) {
   if (content.front().kind != CssKind::at_keyword) return find_css_mark(content, ";");
   const std::size_t end = find_css_mark(content, "{;");
@@ -161,7 +161,7 @@ std::vector<CssDeclaration> declarations_of(CssTokens content, TextOf text_of) {
   return declarations;
 }
 
-/// Where "!important" begins; npos: nowhere.
+/// The position of "!important"; npos where there is none.
 std::size_t importance(const std::string& value) {
   const std::size_t mark = value.rfind('!');
   if (mark == std::string::npos) return mark;
@@ -172,7 +172,7 @@ std::size_t importance(const std::string& value) {
 }  // namespace
 
 std::optional<std::string> local_css_value(std::string_view value, const std::string& id_prefix) {
-  if (value.find('(') == std::string_view::npos) return std::string(value);  // no function: nothing that refers
+  if (value.find('(') == std::string_view::npos) return std::string(value);  // no function: refers to nothing
   const std::vector<CssToken> tokens = css_tokens(value);
   return LocalValue(id_prefix).of(trimmed_css(tokens));
 }

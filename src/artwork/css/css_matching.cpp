@@ -49,13 +49,13 @@ void CssMatcher::count(std::uint64_t comparisons) {
                    "; write styles as attributes, or fewer selectors");
 }
 
-/// Null above the root.
+/// The parent element; null for the root.
 const xmlNode* CssMatcher::element_above(const xmlNode* node) {
   count(1);
   return node->parent && node->parent->type == XML_ELEMENT_NODE ? node->parent : nullptr;
 }
 
-/// Null before the first one.
+/// The sibling element before the node; null for the first one.
 const xmlNode* CssMatcher::element_before(const xmlNode* node) {
   do {
     count(1);
@@ -64,7 +64,7 @@ const xmlNode* CssMatcher::element_before(const xmlNode* node) {
   return node;
 }
 
-/// The first one of the wanted name; null where there is none.
+/// The first attribute with the wanted name; null where there is none.
 const xmlAttr* CssMatcher::attribute_of(const xmlNode* node, const CssAttribute& wanted) {
   for (const xmlAttr* found = node->properties; found; found = found->next) {
     count(1);
@@ -73,14 +73,14 @@ const xmlAttr* CssMatcher::attribute_of(const xmlNode* node, const CssAttribute&
   return nullptr;
 }
 
-/// Reading a value takes as long as many comparisons.
+/// Counts the reading of a value, which takes as long as many comparisons.
 std::string CssMatcher::counted(std::string value) {
   constexpr std::size_t kComparisons = 16, kBytesOfAComparison = 4;
   count(kComparisons + value.size() / kBytesOfAComparison);
   return value;
 }
 
-/// That without a name space, also where it is the document type's default.
+/// The value of the attribute without a name space, also where it is a default of the document type.
 std::string CssMatcher::own_attribute(const xmlNode* node, const char* name) {
   for (const xmlAttr* looked_at = node->properties; looked_at; looked_at = looked_at->next) count(1);
   return counted(attribute(node, name));
@@ -103,11 +103,11 @@ bool CssMatcher::matches(const CssAttribute& wanted, const xmlNode* node) {
 bool CssMatcher::matches(const CssPlace& place, const xmlNode* node) {
   const SiblingNumber& numbers = place.of_type ? numbers_.among_same_type(node) : numbers_.among_all(node);
   const int number = place.from_end ? numbers.from_end : numbers.from_start;
-  const int steps = number - place.b;  // a times a whole number that is not negative
+  const int steps = number - place.b;  // must be a times a whole number that is not negative
   return place.a == 0 ? steps == 0 : steps % place.a == 0 && steps / place.a >= 0;
 }
 
-/// xml:lang is inherited.
+/// The language of the element; xml:lang is inherited.
 std::string CssMatcher::language_of(const xmlNode* node) {
   for (; node; node = element_above(node)) {
     for (const xmlAttr* found = node->properties; found; found = found->next) {
@@ -163,11 +163,11 @@ bool CssMatcher::matches(const CssCompound& compound, const xmlNode* node) {
          });
 }
 
-/// Whether compounds 0 to `last` match, the last of them `node` itself. The answer says, too, which other nodes have no
-/// chance, so that no node is tried again for each combination of those below it:
+/// Whether compounds 0 to `last` match, the last one with `node` itself. The answer also says which other nodes cannot
+/// match, so that no node is tried again for each combination of nodes below it:
 /// - no: another node may match;
-/// - not_among_earlier_siblings: no earlier sibling matches either, an ancestor may;
-/// - nowhere: neither does any ancestor, nor a sibling of one.
+/// - not_among_earlier_siblings: no earlier sibling can match, an ancestor may;
+/// - nowhere: no ancestor can match, and no sibling of one.
 CssMatcher::Match CssMatcher::match_up_to(const CssSelector& selector, std::size_t last, const xmlNode* node) {
   if (!matches(selector.compounds[last], node)) return Match::no;
   if (last == 0) return Match::yes;

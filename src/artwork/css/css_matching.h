@@ -1,4 +1,4 @@
-// Which elements of a parsed SVG a selector selects.
+// Decides which elements of a parsed SVG a selector selects.
 #pragma once
 
 #include <libxml/tree.h>
@@ -12,9 +12,9 @@
 
 namespace tessera {
 
-/// Comparisons of selectors with elements that one drawing may need. They take a few seconds at most.
+/// Most comparisons of selectors with elements for one drawing; they take a few seconds.
 inline constexpr std::uint64_t kMostCssComparisons = 100'000'000;
-/// Parts of a selector with a combinator between each two. Matching is recursive: it is as deep as there are parts.
+/// Most parts of a selector, with a combinator between each two. Matching is recursive, one level for each part.
 inline constexpr std::size_t kMostCssCompounds = 500;
 
 /// Compares the selectors of one drawing with its elements. The drawing must not change meanwhile.
@@ -23,9 +23,10 @@ class CssMatcher {
   /// `path` names the drawing in messages.
   explicit CssMatcher(const std::string& path) : path_(path) {}
 
-  /// `element` is one of the SVG's own document, all of whose elements count, also those that draw nothing. Elements
-  /// without a name space are SVG's, as for librsvg. Throws InputError where all calls together need more than
-  /// kMostCssComparisons, or where the selector has more than kMostCssCompounds.
+  /// Whether the selector selects the element. `element` belongs to the SVG's own document, in which all elements
+  /// count, also those that draw nothing. Elements without a name space are SVG elements, as for librsvg. Throws
+  /// InputError where all calls together need more than kMostCssComparisons, or the selector has more than
+  /// kMostCssCompounds parts.
   bool selects(const CssSelector& selector, const xmlNode* element);
 
  private:

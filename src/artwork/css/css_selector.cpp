@@ -9,11 +9,11 @@
 namespace tessera {
 namespace {
 
-/// Parts of a specificity, each of which counts to this at most.
+/// Largest value of each part of a specificity.
 constexpr std::uint32_t kMostOfAKind = 1023;
 constexpr std::uint32_t kIdWeight = 1u << 20;
 constexpr std::uint32_t kClassWeight = 1u << 10;
-/// Of :not() in :not() and so on: parsing and matching are recursive.
+/// Most levels of :not() in :not(): parsing and matching are recursive.
 constexpr int kMostNested = 16;
 
 constexpr CssPlace kFirstChild{.a = 0, .b = 1, .of_type = false, .from_end = false};
@@ -21,7 +21,7 @@ constexpr CssPlace kLastChild{.a = 0, .b = 1, .of_type = false, .from_end = true
 constexpr CssPlace kFirstOfType{.a = 0, .b = 1, .of_type = true, .from_end = false};
 constexpr CssPlace kLastOfType{.a = 0, .b = 1, .of_type = true, .from_end = true};
 
-/// What is not understood ends the whole list.
+/// Thrown for a selector that is not understood; the whole list is then invalid.
 struct NotUnderstood {};
 
 struct Counts {
@@ -46,7 +46,7 @@ int whole_number(const std::string& digits) {
   return std::atoi(digits.c_str());
 }
 
-/// "odd", "even", "3", "2n + 1", "-n+4".
+/// Parses "odd", "even", "3", "2n + 1", "-n+4".
 CssPlace parsed_place(const std::string& text) {
   if (text == "odd") return {2, 1};
   if (text == "even") return {2, 0};
@@ -134,7 +134,7 @@ class SelectorParser {
     while (stands_at(CssKind::space)) take();
     return tokens_.size() < before;
   }
-  /// What stands up to the bracket that closes, which is taken, too. A text that ends closes all of them.
+  /// Takes the tokens up to the closing bracket, and the bracket itself. The end of the text closes all brackets.
   CssTokens take_block(char closer) {
     const std::size_t end = find_css_mark(tokens_, std::string_view(&closer, 1));
     const CssTokens block = tokens_.first(end);
@@ -165,7 +165,7 @@ class SelectorParser {
     return compound;
   }
 
-  /// "*|" or "|"; prefixes are known to nobody, as librsvg does not read @namespace.
+  /// Takes "*|" or "|". Other prefixes are unknown, as librsvg does not read @namespace.
   CssSpace take_space_of_names(CssSpace without) {
     if (stands_at('|') && !stands_at('=', 1)) return take(), CssSpace::none;
     const bool has_prefix =
@@ -206,7 +206,7 @@ class SelectorParser {
     return true;
   }
 
-  /// The content of a bracket.
+  /// Reads the content of an attribute selector's brackets.
   CssAttribute attribute() {
     CssAttribute attribute;
     attribute.space = take_space_of_names(CssSpace::none);

@@ -1,7 +1,7 @@
 // Selectors of style sheets, as librsvg 2.54 reads them (Selectors Level 3, with lists in :not()).
 //
-// A list with a selector that librsvg does not know (:is, :has, :hover, pseudo-elements, prefixes of name spaces) is no
-// list, so that its rule does nothing: a drawing in a collage looks as it does alone.
+// A list with a selector that librsvg does not know (:is, :has, :hover, pseudo-elements, prefixes of name spaces) is
+// invalid, and its rule does nothing. So a drawing looks the same in a collage and alone.
 #pragma once
 
 #include <cstdint>
@@ -26,11 +26,11 @@ struct CssAttribute {
   enum class Test { exists, equals, has_word, has_language, begins, ends, contains };
   Test test = Test::exists;
   CssSpace space = CssSpace::none;
-  bool ignores_case = false;  // of the value, of ASCII letters
+  bool ignores_case = false;  // applies to ASCII letters of the value
   std::string name;
   std::string value = {};
 };
-/// :nth-child(an + b) and all that can be said by it.
+/// :nth-child(an + b) and all selectors that it can express.
 struct CssPlace {
   int a = 0;
   int b = 1;
@@ -49,7 +49,7 @@ struct CssNot {
 
 using CssCondition = std::variant<CssId, CssClass, CssAttribute, CssPlace, CssLanguages, CssState, CssNot>;
 
-/// What is said of one element.
+/// The conditions on one element.
 struct CssCompound {
   CssSpace space = CssSpace::svg;
   std::string type = {};  // empty: any
@@ -58,14 +58,14 @@ struct CssCompound {
 
 enum class CssCombinator { descendant, child, next, later };
 
-/// Compounds from left to right, a combinator between each two.
+/// A selector: compounds from left to right, with a combinator between each two.
 struct CssSelector {
   std::vector<CssCompound> compounds;
   std::vector<CssCombinator> combinators;
-  std::uint32_t specificity = 0;  // a larger one wins
+  std::uint32_t specificity = 0;  // the rule with the larger one wins
 };
 
-/// The selectors between the commas. Nothing where any of them is not understood.
+/// The selectors between the commas; nullopt where one of them is not understood.
 std::optional<std::vector<CssSelector>> parse_css_selectors(CssTokens tokens);
 
 }  // namespace tessera

@@ -22,7 +22,7 @@ bool is_not_printable(char c) {
   return code <= 8 || code == 0x0b || (code >= 0x0e && code <= 0x1f) || code == 0x7f;
 }
 
-/// U+FFFE and U+FFFF are replaced, too: XML, in which the text will stand, does not allow them.
+/// The character in UTF-8. U+FFFE and U+FFFF are replaced, too: XML, which will hold the text, forbids them.
 std::string utf8_of(std::uint32_t code) {
   const bool is_surrogate = code >= 0xd800 && code <= 0xdfff;
   if (code == 0 || code > 0x10ffff || is_surrogate || (code | 1) == 0xffff) return std::string(kReplacement);
@@ -33,7 +33,7 @@ std::string utf8_of(std::uint32_t code) {
           char(0x80 | (code & 0x3f))};
 }
 
-/// Whether the unit, written without escapes behind a number, is read as this unit again.
+/// Whether the unit, written behind a number without escapes, is read as this unit again.
 bool is_plain_unit(const std::string& unit) {
   if (!begins_name(unit.front()) || !std::all_of(unit.begin(), unit.end(), is_name_character)) return false;
   if (unit.front() != 'e' && unit.front() != 'E') return true;
@@ -73,7 +73,7 @@ class Tokenizer {
   }
 
  private:
-  /// NUL behind the end: preprocessing leaves none inside.
+  /// The next character; NUL behind the end (preprocessing leaves none inside).
   char peek(std::size_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
   bool ended() const { return at_ >= text_.size(); }
   bool looks_at(std::string_view part) const { return std::string_view(text_).substr(at_).starts_with(part); }
@@ -122,7 +122,7 @@ class Tokenizer {
     return {CssKind::space, " "};
   }
 
-  /// Stands at the backslash.
+  /// Reads an escape; the position is at the backslash.
   std::string escaped() {
     ++at_;
     if (ended()) return std::string(kReplacement);
@@ -211,7 +211,7 @@ class Tokenizer {
     return peek(ahead) == '"' || peek(ahead) == '\'' ? token : url();
   }
 
-  /// Behind "url(", without quotes.
+  /// Reads an address without quotes; the position is behind "url(".
   CssToken url() {
     CssToken token{CssKind::url};
     while (is_space(peek())) ++at_;
@@ -252,7 +252,7 @@ std::string escape_of(char c) {
   return text;
 }
 
-/// As CSSOM serialises an identifier. `goes_on`: it follows a "#", so that any of its characters may be the first.
+/// The name as CSSOM serialises an identifier. `goes_on`: it follows a "#", so any of its characters may be first.
 std::string name_text(const std::string& name, bool goes_on) {
   std::string text;
   for (std::size_t i = 0; i < name.size(); ++i) {
@@ -285,7 +285,7 @@ bool is_plain_in_url(char c) {
          std::string_view("\"'()\\").find(c) == std::string_view::npos;
 }
 
-/// What cannot stand in an address without quotes is escaped.
+/// url(...) without quotes; characters that it cannot hold are escaped.
 std::string url_text(const std::string& address) {
   std::string text = "url(";
   for (const char c : address) {
@@ -319,7 +319,7 @@ bool stands_apart(const CssToken& token) {
   return token.kind == CssKind::space || token.is_mark(',') || token.is_mark(')');
 }
 
-/// Nothing joins with a function's bracket, and a comment behind "url(" would be an address.
+/// Whether the tokens could join. Nothing joins with a function's bracket; a comment behind "url(" would be an address.
 bool could_join(const CssToken& first, const CssToken& second) {
   return first.kind != CssKind::function && !stands_apart(first) && !stands_apart(second);
 }

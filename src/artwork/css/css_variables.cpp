@@ -15,16 +15,16 @@
 namespace tessera {
 namespace {
 
-/// Without a copy: the text may be a whole document.
+/// Whether the text contains "var(". Makes no copy: the text may be a whole document.
 bool has_variable(std::string_view text) {
   constexpr std::string_view kVar = "var(";
   const auto is_same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? char(a - 'A' + 'a') : a) == b; };
   return std::search(text.begin(), text.end(), kVar.begin(), kVar.end(), is_same) != text.end();
 }
 
-/// The values of the variables ("--name") that an element declares. Others have the value that an outer element declares.
+/// The values of the variables ("--name") that an element declares; other variables have the value of an outer element.
 struct Scope {
-  std::map<std::string, std::optional<std::string>> values;  // nothing: it is declared to have none
+  std::map<std::string, std::optional<std::string>> values;  // nullopt: declared without a value
   const Scope* outer = nullptr;
 
   const std::string* find(const std::string& name, const Scope*& found_in) const {
@@ -42,8 +42,8 @@ class Resolver {
  public:
   explicit Resolver(const std::string& path) : path_(path) {}
 
-  /// The value with each var() replaced. Nothing where a variable without a value is needed, or the value becomes too long;
-  /// a variable that refers to itself has none.
+  /// The value with each var() replaced. Nullopt where a variable without a value is needed, or the value becomes too
+  /// long. A variable that refers to itself has no value.
   std::optional<std::string> resolved(std::string_view value, const Scope& scope) {
     const std::vector<CssToken> tokens = css_tokens(value);
     std::vector<CssToken> to;
@@ -71,13 +71,13 @@ class Resolver {
     return true;
   }
 
-  /// `call`: what stands in the brackets of a var().
+  /// Replaces one var(); `call`: the tokens in its brackets.
   bool put_variable(CssTokens call, const Scope& scope, int depth, std::vector<CssToken>& to) {
     if (++uses_ > kMostUses) throw InputError(path_ + ": " + too_many(kMostUses, "var() in its styles"));
     if (depth > kDeepest || call.empty() || call.front().kind != CssKind::identifier) return false;
     const std::string& name = call.front().text;
     if (std::find(being_put_.begin(), being_put_.end(), name) != being_put_.end()) {
-      cycle_ = name;  // all variables of a cycle are without a value, whatever var() offers in them
+      cycle_ = name;  // all variables of a cycle have no value; their fallbacks do not count
       return false;
     }
     const Scope* found_in = nullptr;
@@ -99,12 +99,12 @@ class Resolver {
 
   std::string path_;
   std::size_t uses_ = 0;
-  std::vector<std::string> being_put_;  // from the outermost on
-  std::optional<std::string> cycle_;    // the variable that was met again
+  std::vector<std::string> being_put_;  // the variables that are being replaced, the outermost first
+  std::optional<std::string> cycle_;    // the variable at which a cycle was found
 };
 
-/// The value that a property takes when its var() has none. An inherited property has that of the outer element, any
-/// other its initial value.
+/// The value of a property whose var() has no value: an inherited property takes that of the outer element, any other
+/// its initial value.
 std::string unset_value(const std::string& name) {
   // clang-format off
   static const std::map<std::string, std::string> kInitial = {
@@ -117,7 +117,7 @@ std::string unset_value(const std::string& name) {
   return found == kInitial.end() ? "inherit" : found->second;
 }
 
-/// Attributes that are properties; var() means nothing in others.
+/// Attributes that are CSS properties; in other attributes var() has no meaning.
 bool is_property(const std::string& name) {
   // clang-format off
   static const std::set<std::string> kProperties = {
@@ -130,7 +130,7 @@ bool is_property(const std::string& name) {
   return kProperties.contains(name);
 }
 
-/// Null where it cannot be read: who draws it says what is wrong, or can read it all the same.
+/// The document; null where it cannot be read. The code that draws it reports what is wrong, or can read it anyway.
 XmlDocPtr parsed_or_null(std::span<const std::uint8_t> svg, const std::string& path) try {
   return parsed_foreign_svg(svg, path);
 } catch (const InputError&) {
@@ -156,8 +156,8 @@ class VariableWriter {
       : style_(root, path, css_declarations),
         resolver_(path) {}
 
-  /// Finds what is to be changed, in all elements before any of them is changed: selectors look at attributes. Recursion is
-  /// as deep as the document (parsed_foreign_svg).
+  /// Finds all changes before any element is changed, as selectors test attributes. The recursion is as deep as the
+  /// document (see parsed_foreign_svg).
   void find(xmlNode* element, const Scope* outer) {
     Scope scope{.values = {}, .outer = outer};
     const std::map<std::string, std::string> declared = counting_values(style_.declarations_of(element));
@@ -202,8 +202,8 @@ class VariableWriter {
  private:
   struct Change {
     xmlNode* element;
-    std::string name;                  // of an attribute
-    std::optional<std::string> value;  // nothing: it goes
+    std::string name;                  // of the attribute
+    std::optional<std::string> value;  // nullopt: the attribute is removed
   };
 
   SvgStyle style_;

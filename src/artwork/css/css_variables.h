@@ -1,4 +1,4 @@
-// CSS's custom properties, which librsvg does not know: fill:var(--skin, #fc9).
+// Resolves CSS's custom properties, which librsvg does not know: fill:var(--skin, #fc9).
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,12 @@
 
 namespace tessera {
 
-/// The SVG with each var() of its properties replaced as a browser does it: by what the element, or the nearest outer one,
-/// declares of the variable, else by what var() itself offers. A property that gets neither is inherited, or has its
-/// initial value. Nothing where the unpacked SVG has no var() in its properties, or cannot be read. Throws InputError,
-/// naming `path`, where it breaks a limit of svg_style.h, or needs more than a million replacements.
+/// The SVG with each var() in its properties replaced as a browser does. A var() gets the declaration of the variable
+/// in the element or the nearest outer one, else the fallback in var() itself. A property without either is inherited
+/// or gets its initial value. Nullopt where the unpacked SVG has no var() in its properties, or cannot be read. Throws
+/// InputError, which names `path`, where it exceeds a limit of svg_style.h, or needs more than a million replacements.
 ///
-/// A browser also inherits variables from a <use> into what it shows; that is not done here.
+/// Different from a browser: variables are not inherited from a <use> into the element that it shows.
 std::optional<std::string> with_css_variables(std::span<const std::uint8_t> svg, const std::string& path);
 
 }  // namespace tessera

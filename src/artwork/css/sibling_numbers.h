@@ -1,4 +1,4 @@
-// The numbers of elements among their siblings, for selectors such as :nth-child(3).
+// The numbers of elements among their siblings, for selectors like :nth-child(3).
 #pragma once
 
 #include <libxml/tree.h>
@@ -7,18 +7,18 @@
 
 namespace tessera {
 
-/// Numbers of an element among its siblings, from 1 on.
+/// The number of an element among its siblings, from 1, counted from both ends.
 struct SiblingNumber {
   int from_start = 0;
   int from_end = 0;
 };
 
-/// Counts the children of each parent once. The document must not change meanwhile.
+/// Numbers the children of each parent once. The document must not change meanwhile.
 class SiblingNumbers {
  public:
-  /// Among all siblings that are elements.
+  /// The number among all sibling elements.
   const SiblingNumber& among_all(const xmlNode* element) { return both(element).among_all; }
-  /// Among those with the element's name and name space alone. Elements without a name space are SVG's.
+  /// The number among siblings with the same name and name space. Elements without a name space are SVG elements.
   const SiblingNumber& among_same_type(const xmlNode* element) { return both(element).among_same_type; }
 
  private:

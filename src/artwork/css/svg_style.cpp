@@ -15,7 +15,7 @@ namespace {
 
 bool is_style(const xmlNode* node) { return name_of(node) == "style" && is_in_svg_namespace(node); }
 
-/// That of elements inside it does not count.
+/// The text of the element, without the text of elements inside it.
 std::string text_of(const xmlNode* style) {
   std::string text;
   for (const xmlNode* child = style->children; child; child = child->next) {
@@ -35,7 +35,7 @@ void check_instructions(const xmlDoc* doc, const std::string& path) {
   }
 }
 
-/// Whether an at-rule, without its end, is an @import of a data: address.
+/// Whether an at-rule (without its end) is an @import of a data: address.
 bool imports_data(CssTokens rule) {
   if (ascii_lower_case(rule.front().text) != "import") return false;
   return std::any_of(rule.begin() + 1, rule.end(), [](const CssToken& token) {
@@ -44,7 +44,7 @@ bool imports_data(CssTokens rule) {
   });
 }
 
-/// What an element must have for the compound to match.
+/// The key of a rule: what an element must have so that the compound can match.
 std::string key_of(const CssCompound& compound) {
   std::string key = compound.type;
   for (const CssCondition& condition : compound.conditions) {
@@ -54,7 +54,7 @@ std::string key_of(const CssCompound& compound) {
   return key;
 }
 
-/// All keys that an element satisfies, each once.
+/// All keys that an element has, each once.
 std::vector<std::string> keys_of(const xmlNode* element, const std::string& id, std::string_view classes) {
   std::vector<std::string> keys = {"", std::string(name_of(element)), "#" + id};
   for (std::string_view word = take_word(classes); !word.empty(); word = take_word(classes)) {
@@ -75,7 +75,7 @@ SvgStyle::SvgStyle(const xmlNode* root, const std::string& path, ReadDeclaration
   add_sheets_below(root);
 }
 
-/// Recursion is as deep as the document, which parsed_foreign_svg bounds.
+/// Adds all sheets below the node. The recursion is as deep as the document, which parsed_foreign_svg limits.
 void SvgStyle::add_sheets_below(const xmlNode* node) {
   if (is_style(node)) return add_sheet(text_of(node));
   for (const xmlNode* child = node->children; child; child = child->next) {
@@ -112,12 +112,13 @@ void SvgStyle::add_rule(CssTokens selectors, CssTokens block) {
   }
 }
 
-/// Those that match, the one that counts most last. Of a block that several selectors choose the last one counts.
+/// The rules that match, in the order of precedence, the strongest last. Of rules with the same block only the
+/// strongest is kept.
 std::vector<const SvgStyle::Rule*> SvgStyle::rules_of(const xmlNode* element) {
   std::vector<const Rule*> rules;
   if (rules_.empty()) return rules;
   const std::string id = counted(attribute(element, "id")), classes = counted(attribute(element, "class"));
-  count_bytes(classes.size() / 2 * sizeof(std::string));  // as many keys as there may be words
+  count_bytes(classes.size() / 2 * sizeof(std::string));  // there may be as many keys as words
   for (const std::string& key : keys_of(element, id, classes)) {
     const auto found = rules_by_key_.find(key);
     if (found == rules_by_key_.end()) continue;

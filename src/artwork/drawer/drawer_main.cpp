@@ -1,5 +1,5 @@
-// tessera-drawer: answers one request after the other on descriptor kDrawerSocket until the socket closes. Started by
-// DrawerProcess only, with two arguments: the bytes of memory that it may use, and its parent's process id.
+// tessera-drawer: answers requests on descriptor kDrawerSocket, one after the other, until the socket closes. Only
+// DrawerProcess starts it, with two arguments: the memory that it may use, in bytes, and the process id of its parent.
 #include <unistd.h>
 
 #include <cerrno>
@@ -18,7 +18,7 @@
 namespace tessera {
 namespace {
 
-/// Nothing is cleaned up at the end: the kernel does that, and a decoder that failed may have left anything behind.
+/// Ends the process without clean-up: the kernel frees everything, and a failed decoder may have left any state.
 [[noreturn]] void end_at_once() { ::_exit(kDrawerGaveUp); }
 
 void read_all(void* data, std::size_t bytes) {
@@ -71,7 +71,7 @@ void answer_next_request() {
   write_all(answer.payload.data, answer.header.bytes);
 }
 
-/// librsvg's panics unwind the stack; here they end.
+/// Answers requests. A panic of librsvg unwinds the stack; noexcept ends it here.
 [[noreturn]] void serve(const DrawerLayers& layers) noexcept {
   const DrawerGreeting greeting{this_build(), layers};
   write_all(kDrawerMark.data(), kDrawerMark.size());
@@ -86,9 +86,9 @@ int main(int argc, char** argv) {
   using namespace tessera;
   std::set_terminate(end_at_once);
   if (argc != 3) end_at_once();
-  cv::setNumThreads(1);  // the processes are the parallelism
+  cv::setNumThreads(1);  // several processes work at a time
   limit_process(std::strtoull(argv[1], nullptr, 10));
-  if (::getppid() != std::atol(argv[2])) end_at_once();  // the parent died before it could be watched
+  if (::getppid() != std::atol(argv[2])) end_at_once();  // the parent had died before PR_SET_PDEATHSIG was set
   DrawerLayers layers;
   layers.files = confine_to_files(files_of_decoders());
   layers.system_calls = forbid_system_calls();

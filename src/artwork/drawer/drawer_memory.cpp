@@ -1,5 +1,5 @@
-// malloc and its kin in tessera-drawer: where there is no memory left, the process ends and says so by its exit code.
-// Some libraries would carry on and leave out what they cannot hold, which nobody would notice in the picture.
+// malloc and its relatives in tessera-drawer: without memory the process ends, and its exit code says so. Some
+// libraries would go on and leave out parts, which nobody would notice in the picture.
 #include <unistd.h>
 
 #include <cerrno>
@@ -7,7 +7,7 @@
 
 #include "artwork/protocol/drawer_protocol.h"
 
-// The sanitizer brings an allocator of its own.
+// A sanitizer has an allocator of its own.
 #ifndef __SANITIZE_ADDRESS__
 
 extern "C" {
@@ -28,7 +28,7 @@ void* calloc(std::size_t count, std::size_t bytes) { return there(__libc_calloc(
 
 void* realloc(void* block, std::size_t bytes) {
   void* moved = __libc_realloc(block, bytes);
-  return bytes > 0 ? there(moved) : moved;  // 0 bytes: it was freed
+  return bytes > 0 ? there(moved) : moved;  // after 0 bytes it was freed
 }
 
 void* memalign(std::size_t alignment, std::size_t bytes) { return there(__libc_memalign(alignment, bytes)); }

@@ -41,7 +41,7 @@ DrawingAnswer size_answer(cv::Size2d size) {
   return bytes_answer({reinterpret_cast<const std::uint8_t*>(sides), sizeof sides});
 }
 
-/// Without a copy: it may be the largest thing in memory.
+/// The picture as an answer, without a copy: it may be the largest object in memory.
 DrawingAnswer image_answer(const cv::Mat& bgra) {
   DrawingAnswer answer;
   answer.payload = (bgra.isContinuous() ? bgra : bgra.clone()).reshape(1, 1);
@@ -57,7 +57,7 @@ DrawingAnswer reason_answer(std::string_view reason) {
   return answer;
 }
 
-/// Messages begin with the path, which the parent puts before the reason itself.
+/// The message without the path in front, which the parent adds itself.
 std::string_view without_path(std::string_view message, const std::string& path) {
   const std::string prefix = path + ": ";
   return message.starts_with(prefix) ? message.substr(prefix.size()) : message;

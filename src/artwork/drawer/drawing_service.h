@@ -1,14 +1,14 @@
-// What a drawer does with a request.
+// The work of a drawer: answers requests.
 #pragma once
 
 #include "artwork/protocol/drawer_protocol.h"
 
 namespace tessera {
 
-/// Does what the request asks. Throws InputError where the bytes are of no use, and what OpenCV throws where it fails.
+/// Does what the request asks for. Throws InputError where the bytes cannot be used, and OpenCV's exceptions.
 DrawingAnswer answer_of(const DrawingRequest& request);
 
-/// The same, with the reason as answer where that throws.
+/// Calls answer_of(); where that throws, the answer is the reason.
 DrawingAnswer answer_or_reason(const DrawingRequest& request);
 
 }  // namespace tessera

@@ -28,11 +28,11 @@
 namespace tessera {
 namespace {
 
-/// A drawing is given up by its CPU time; by the clock only where it took so many times that, and does not compute.
-constexpr double kPatience = 3;
+/// Wall-clock limit as a multiple of the CPU time limit; it matters where the process does not compute.
+constexpr double kPassesWithoutGain = 3;
 
-/// What of the environment a drawer needs: where libraries, fonts and sanitizer options are. Nothing of MPI or Slurm: a
-/// child that takes itself for a rank would disturb the job.
+/// The environment of a drawer: only what libraries, fonts and sanitizers need. Nothing of MPI or Slurm: a child that
+/// takes itself for a rank would disturb the job.
 std::vector<std::string> drawer_environment() {
   std::vector<std::string> environment = {"LC_ALL=C.UTF-8", "RAYON_NUM_THREADS=1", "MALLOC_ARENA_MAX=1"};
   for (const std::string name :
@@ -50,13 +50,13 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts) {
   return pointers;
 }
 
-/// posix_spawn's two bundles of settings. A fork without exec would be wrong here: MPI and OpenCL have threads.
+/// The two sets of settings for posix_spawn. A fork without exec would be wrong here: MPI and OpenCL have threads.
 class SpawnSettings {
  public:
   explicit SpawnSettings(int socket) {
     ::posix_spawn_file_actions_init(&actions);
     ::posix_spawn_file_actions_adddup2(&actions, socket, kDrawerSocket);
-    // What decoders print is not for the user's terminal.
+    // Output of decoders must not reach the user's terminal.
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
       ::posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_RDWR, 0);
     }
@@ -67,7 +67,7 @@ class SpawnSettings {
     ::sigfillset(&all);
     ::posix_spawnattr_setsigmask(&attributes, &none);
     ::posix_spawnattr_setsigdefault(&attributes, &all);
-    ::posix_spawnattr_setpgroup(&attributes, 0);  // Ctrl-C goes to a group; the parent decides what it means
+    ::posix_spawnattr_setpgroup(&attributes, 0);  // Ctrl-C reaches a process group; only the parent handles it
     ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
   }
   ~SpawnSettings() {
@@ -97,7 +97,7 @@ pid_t spawn(const std::string& program, std::size_t bytes_per_process, int socke
   return pid;
 }
 
-/// A process that died by itself is collected as it is: SIGKILL does nothing to it any more.
+/// Kills and waits for the process; returns its status. SIGKILL does not change that of a process that died itself.
 int killed_status(pid_t pid) {
   int status = 0;
   ::kill(pid, SIGKILL);
@@ -116,7 +116,7 @@ std::string how_it_ended(int status, std::size_t bytes_per_process) {
 
 constexpr char kAnotherVersion[] = "it is of another version of tessera";
 
-/// Requests and answers go as they are in memory, so builds do not mix. Empty where they are the same.
+/// Why the drawer is of another build, whose headers would not fit; empty where both builds are the same.
 std::string another_build(const DrawerBuild& drawer) {
   const DrawerBuild program = this_build();
   if (drawer == program) return "";
@@ -147,7 +147,7 @@ DrawerLayers DrawerProcess::start() {
     for (const int socket : sockets) ::close(socket);
     throw;
   }
-  ::close(sockets[1]);  // the child's own: that it closes is how we learn of its death
+  ::close(sockets[1]);  // the child's end: when the child dies, reading from ours ends
   socket_ = sockets[0];
   ::fcntl(socket_, F_SETFL, O_NONBLOCK);
   return greet(program);
@@ -161,8 +161,8 @@ DrawerLayers DrawerProcess::greet(const std::string& program) {
   throw_cannot_start(program + ": " + reason);
 }
 
-/// Why this drawer is not taken; empty where it is. The mark is judged first: another version may say less after it,
-/// and wait.
+/// Why this drawer cannot be used; empty where it can. The mark is checked first: another version may send less after
+/// it, and wait.
 std::string DrawerProcess::refusal(DrawerGreeting& greeting) {
   DrawerMark mark{};
   took_too_long_ = false;
@@ -180,7 +180,7 @@ std::optional<DrawingAnswer> DrawerProcess::ask(const DrawingRequest& request, d
   took_too_long_ = false;
   allow_cpu_time(seconds);
   DrawingAnswer answer;
-  double left_s = kPatience * seconds;
+  double left_s = kPassesWithoutGain * seconds;
   if (exchange(request, answer, left_s)) return answer;
   end();
   if (WIFSIGNALED(status_) && WTERMSIG(status_) == SIGXCPU) took_too_long_ = true;
@@ -200,7 +200,7 @@ bool DrawerProcess::exchange(const DrawingRequest& request, DrawingAnswer& answe
   return receive(answer.payload.data, answer.header.bytes, left_s);
 }
 
-/// Renewed for each drawing. The process itself cannot raise its limits (drawer_sandbox.h).
+/// Sets the limit on CPU time anew for each drawing. The process itself cannot raise its limits (drawer_sandbox.h).
 void DrawerProcess::allow_cpu_time(double seconds) {
   clockid_t clock{};
   timespec used{};
@@ -211,7 +211,8 @@ void DrawerProcess::allow_cpu_time(double seconds) {
   ::prlimit(pid_, RLIMIT_CPU, &limit, nullptr);
 }
 
-/// A longer pause than kMostAtOnce_s is not the drawer's: the job was suspended, or the machine has too much to do.
+/// Waits for the socket. Only kMostAtOnce_s of a longer pause counts: the job was suspended, or the machine is
+/// overloaded.
 bool DrawerProcess::wait_for(short events, double& left_s) {
   constexpr double kMostAtOnce_s = 1;
   took_too_long_ = left_s <= 0;
@@ -227,7 +228,7 @@ bool DrawerProcess::send(const void* data, std::size_t bytes, double& left_s) {
   const char* from = static_cast<const char*>(data);
   while (bytes > 0) {
     const ssize_t sent =
-        ::send(socket_, from, bytes, MSG_NOSIGNAL);  // a dead child must not kill its parent: no SIGPIPE
+        ::send(socket_, from, bytes, MSG_NOSIGNAL);  // MSG_NOSIGNAL: SIGPIPE of a dead child would kill the parent
     if (sent > 0) {
       from += sent;
       bytes -= std::size_t(sent);

@@ -1,4 +1,4 @@
-// One process that draws (drawers.h), seen from its parent.
+// One drawer process (drawers.h), seen from its parent.
 #pragma once
 
 #include <sys/types.h>
@@ -26,16 +26,16 @@ class DrawerProcess {
   DrawerProcess& operator=(const DrawerProcess&) = delete;
 
   bool started() const { return socket_ >= 0; }
-  /// Returns what of its confinement holds. Throws EnvironmentError. The process dies with the thread that calls this,
-  /// at the latest.
+  /// Starts the process and returns which layers of its sandbox hold. Throws EnvironmentError. The process dies at the
+  /// latest with the thread that calls this.
   DrawerLayers start();
-  /// The answer of a started process; where there is none, it has ended it and failure() says why.
+  /// The answer of a started process. Nullopt where there is none: the process was ended, and failure() says why.
   std::optional<DrawingAnswer> ask(const DrawingRequest& request, double seconds);
   const std::string& failure() const { return failure_; }
   bool took_too_long() const { return took_too_long_; }
-  /// Ends the process, if it is started, and collects it.
+  /// Ends the process, if it is started, and waits for it.
   void end();
-  /// Makes an ask() in another thread fail soon.
+  /// Ends the process from another thread, so that its ask() fails soon.
   void kill();
 
  private:
@@ -50,10 +50,10 @@ class DrawerProcess {
   std::size_t bytes_per_process_;
   double seconds_to_start_;
   std::string program_;
-  std::mutex mutex_;  // of pid_: a process that was collected may no longer be killed
+  std::mutex mutex_;  // guards pid_: a process that was waited for must not be killed
   pid_t pid_ = -1;
   int socket_ = -1;
-  int status_ = 0;  // of the process that ended last, as waitpid says it
+  int status_ = 0;  // status of the last ended process, from waitpid
   bool took_too_long_ = false;
   std::string failure_;
 };

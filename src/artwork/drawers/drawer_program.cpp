@@ -37,7 +37,7 @@ fs::path folder_of_program() {
 }  // namespace
 
 std::string drawer_program() {
-  if (named_by_user()) return drawer_program_among({});  // /proc need not be there
+  if (named_by_user()) return drawer_program_among({});  // without /proc, which own_program() needs
   const fs::path folder = folder_of_program();
   return drawer_program_among({folder / kName, folder.parent_path() / "libexec" / "tessera" / kName});
 }

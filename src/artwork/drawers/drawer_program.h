@@ -1,4 +1,4 @@
-// Finds the program that drawers run.
+// Finds tessera-drawer, the program of drawers.
 #pragma once
 
 #include <string>
@@ -6,11 +6,12 @@
 
 namespace tessera {
 
-/// tessera-drawer: the file that the environment variable TESSERA_DRAWER names; else beside the running program, as in
-/// a build folder; else ../libexec/tessera/ from there, as installed. Throws EnvironmentError where there is none.
+/// The path of tessera-drawer: the file in the environment variable TESSERA_DRAWER; else beside the running program (in
+/// a build folder); else ../libexec/tessera/ from there (installed). Throws EnvironmentError where there is none.
 std::string drawer_program();
 
-/// The same, looked for among `files` where TESSERA_DRAWER names none: the first that can be run.
+/// The file in TESSERA_DRAWER, if that is set; otherwise the first of `files` that can be run. Throws as
+/// drawer_program().
 std::string drawer_program_among(const std::vector<std::string>& files);
 
 }  // namespace tessera

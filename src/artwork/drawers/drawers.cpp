@@ -28,7 +28,7 @@
 namespace tessera {
 namespace {
 
-/// Signals are for the threads that the program knows of. They are blocked where the crew's threads start.
+/// Blocks signals while the crew's threads start, so that only other threads of the program receive them.
 class SignalsBlocked {
  public:
   SignalsBlocked() {
@@ -47,7 +47,7 @@ class SignalsBlocked {
 std::string text_of(std::span<const std::uint8_t> bytes) { return {bytes.begin(), bytes.end()}; }
 
 [[noreturn]] void throw_garbled(const std::string& path) {
-  throw InputError(path + ": its process gave no sensible answer");
+  throw InputError(path + ": tessera-drawer sent an invalid answer");
 }
 
 cv::Mat image_of(const DrawingAnswer& answer, const std::string& path, int longest_side_px) {
@@ -66,11 +66,11 @@ void check_side(int longest_side_px, const std::string& path) {
 
 }  // namespace
 
-/// Threads that own a process each. A process dies with the thread that started it (PR_SET_PDEATHSIG), so it must not
-/// be a caller's thread.
-class Drawers::Crew {
+/// Threads that own one process each. A process dies with the thread that started it (PR_SET_PDEATHSIG), so that must
+/// not be a caller's thread.
+class Drawers::DrawerPool {
  public:
-  explicit Crew(const DrawerSettings& settings) : settings_(settings) {
+  explicit DrawerPool(const DrawerSettings& settings) : settings_(settings) {
     const int count = std::max(1, settings.processes);
     for (int i = 0; i < count; ++i)
       processes_.push_back(
@@ -86,7 +86,7 @@ class Drawers::Crew {
     }
   }
 
-  ~Crew() {
+  ~DrawerPool() {
     stop();
     {
       const std::lock_guard lock(mutex_);
@@ -95,7 +95,7 @@ class Drawers::Crew {
     wake_.notify_all();
   }
 
-  /// Waits for the answer. Throws InputError with the drawer's reason.
+  /// Sends a request and waits for the answer. Throws InputError with the drawer's reason.
   DrawingAnswer draw(const DrawingRequest& request) {
     Task task{request, {}};
     std::future<DrawingAnswer> answer = task.answer.get_future();
@@ -125,7 +125,7 @@ class Drawers::Crew {
 
   void work(DrawerProcess& process) {
     while (Task* task = next_task()) {
-      // The caller destroys the task as soon as it has its answer.
+      // The caller destroys the task as soon as it has the answer.
       std::promise<DrawingAnswer> promise = std::move(task->answer);
       try {
         promise.set_value(answered(process, task->request));
@@ -144,10 +144,9 @@ class Drawers::Crew {
     return task;
   }
 
-  /// What fails in a process that made other drawings before gets a second chance in a fresh one: earlier drawings may
-  /// have left it little memory, and what becomes of a drawing must not depend on them. What took too long gets none:
-  /// its CPU time is counted from its own beginning, whatever was drawn before, so a second attempt would only take as
-  /// long again, and a folder of such drawings twice its time.
+  /// Answers a request, with a second attempt in a fresh process where one fails that has made drawings before: these
+  /// may have left it little memory, and must not affect this one. After a time-out there is no second attempt: CPU
+  /// time is counted from the beginning of a drawing, so it would only take as long again.
   DrawingAnswer answered(DrawerProcess& process, const DrawingRequest& request) {
     const bool was_used = process.started();
     std::optional<DrawingAnswer> answer = attempt(process, request);
@@ -157,14 +156,14 @@ class Drawers::Crew {
     throw InputError(request.path + ": " + printable_utf8(text_of(answer->bytes())));
   }
 
-  /// Nothing where the process is lost.
+  /// The answer; nullopt where the process was lost.
   std::optional<DrawingAnswer> attempt(DrawerProcess& process, const DrawingRequest& request) {
     std::optional<DrawingAnswer> answer;
     try {
       if (!stopped_ && !process.started()) note(process.start());
-      // stop() sets the flag first: it either ends what was just started, or is seen here.
+      // stop() sets the flag first: it either ends the process that has just started, or the flag is seen here.
       if (!stopped_) answer = process.ask(request, settings_.seconds_per_drawing);
-    } catch (const EnvironmentError&) {  // also where stop() ended a process that was just starting
+    } catch (const EnvironmentError&) {  // also where stop() ended a process during its start
       if (!stopped_) throw;
     }
     if (stopped_) throw DrawingStopped();
@@ -178,16 +177,16 @@ class Drawers::Crew {
 
   DrawerSettings settings_;
   std::atomic<bool> stopped_ = false;
-  std::mutex mutex_;  // of tasks_, closing_ and layers_
+  std::mutex mutex_;  // guards tasks_, closing_ and layers_
   std::condition_variable wake_;
   std::deque<Task*> tasks_;
   bool closing_ = false;
   DrawerLayers layers_;
   std::vector<std::unique_ptr<DrawerProcess>> processes_;
-  std::vector<std::jthread> threads_;  // joined before the processes go
+  std::vector<std::jthread> threads_;  // joined before the processes are destroyed
 };
 
-Drawers::Drawers(const DrawerSettings& settings) : crew_(std::make_unique<Crew>(settings)) {}
+Drawers::Drawers(const DrawerSettings& settings) : crew_(std::make_unique<DrawerPool>(settings)) {}
 
 Drawers::~Drawers() = default;
 
@@ -290,7 +289,7 @@ std::vector<std::uint8_t> Drawers::pdf_of_svg(std::span<const std::uint8_t> svg,
   };
   try {
     return drawn(DrawingKind::pdf);
-  } catch (const InputError&) {  // cairo 1.16 asserts more of what it recorded than holds of every drawing
+  } catch (const InputError&) {  // cairo 1.16 asserts more about recordings than holds for every drawing
     return drawn(DrawingKind::plain_pdf);
   }
 }

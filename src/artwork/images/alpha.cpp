@@ -5,7 +5,7 @@
 namespace tessera {
 namespace {
 
-/// `convert(colour, alpha)` for the three colours of every pixel, alpha above 0; clear pixels become 0.
+/// Applies `convert(colour, alpha)` to the three colours of every pixel with alpha above 0; clear pixels become 0.
 template <class Convert>
 void convert_colours(cv::Mat& image, Convert convert) {
   CV_Assert(image.type() == CV_8UC4);

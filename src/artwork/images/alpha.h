@@ -1,4 +1,5 @@
-// Straight and premultiplied alpha, CV_8UC4 BGRA. Scaling and averaging need premultiplied pixels, files straight ones.
+// Converts between straight and premultiplied alpha, CV_8UC4 BGRA. Scaling and averaging need premultiplied pixels,
+// files straight ones.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -6,7 +7,7 @@
 namespace tessera {
 
 cv::Mat premultiplied(const cv::Mat& straight);
-// These two work in place: a picture may be too large to be in memory twice.
+// The next two functions work in place: a picture may be too large to be in memory twice.
 void premultiply(cv::Mat& straight);
 void straighten(cv::Mat& premultiplied);
 cv::Mat straightened(const cv::Mat& premultiplied);

@@ -1,4 +1,4 @@
-// Cairo's surfaces and contexts, which free themselves.
+// Owners of Cairo's surfaces and contexts, which free them.
 #pragma once
 
 #include <cairo.h>

@@ -21,7 +21,7 @@ struct DeleteTransform {
 using Transform = std::unique_ptr<void, DeleteTransform>;
 
 Profile grey_of_srgb() {
-  constexpr cmsInt32Number kSrgbCurve = 4;  // ((a x + b) to the g) from d on, c x below it
+  constexpr cmsInt32Number kSrgbCurve = 4;  // (a x + b) to the power of g from d on, c x below
   constexpr cmsFloat64Number kGabcd[] = {2.4, 1 / 1.055, 0.055 / 1.055, 1 / 12.92, 0.04045};
   cmsToneCurve* curve = cmsBuildParametricToneCurve(nullptr, kSrgbCurve, kGabcd);
   Profile profile(cmsCreateGrayProfile(cmsD50_xyY(), curve));
@@ -35,7 +35,7 @@ cmsUInt32Number format_of(int channels, bool deep) {
   return deep ? TYPE_BGRA_16 : TYPE_BGRA_8;
 }
 
-/// Null where the profile cannot be used for so many channels.
+/// The transform; null where the profile cannot be used for this number of channels.
 Transform transform_to_srgb(std::span<const std::uint8_t> bytes, int channels, bool deep) {
   const Profile profile(cmsOpenProfileFromMem(bytes.data(), cmsUInt32Number(bytes.size())));
   const bool grey = channels == 1;
@@ -46,7 +46,7 @@ Transform transform_to_srgb(std::span<const std::uint8_t> bytes, int channels, b
                                       channels == 4 ? cmsFLAGS_COPY_ALPHA : 0));
 }
 
-/// Whether no colour of a grid of 8 bits changes by more than one step: then it is sRGB, which most profiles are.
+/// Whether no colour in a grid of 8-bit colours changes by more than one step. Then the profile is sRGB, as most are.
 bool changes_nothing(std::span<const std::uint8_t> profile, int channels) {
   constexpr int kSteps = 9;
   const int colours = channels == 1 ? 256 : kSteps * kSteps * kSteps;

@@ -1,4 +1,4 @@
-// Colours of pictures whose makers had another screen or camera in mind than sRGB.
+// Converts pictures whose ICC profile describes other colours than sRGB.
 #pragma once
 
 #include <cstdint>
@@ -7,9 +7,9 @@
 
 namespace tessera {
 
-/// Makes sRGB of the colours; alpha stays. `pixels`: 8 or 16 bits; grey, BGR or straight BGRA; nothing else may look at
-/// them. `profile`: an ICC profile, or empty. One that is damaged, or of other channels than the picture has, is passed
-/// over, and so is one that is sRGB but for rounding.
+/// Converts the colours to sRGB; alpha stays. `pixels`: 8 or 16 bits; grey, BGR or straight BGRA; no other matrix may
+/// share them. `profile`: an ICC profile, or empty. A profile is ignored where it is damaged, has other channels than
+/// the picture, or is sRGB apart from rounding.
 void make_srgb(cv::Mat& pixels, std::span<const std::uint8_t> profile);
 
 }  // namespace tessera

@@ -12,7 +12,7 @@
 namespace tessera {
 namespace {
 
-/// Says what a file is that begins as none of the formats does, as far as its first bytes tell.
+/// Throws an error that says what the file is, if its first bytes show it, where it has none of the formats.
 [[noreturn]] void refuse_format(std::span<const std::uint8_t> bytes) {
   if (looks_like_svg(bytes)) {
     throw UnreadableImage(
@@ -24,7 +24,7 @@ namespace {
 }
 
 DecodedImage decoded(std::span<const std::uint8_t> bytes, const ReadingRules& rules) {
-  // Before a decoder sees the file: a small one may claim a huge picture.
+  // This comes before a decoder: a small file may claim a huge picture.
   if (const auto size = image_size_from_header(bytes)) check_size(size->width, size->height, rules);
   switch (image_format(bytes)) {
     case ImageFormat::png: return read_png(bytes, rules);

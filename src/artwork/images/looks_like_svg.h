@@ -1,4 +1,4 @@
-// What tells an SVG from an image.
+// Tells an SVG from an image.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace tessera {
 
-/// Whether the bytes are an XML document or something gzipped.
+/// Whether the bytes are an XML document or gzipped data.
 bool looks_like_svg(std::span<const std::uint8_t> bytes);
 
 }  // namespace tessera

@@ -35,10 +35,10 @@ cv::Mat difference_from(const cv::Mat& bgr, const cv::Vec3d& colour) {
   return cv::max(cv::max(channel[0], channel[1]), channel[2]);
 }
 
-/// What of the image differs from the background, by Otsu's threshold.
+/// The pixels that differ from the background, by Otsu's threshold.
 struct ShapePixels {
   cv::Mat is_shape;       // CV_8U, 255 or 0
-  double shape_mean = 0;  // of the differences, of 255
+  double shape_mean = 0;  // mean difference, of 255
   double background_mean = 0;
 
   bool stand_out() const { return shape_mean - background_mean >= kGroundNoise; }
@@ -52,20 +52,20 @@ ShapePixels shape_pixels(const cv::Mat& difference) {
   return pixels;
 }
 
-/// Whether away from edges there are two colours alone: holes in the shape show the background, then.
+/// Whether the picture has only two colours away from edges: then holes in the shape show the background.
 bool has_two_colours(const cv::Mat& bgr, const cv::Mat& difference, const ShapePixels& pixels) {
   cv::Mat shape, background, smooth;
   cv::erode(pixels.is_shape, shape, square(kEdge_px));
   cv::erode(~pixels.is_shape, background, square(kEdge_px));
   const cv::Scalar mean = cv::mean(bgr, shape);
   const cv::Mat odd_in_shape = shape & (difference_from(bgr, {mean[0], mean[1], mean[2]}) > kMostNoise);
-  cv::blur(difference, smooth, {kEdge_px, kEdge_px});  // waves of a JPEG beside lines
+  cv::blur(difference, smooth, {kEdge_px, kEdge_px});  // removes ringing of a JPEG beside lines
   const cv::Mat odd_in_background = background & (smooth > kGroundNoise);
   const int odd = cv::countNonZero(odd_in_shape) + cv::countNonZero(odd_in_background);
   return odd <= kMostOddPixels * cv::countNonZero(pixels.is_shape);
 }
 
-/// Rises from 0 at the background's mean difference to 255 at the shape's.
+/// Alpha that rises from 0 at the background's mean difference to 255 at the shape's.
 cv::Mat alpha_by_colour(const cv::Mat& difference, const ShapePixels& pixels) {
   cv::Mat alpha;
   const double slope = 255 / (pixels.shape_mean - pixels.background_mean);
@@ -94,7 +94,7 @@ std::vector<cv::Vec3b> edge_pixels(const cv::Mat& bgr) {
   return pixels;
 }
 
-/// Mean of the fullest of 16 x 16 x 16 colour bins. There must be pixels.
+/// Mean of the pixels in the fullest of 16 x 16 x 16 colour bins. `pixels` must not be empty.
 cv::Vec3d prevailing_colour(const std::vector<cv::Vec3b>& pixels) {
   struct Bin {
     cv::Vec3d sum{0, 0, 0};
@@ -110,7 +110,7 @@ cv::Vec3d prevailing_colour(const std::vector<cv::Vec3b>& pixels) {
   return best.sum / best.count;
 }
 
-/// The colour of which `seen` is a mixture with the background.
+/// The colour that gives `seen` when it is mixed with the background.
 std::uint8_t unmixed(double seen, double background, int alpha) {
   return alpha == 0 ? 0 : cv::saturate_cast<std::uint8_t>(background + (seen - background) * 255 / alpha);
 }

@@ -7,7 +7,7 @@ namespace tessera {
 
 cv::Mat connected_to_edge(const cv::Mat& open) {
   constexpr std::uint8_t kReached = 128;
-  cv::Mat reached;  // with an open rim, from which all of the edge is reached
+  cv::Mat reached;  // with an open rim, through which the whole edge is connected
   cv::copyMakeBorder(open, reached, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(255));
   cv::floodFill(reached, cv::Point(0, 0), cv::Scalar(kReached));
   return reached(cv::Rect(1, 1, open.cols, open.rows)) == kReached;

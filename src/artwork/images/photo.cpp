@@ -11,7 +11,7 @@ namespace tessera {
 
 namespace {
 
-/// As it was seen; grey, or BGR without the file's alpha.
+/// The pixels as they were seen: grey, or BGR without the file's alpha.
 cv::Mat opaque_pixels(DecodedImage image) {
   if (image.pixels.channels() == 4) cv::cvtColor(image.pixels, image.pixels, cv::COLOR_BGRA2BGR);
   return seen_pixels(std::move(image));

@@ -1,19 +1,20 @@
-// The ground that a picture of several colours was drawn or photographed on: what its edge is connected to.
+// The ground of a picture with several colours, on which it was drawn or photographed: the area connected to its edge.
 #pragma once
 
 #include <opencv2/core.hpp>
 
 namespace tessera {
 
-/// Below this difference (of 255) from the ground's colour a pixel may be noise of a JPEG.
+/// A pixel that differs from the ground's colour by at most this (of 255) may be noise of a JPEG.
 inline constexpr double kGroundNoise = 24;
 
-/// CV_8U, 255 where the edge is reached over pixels near the ground's colour. `difference`: CV_8U, how far each pixel is
-/// from that colour. A shadow on the ground belongs to the picture: grey things have the same colours.
+/// CV_8U, 255 where a pixel is connected to the edge through pixels near the ground's colour. `difference`: CV_8U,
+/// difference of each pixel from that colour. A shadow on the ground belongs to the picture, as grey things have the
+/// same colours.
 cv::Mat ground_of(const cv::Mat& difference);
 
-/// CV_8U: 0 on the ground, 255 elsewhere but for a band of 2 px beside the ground. There it is the pixel's difference as
-/// part of the largest one within 2 px, so that an antialiased edge keeps its sub-pixel place.
+/// CV_8U: 0 on the ground and 255 elsewhere, except in a band of 2 px beside the ground. There it is the pixel's
+/// difference divided by the largest one within 2 px, so that an antialiased edge keeps its sub-pixel place.
 cv::Mat alpha_beside_ground(const cv::Mat& ground, const cv::Mat& difference);
 
 }  // namespace tessera

@@ -21,7 +21,7 @@ struct Packing {
 };
 
 Packing packing_of(PngPacking packing) {
-  // Of drawings each filter alone gives smaller files than the choice by libpng's rule, and Paeth's the smallest.
+  // For drawings each single filter gives smaller files than libpng's choice, and Paeth's filter the smallest.
   if (packing == PngPacking::small) return {PNG_FILTER_PAETH, 6, Z_FILTERED};
   if (packing == PngPacking::labels) return {PNG_FILTER_UP, 6, Z_FILTERED};
   return {PNG_FILTER_SUB, Z_BEST_SPEED, Z_RLE};
@@ -32,7 +32,7 @@ int colour_type(int channels) {
   return channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB;
 }
 
-/// Exceptions must not pass through libpng.
+/// Calls the sink; exceptions must not pass through libpng.
 bool takes(const PngEncoder::Sink& sink, std::span<const std::uint8_t> bytes) noexcept {
   try {
     return sink(bytes);
@@ -113,7 +113,7 @@ std::vector<std::uint8_t> png_of(const cv::Mat& image) {
     throw EnvironmentError("cannot make a PNG of " + std::to_string(image.cols) + " x " + std::to_string(image.rows) +
                            " px");
   }
-  png.shrink_to_fit();  // a photo has thousands of cut-outs
+  png.shrink_to_fit();  // thousands of cut-outs of a photo may be in memory
   return png;
 }
 

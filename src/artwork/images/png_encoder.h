@@ -1,4 +1,4 @@
-// Writes PNGs through libpng, row by row: to a file (render/png_stream.h) or to memory.
+// Writes PNGs with libpng, row by row: to a file (render/png_stream.h) or to memory.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace tessera {
 
-/// How libpng's filter and zlib pack the rows.
+/// The way in which libpng's filters and zlib compress the rows.
 enum class PngPacking {
   small,   // the smallest file, for drawings
   labels,  // the smallest file, for areas of one value each
@@ -20,20 +20,20 @@ enum class PngPacking {
 struct PngFormat {
   cv::Size size;            // in px
   int type = CV_8UC4;       // OpenCV's type of the rows: 8 or 16 bits; grey, BGR or straight BGRA
-  cv::Size2d size_mm = {};  // the size on paper, which the file tells; 0 x 0: it tells none
+  cv::Size2d size_mm = {};  // size on paper, written into the file; 0 x 0: not written
   PngPacking packing = PngPacking::fast;
 };
 
 class PngEncoder {
  public:
-  /// Takes the next bytes of the file; false where that cannot be. An exception counts as false.
+  /// Takes the next bytes of the file; returns false where it cannot. An exception counts as false.
   using Sink = std::function<bool(std::span<const std::uint8_t>)>;
 
   explicit PngEncoder(Sink sink);
   ~PngEncoder();
 
-  /// All three are false where `sink` failed, or where libpng cannot make such a file. begin() is called first, end()
-  /// after the last row.
+  /// All three return false where `sink` failed or libpng cannot make such a file. begin() is called first, end() after
+  /// the last row.
   bool begin(const PngFormat& format);
   bool write(const cv::Mat& rows);
   bool end();
@@ -43,8 +43,8 @@ class PngEncoder {
   std::unique_ptr<State> state_;
 };
 
-/// A PNG in memory, packed fast. `image`: 8 or 16 bits; grey, BGR or straight BGRA. Throws EnvironmentError where that
-/// cannot be.
+/// A PNG in memory, compressed fast. `image`: 8 or 16 bits; grey, BGR or straight BGRA. Throws EnvironmentError where
+/// it cannot be made.
 std::vector<std::uint8_t> png_of(const cv::Mat& image);
 
 }  // namespace tessera

@@ -11,7 +11,7 @@
 namespace tessera {
 namespace {
 
-/// A finished collage may have very many: what the process may take of memory bounds it.
+/// Most pixels of a PNG. A finished collage may have very many: the limit is the process' memory.
 constexpr double kMostPixels = 1 << 30;
 
 cv::Mat decoded(std::span<const std::uint8_t> bytes, const std::string& path) {

@@ -1,4 +1,4 @@
-// Pictures within documents.
+// Embeds pictures in documents.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -6,7 +6,7 @@
 
 namespace tessera {
 
-/// A data: URI that holds the straight BGRA as PNG.
+/// A data: URI that holds the straight BGRA picture as PNG.
 std::string png_uri(const cv::Mat& bgra);
 
 }  // namespace tessera

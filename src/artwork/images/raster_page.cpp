@@ -14,7 +14,8 @@
 namespace tessera {
 namespace {
 
-/// An enlarged drawing shows nothing more, but its contour is smoothed on a grid that is fine enough.
+/// Sides between which finest_side_px() lies. An enlarged drawing shows nothing more, but its contour is smoothed on a
+/// grid that is fine enough.
 constexpr int kLeastFinestSide_px = 512;
 constexpr int kMostFinestSide_px = 2048;
 
@@ -26,14 +27,14 @@ bool has_transparency(const cv::Mat& bgra) {
   return least < 255;
 }
 
-/// Straight BGRA.
+/// The picture with alpha 255, as straight BGRA.
 cv::Mat opaque_page(const cv::Mat& bgr) {
   cv::Mat bgra;
   cv::cvtColor(bgr, bgra, cv::COLOR_BGR2BGRA);
   return bgra;
 }
 
-/// Straight BGRA: the image's own transparency, or what is left when its background is cut out.
+/// Straight BGRA: with the image's own transparency, or with its background cut out.
 cv::Mat with_silhouette(const cv::Mat& image, const std::string& path, Background background) {
   if (image.channels() == 4 && has_transparency(image)) return image;
   cv::Mat bgr = image;
@@ -70,7 +71,7 @@ class RasterPage : public ArtworkPage {
  private:
   int longest_side() const { return std::max(image_.cols, image_.rows); }
 
-  cv::Mat image_;  // may have fewer pixels than the file
+  cv::Mat image_;  // may be reduced
   cv::Size natural_size_;
   bool loses_pictures_;
 };
@@ -82,7 +83,7 @@ std::unique_ptr<ArtworkPage> open_raster_page(std::span<const std::uint8_t> byte
   DecodedImage image = decode_image(bytes, path, PixelBits::as_stored);
   const cv::Size stored = image.pixels.size();
   image.pixels =
-      reduced_picture(image.pixels, kMostWorkedPixels);  // before it is turned, which takes its memory once more
+      reduced_picture(image.pixels, kMostWorkedPixels);  // before turning, which needs its memory a second time
   const bool lay_down = image.orientation >= 5;
   const cv::Mat upright = seen_pixels(std::move(image));
   const cv::Size natural_size = lay_down ? cv::Size(stored.height, stored.width) : stored;

@@ -13,10 +13,10 @@
 namespace tessera {
 namespace {
 
-constexpr int kParts = 8;      // of a px, in which the factor is a whole number
-constexpr int kBandRows = 64;  // of the result: a multiple of kParts
+constexpr int kParts = 8;      // of a px: the factor is a whole number of these
+constexpr int kBandRows = 64;  // rows of the result; a multiple of kParts
 
-/// Source px for each px of the result, in parts.
+/// The factor: source px for each px of the result, in parts of 1 / kParts.
 int factor_in_parts(const cv::Mat& picture, double most_pixels) {
   return int(std::ceil(kParts * std::sqrt(double(picture.total()) / most_pixels)));
 }
@@ -39,7 +39,7 @@ cv::Mat with_8_bits(const cv::Mat& decoded) {
   return result;
 }
 
-/// They read as zeros from now on.
+/// Gives the memory of rows back to the system; they read as zeros from now on.
 void give_back(const cv::Mat& rows) {
   const auto page = std::uintptr_t(::sysconf(_SC_PAGESIZE));
   const std::uintptr_t begin = (std::uintptr_t(rows.data) + page - 1) / page * page;
@@ -55,7 +55,7 @@ cv::Mat reduced_picture(const cv::Mat& decoded, double most_pixels) {
   if (parts == kParts && decoded.depth() == CV_8U) return decoded;
   const auto reduced = [&](int side) { return std::max(1, int(std::lround(double(side) * kParts / parts))); };
   cv::Mat result(reduced(decoded.rows), reduced(decoded.cols), CV_8UC(decoded.channels()));
-  // A band begins on a whole row of the source; the last one takes what is left.
+  // A band begins on a whole row of the source; the last band takes the rest.
   const int source_rows = kBandRows / kParts * parts;
   for (int top = 0; top < result.rows; top += kBandRows) {
     const int source_top = top / kBandRows * source_rows;

@@ -1,4 +1,4 @@
-// The SHA-256 of a file's bytes: whoever knows it has had the file.
+// The SHA-256 digest of a file's bytes. It proves that somebody had the file.
 #pragma once
 
 #include <cstdint>

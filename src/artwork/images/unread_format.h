@@ -1,4 +1,4 @@
-// Pictures in formats that are not read, known by their first bytes.
+// Recognises pictures in formats that are not supported, by their first bytes.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +7,10 @@
 
 namespace tessera {
 
-/// "gif", "pdf" and so on. Empty where the bytes are of no such format.
+/// "gif", "pdf" and so on; empty where the bytes are of no such format.
 std::string unread_format(std::span<const std::uint8_t> bytes);
 
-/// What is said of such a picture, whether its name or its content tells.
+/// The message for such a picture, whether its name or its content shows the format.
 std::string unread_format_reason(const std::string& format);
 
 }  // namespace tessera

@@ -22,7 +22,7 @@ cv::Mat whole_picture(std::span<const std::uint8_t> bytes, const std::string& pa
     picture.release();
     return photo_picture(bytes, path, kMostWorkedPixels);
   }
-  picture = reduced_picture(picture, kMostWorkedPixels);  // before it is turned, which takes its memory once more
+  picture = reduced_picture(picture, kMostWorkedPixels);  // before turning, which needs its memory a second time
   return seen_pixels(std::move(image));
 }
 

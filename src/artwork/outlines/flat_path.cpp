@@ -6,12 +6,12 @@
 namespace tessera {
 namespace {
 
-/// Points of a cubic Bézier curve after its first.
+/// Adds the points of a cubic Bézier curve, without its first one.
 void add_cubic(cv::Point2d a, const std::array<cv::Point2d, 3>& curve, double tolerance,
                std::vector<cv::Point2d>& points) {
   constexpr double kMostSteps = 500;
   const auto [b, c, d] = curve;
-  // The second difference bounds how far the chord of a step is off.
+  // The second difference bounds the distance between a step's chord and the curve.
   const double bend = std::max(cv::norm(a - 2 * b + c), cv::norm(b - 2 * c + d));
   const int steps = int(std::clamp(std::ceil(std::sqrt(0.75 * bend / tolerance)), 1.0, kMostSteps));
   for (int i = 1; i < steps; ++i) {
@@ -30,7 +30,7 @@ std::vector<FlatSubpath> flat_path(const PathSteps& path, double tolerance) {
     const PathStep& step = path[i];
     if (step.command == 'M') {
       begin(step.points[0], i);
-    } else if (subpaths.back().closed) {  // goes on where the closed one began
+    } else if (subpaths.back().closed) {  // continues where the closed one began
       const cv::Point2d from = subpaths.back().points.front();
       begin(from, i);
     }

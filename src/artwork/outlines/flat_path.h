@@ -10,13 +10,13 @@ namespace tessera {
 
 struct FlatSubpath {
   std::vector<cv::Point2d> points;  // the first one is not repeated at the end
-  bool closed = false;              // by its Z, or as it ends where it begins
-  std::size_t first_step = 0;       // the first of the path's steps that are its
-  std::size_t steps = 0;            // how many are its
+  bool closed = false;              // by its Z, or because it ends where it begins
+  std::size_t first_step = 0;       // its first step in the path
+  std::size_t steps = 0;            // number of its steps
 };
 
-/// The path's subpaths as points that are nowhere farther than `tolerance` from its curves (of which each has 500 points
-/// at most). Where the ends of a subpath are less than `tolerance` / 10 apart, they are one point.
+/// The path's subpaths as points that are at most `tolerance` away from its curves (at most 500 points for each curve).
+/// Where the ends of a subpath are less than `tolerance` / 10 apart they become one point.
 std::vector<FlatSubpath> flat_path(const PathSteps& path, double tolerance);
 
 }  // namespace tessera

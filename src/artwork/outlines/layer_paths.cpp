@@ -18,7 +18,7 @@ class LayerReader {
  public:
   explicit LayerReader(const xmlNode* root) { list_ids(root); }
 
-  /// Where a part of the layer stands, and what cuts it.
+  /// The matrix and the clips of a part of the layer.
   struct Frame {
     cairo_matrix_t layer_from_user;
     std::vector<std::shared_ptr<const LayerClip>> clips;
@@ -49,8 +49,8 @@ class LayerReader {
     if (kind == "path") read_path(node, frame);
   }
 
-  /// Reads the group that is shown. cairo cuts its surface to the page, where it is defined; that is passed over, since
-  /// what is nested may lie beside the page.
+  /// Reads the group that is shown. cairo clips its surface to the page where it defines it; that clip is ignored,
+  /// since nested content may lie beside the page.
   void read_use(const xmlNode* use, const Frame& frame) {
     constexpr int kMostUses = 10'000;
     if (++uses_ > kMostUses) throw InputError(too_many(kMostUses, "groups"));
@@ -64,7 +64,7 @@ class LayerReader {
     const auto found = nodes_.find(id);
     const xmlNode* const shape = found == nodes_.end() ? nullptr : only_child(found->second);
     if (!shape) throw InputError("a clip without a path");
-    // cairo writes clips in the units of what they cut, without the transform of a <use>.
+    // cairo writes clips in the units of what they cut, without the transform of the <use>.
     frame.clips.push_back(std::make_shared<LayerClip>(LayerClip{
         transformed(outer.layer_from_user, counted(steps_of(shape))), attribute(node, "clip-rule") == "evenodd"}));
   }

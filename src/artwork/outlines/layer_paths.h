@@ -1,4 +1,4 @@
-// The paths in what cairo writes of a drawn layer (flattened_svg.h tells how), with what cuts them.
+// The paths that cairo writes for a drawn layer (see flattened_svg.h), with their clips.
 #pragma once
 
 #include <memory>
@@ -18,13 +18,13 @@ struct LayerPath {
   PathSteps steps = {};  // in units of the layer
   bool filled = false;
   bool stroked = false;
-  bool even_odd = false;                                // the rule by which it is filled
-  std::vector<std::shared_ptr<const LayerClip>> clips;  // it is seen where all of them are
+  bool even_odd = false;                                // the fill rule
+  std::vector<std::shared_ptr<const LayerClip>> clips;  // it is visible inside all of them
 };
 
-/// The paths of an SVG that cairo has written, in the order in which they are painted. Paths that are fully transparent are
-/// not among them. Bitmaps, masks and what is painted without a path are passed over. Throws InputError where cairo does
-/// not write such a text, or where it is too much.
+/// The paths of an SVG that cairo has written, in the order of painting. Fully transparent paths, bitmaps, masks and
+/// painting without a path are left out. Throws InputError where cairo does not write such a text, or where a limit is
+/// exceeded.
 std::vector<LayerPath> layer_paths(const std::string& svg);
 
 }  // namespace tessera

@@ -13,7 +13,7 @@ namespace {
 
 namespace clip = ClipperLib;
 
-/// cairo rounds to this part of a unit: its numbers have 24.8 bits.
+/// cairo's numbers have 24.8 bits: it rounds to this part of a unit.
 constexpr double kSteps = 256;
 
 clip::Path whole(const std::vector<cv::Point2d>& points) {
@@ -22,17 +22,17 @@ clip::Path whole(const std::vector<cv::Point2d>& points) {
   return path;
 }
 
-/// A path as Clipper takes it.
+/// A path in the form that Clipper takes.
 struct Parts {
   clip::Paths closed, open;
 
   double size() const {
     double sum = 0;
-    for (const clip::Path& path : closed) sum += clip::Area(path);  // of holes below 0
+    for (const clip::Path& path : closed) sum += clip::Area(path);  // the area of holes is negative
     for (const clip::Path& path : open) sum += length_of(path);
     return sum;
   }
-  /// How much of the size rounding may change.
+  /// The amount by which rounding may change the size.
   double slack() const {
     double sum = 1;
     for (const clip::Path& path : closed) sum += length_of(path);
@@ -48,7 +48,7 @@ struct Parts {
   }
 };
 
-/// A filled path is closed everywhere; a line encloses what it surrounds.
+/// The contours of a path. A filled path is closed everywhere; an open one stays a line.
 Parts parts_of(const LayerPath& path, double tolerance) {
   Parts parts;
   for (const FlatSubpath& subpath : flat_path(path.steps, tolerance))
@@ -66,7 +66,8 @@ clip::Paths grown(const clip::Paths& paths, double by) {
   return out;
 }
 
-/// cairo writes a clip with level sides as rectangles side by side; what they cut is one again.
+/// cairo writes a clip with horizontal and vertical sides as rectangles side by side; this joins the parts that they
+/// cut.
 clip::Paths without_seams(const clip::Paths& paths) {
   constexpr double kWidth = 2;
   return grown(grown(paths, kWidth), -kWidth);
@@ -96,11 +97,11 @@ void add(const clip::Paths& paths, bool closed, PathSteps& steps) {
   }
 }
 
-/// The box and the area of a contour. Contours that agree in both count as the same one.
+/// The box and the area of a contour. Contours with the same box and area count as equal.
 struct Trace {
   clip::IntPoint low, high;  // its box
   double area;
-  double slack;  // by how much rounding may change the area
+  double slack;  // how much rounding may change the area
 
   bool is_near(const Trace& other) const {
     constexpr clip::cInt kNear = 2;
@@ -123,7 +124,7 @@ Trace trace_of(const clip::Path& contour) {
   return trace;
 }
 
-/// Whether each of `some` is one of `all`.
+/// Whether each path of `some` equals one of `all`.
 bool are_among(const clip::Paths& some, const clip::Paths& all) {
   constexpr clip::cInt kReach = 2;
   std::multimap<clip::cInt, Trace> traces;  // by the left side of the box
@@ -139,7 +140,7 @@ bool are_among(const clip::Paths& some, const clip::Paths& all) {
   });
 }
 
-/// Most clips are the page, or a viewport, around all that they cut.
+/// Whether the clip is a rectangle round `box`: most clips are the page or a viewport, round all that they cut.
 bool surrounds(const LayerClip& by, const cv::Rect2d& box) {
   const std::optional<cv::Rect2d> window = level_rectangle(by.steps);
   return window && holds(*window, box, 1 / kSteps);

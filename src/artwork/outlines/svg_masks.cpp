@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kMask = "mask";
 
-/// The target of a value such as url(#m) or url("#m"): "#m". Empty where the value has no target.
+/// The target of a value like url(#m) or url("#m"): "#m". Empty where the value has no target.
 std::string named(const std::string& value) {
   for (const CssToken& token : css_tokens(value)) {
     if (token.kind == CssKind::url || token.kind == CssKind::string) return token.text;
@@ -22,7 +22,8 @@ std::string named(const std::string& value) {
   return "";
 }
 
-/// Says whether librsvg takes this value of the property "mask". It ignores other values, so they must not replace valid ones.
+/// Whether librsvg accepts this value of the property "mask". It ignores other values, so they must not replace valid
+/// ones.
 bool is_valid(const CssDeclaration& mask) {
   const std::string value = without_important(mask.value);
   std::string_view rest = value;
@@ -43,8 +44,8 @@ void for_each_element(xmlNode* element, const Visit& visit) {
     for_each_element(child, visit);
 }
 
-/// Reads what the style sheets say about masks. Returns nothing where the sheets break a limit or load other sheets: then
-/// kPlainStyle (svg_outlines.cpp) still takes their masks off, but the elements are not named.
+/// The declarations of the style sheets about masks. Nullopt where the sheets exceed a limit or load other sheets: then
+/// kPlainStyle (svg_outlines.cpp) still removes their masks, but the elements are not named.
 std::optional<SvgStyle> mask_style(const xmlNode* root, const std::string& path) {
   try {
     return SvgStyle(root, path, mask_declarations);

@@ -10,9 +10,9 @@
 
 #include "artwork/images/cairo_objects.h"
 #include "artwork/images/looks_like_svg.h"
+#include "artwork/outlines/drawing_elements.h"
 #include "artwork/outlines/layer_paths.h"
 #include "artwork/outlines/outline_clipping.h"
-#include "artwork/outlines/svg_leaves.h"
 #include "artwork/svg/flattened_nodes.h"
 #include "artwork/svg/svg_document.h"
 #include "artwork/svg/svg_page.h"
@@ -25,19 +25,19 @@ namespace tessera {
 namespace {
 
 constexpr double kMmPerInch = 25.4;
-/// How far a layer may reach either way, in units of its own: cairo holds 2^23 of them, and rounds to 1/256.
+/// Largest reach of a layer in each direction, in its own units: cairo holds 2^23 of them, and rounds to 1/256.
 constexpr double kFarthest = 4e6;
-/// In units of the largest size a layer reaches kFarthestOutline_mm. Units of the smallest are rounded to a millionth of a
-/// mm.
+/// In the largest unit a layer reaches kFarthestOutline_mm. In the smallest unit coordinates are rounded to a millionth
+/// of a mm.
 constexpr double kLargestUnit_mm = 0.25, kSmallestUnit_mm = 0.25 / 1024;
-/// Coordinates are rounded to this part of a mm: librsvg reads lengths in single precision, 33.4 as 33.4000015, and a part that is as
-/// wide as its sheet must fit.
+/// Coordinates are rounded to this part of a mm. librsvg reads lengths in single precision, 33.4 as 33.4000015, and a
+/// part exactly as wide as its sheet must still fit.
 constexpr double kStepsPerMm = 1e4;
-/// How far a polygon that a clip makes may be from the curve.
+/// Largest distance between the curve and a polygon that a clip makes.
 constexpr double kTolerance_mm = 0.01;
 
-/// A style sheet that takes off what is no outline, and what would turn a layer into pixels. What the file itself calls
-/// "!important" goes before it.
+/// A style sheet that removes everything that is no outline or would turn a layer into pixels. Declarations with
+/// "!important" in the file override it.
 constexpr std::string_view kPlainStyle =
     "*{filter:none!important;mask:none!important;marker-start:none!important;marker-mid:none!important;"
     "marker-end:none!important;mix-blend-mode:normal!important;isolation:auto!important;"
@@ -45,7 +45,7 @@ constexpr std::string_view kPlainStyle =
     "text,image,foreignObject{display:none!important}";
 constexpr std::string_view kOpaqueStyle = "*{opacity:1!important}";
 
-/// The longest text of a layer.
+/// Longest text of a layer.
 constexpr std::size_t kMostBytes = std::size_t(64) << 20;
 
 cairo_status_t append(void* closure, const unsigned char* from, unsigned count) {
@@ -55,9 +55,9 @@ cairo_status_t append(void* closure, const unsigned char* from, unsigned count) 
   return CAIRO_STATUS_SUCCESS;
 }
 
-/// The paths of one element, or of the whole drawing where `leaf` is null. A px is `scale` units, and the page's corner
-/// lies at (kFarthest, kFarthest).
-std::vector<LayerPath> paths_of(const SvgDocument& document, const SvgLeaf* leaf, double scale) {
+/// The paths of one element, or of the whole drawing where `leaf` is null. A px is `scale` units; the page's corner is
+/// at (kFarthest, kFarthest).
+std::vector<LayerPath> paths_of(const SvgDocument& document, const DrawingElement* leaf, double scale) {
   std::string text;
   const CairoSurface surface(cairo_svg_surface_create_for_stream(append, &text, 2 * kFarthest, 2 * kFarthest));
   cairo_svg_surface_restrict_to_version(surface.get(), CAIRO_SVG_VERSION_1_2);
@@ -78,7 +78,7 @@ std::vector<LayerPath> paths_of(const SvgDocument& document, const SvgLeaf* leaf
   return layer_paths(text);
 }
 
-/// The box around what a layer shows, in its units.
+/// The box round what a layer shows, in the layer's units.
 struct Extent {
   cv::Point2d low = {}, high = {};
   bool empty = true;
@@ -93,7 +93,7 @@ struct Extent {
     add(other.low);
     add(other.high);
   }
-  /// Its sides, from the page's corner; 0 where nothing is shown.
+  /// The sides of the box, measured from the page's corner; 0 where nothing is shown.
   std::array<double, 4> sides() const {
     if (empty) return {};
     return {low.x - kFarthest, low.y - kFarthest, high.x - kFarthest, high.y - kFarthest};
@@ -110,11 +110,11 @@ Extent extent_of(const std::vector<LayerPath>& paths) {
   return extent;
 }
 
-/// How much smaller a drawing is made to see whether it reaches too far.
+/// The factor by which a drawing is made smaller to test whether it reaches too far.
 constexpr double kSmaller = 17.3;
 
-/// Whether something lies farther away than cairo's numbers reach. cairo wraps it round to somewhere else, and at another
-/// scale to another place. `small` is the extent of the same drawing, made kSmaller times as small.
+/// Whether something lies beyond the range of cairo's numbers. cairo wraps it round to another place, which depends on
+/// the scale. `small` is the extent of the same drawing, made kSmaller times smaller.
 bool is_too_far(const Extent& extent, const Extent& small) {
   if (extent.empty != small.empty) return true;
   const double slack =
@@ -139,8 +139,8 @@ bool is_same(const PathSteps& a, const PathSteps& b) {
   return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), is_near);
 }
 
-/// The paths without the strokes of those that are filled. cairo writes the fill and the stroke of a path as one path, or
-/// as two.
+/// The paths without strokes of paths that are also filled. cairo writes fill and stroke of a path as one path or as
+/// two.
 std::vector<LayerPath> without_strokes_of_fills(const std::vector<LayerPath>& paths) {
   std::vector<LayerPath> kept;
   for (const LayerPath& path : paths) {
@@ -152,8 +152,8 @@ std::vector<LayerPath> without_strokes_of_fills(const std::vector<LayerPath>& pa
   return kept;
 }
 
-/// How many px made an inch for a program that did not take CSS's 96; 0 for others. Inkscape took 90 up to 0.91,
-/// Illustrator takes 72.
+/// The px in an inch of a program that did not use CSS's 96; 0 for other programs. Inkscape used 90 up to 0.91,
+/// Illustrator uses 72.
 double px_per_inch_of(std::string_view program) {
   if (program.starts_with("Adobe Illustrator")) return 72;
   constexpr std::string_view kInkscape = "Inkscape 0.";
@@ -162,18 +162,19 @@ double px_per_inch_of(std::string_view program) {
   return minor.starts_with("91") || minor.starts_with("3") || minor.starts_with("4") ? 90 : 0;
 }
 
-/// Counts the texts, images and foreign objects that are seen, and each <use> that shows some.
-int count_others(const SvgDocument& document, const std::vector<SvgLeaf>& leaves) {
-  return int(std::count_if(leaves.begin(), leaves.end(), [&](const SvgLeaf& leaf) {
+/// Counts the visible texts, images and foreign objects, and each <use> that shows one.
+int count_others(const SvgDocument& document, const std::vector<DrawingElement>& leaves) {
+  return int(std::count_if(leaves.begin(), leaves.end(), [&](const DrawingElement& leaf) {
     return leaf.shows_picture || (leaf.is_text && document.draws_element(leaf.id));
   }));
 }
 
-/// Asks librsvg for the paths. Each element is drawn once. The whole drawing tells whether any of them is unseen or too
-/// far away; only then each is asked, as a layer takes as long as there are elements.
+/// Gets the paths from librsvg; each element is drawn once. A drawing of the whole tells whether any element is
+/// invisible or too far away. Only then each one is tested, as a layer takes a time that grows with the number of
+/// elements.
 class OutlineReader {
  public:
-  OutlineReader(const SvgLeaves& leaves, const std::string& path, double px_per_inch)
+  OutlineReader(const DrawingElements& leaves, const std::string& path, double px_per_inch)
       : leaves_(leaves),
         path_(path),
         px_per_inch_(px_per_inch) {}
@@ -182,7 +183,7 @@ class OutlineReader {
     SvgDocument document = this->document();
     SvgOutlines found = page_of(document);
     found.unread_elements = count_others(document, leaves_.list);
-    // librsvg keeps what an earlier sheet has said: the one that says least comes first.
+    // librsvg keeps the declarations of earlier sheets: the sheet with the fewest comes first.
     document.set_style(std::string(kPlainStyle));
     const std::size_t seen_paths = paths_of(document, nullptr, scale()).size();
     document.set_style(std::string(kPlainStyle) + std::string(kOpaqueStyle));
@@ -197,7 +198,7 @@ class OutlineReader {
   }
 
  private:
-  /// The outlines of one element, drawn as if all of it were opaque.
+  /// The outlines of one element, drawn as if it were opaque.
   struct LeafOutlines {
     std::vector<SvgOutline> outlines = {};
     std::size_t paths = 0;
@@ -205,14 +206,14 @@ class OutlineReader {
     bool is_far = false;
   };
 
-  /// libxml2 has bounded the depth and the entities of the text already; librsvg would refuse 10 MB.
+  /// The document without librsvg's limit of 10 MB: libxml2 has already limited the text's depth and entities.
   SvgDocument document() const { return {bytes_of(leaves_.text), path_, RSVG_HANDLE_FLAG_UNLIMITED, px_per_inch_}; }
 
-  /// How many units a px has.
+  /// Units in a px.
   double scale() const { return kMmPerInch / px_per_inch_ / unit_mm_; }
 
-  /// The smallest unit in which the drawing has room. `small` is the drawing's extent in the largest unit, made kSmaller
-  /// times as small.
+  /// The smallest unit in which the drawing fits. `small` is the drawing's extent in the largest unit, made kSmaller
+  /// times smaller.
   static double unit_for(const Extent& small) {
     double farthest = 0;
     for (const double side : small.sides()) farthest = std::max(farthest, std::abs(side));
@@ -232,7 +233,7 @@ class OutlineReader {
 
   std::vector<LeafOutlines> drawn_leaves(const SvgDocument& document) {
     std::vector<LeafOutlines> drawn;
-    for (const SvgLeaf& leaf : leaves_.list) {
+    for (const DrawingElement& leaf : leaves_.list) {
       LeafOutlines& found = drawn.emplace_back();
       if (!leaf.is_shape) continue;
       const std::vector<LayerPath> paths = paths_of(document, &leaf, scale());
@@ -243,7 +244,7 @@ class OutlineReader {
     return drawn;
   }
 
-  void add(const SvgLeaf& leaf, const LayerPath& path, std::vector<SvgOutline>& outlines) {
+  void add(const DrawingElement& leaf, const LayerPath& path, std::vector<SvgOutline>& outlines) {
     const double tolerance = kTolerance_mm / unit_mm_;
     LayerPath seen = united(clipped(path, tolerance), tolerance);
     if (seen.steps.empty()) return;
@@ -267,7 +268,7 @@ class OutlineReader {
   }
 
   void mark_far(const SvgDocument& document, std::vector<LeafOutlines>& drawn) const {
-    const auto small_extent = [&](const SvgLeaf* leaf) {
+    const auto small_extent = [&](const DrawingElement* leaf) {
       return extent_of(paths_of(document, leaf, scale() / kSmaller));
     };
     Extent all;
@@ -285,7 +286,7 @@ class OutlineReader {
     }
   }
 
-  static void add(const SvgLeaf& leaf, LeafOutlines& drawn, SvgOutlines& found) {
+  static void add(const DrawingElement& leaf, LeafOutlines& drawn, SvgOutlines& found) {
     if (drawn.is_far)
       found.far_elements.push_back(leaf.name);
     else if (leaf.is_shape && drawn.outlines.empty())
@@ -296,7 +297,7 @@ class OutlineReader {
     }
   }
 
-  const SvgLeaves& leaves_;
+  const DrawingElements& leaves_;
   const std::string& path_;
   const double px_per_inch_;
   double unit_mm_ = kLargestUnit_mm;
@@ -309,7 +310,7 @@ SvgOutlines svg_outlines(std::span<const std::uint8_t> bytes, const std::string&
   if (!looks_like_svg(bytes)) throw InputError(path + ": not an SVG file");
   std::vector<std::uint8_t> unpacked;
   if (is_gzip(bytes)) bytes = unpacked = gunzip(bytes, path, kMaxSvgBytes);
-  const SvgLeaves leaves = svg_leaves(bytes, path);
+  const DrawingElements leaves = drawing_elements(bytes, path);
   try {
     return OutlineReader(leaves, path, px_per_inch).read();
   } catch (const InputError& error) {

@@ -23,15 +23,15 @@ std::string first_word(const std::string& value) {
   return ascii_lower_case(take_word(rest));
 }
 
-/// The number that a length or a percentage begins with.
+/// The number at the beginning of a length or a percentage.
 std::optional<double> leading_number(const std::string& text) {
   char* end = nullptr;
   const double number = std::strtod(text.c_str(), &end);
   return end == text.c_str() ? std::nullopt : std::optional(number);
 }
 
-/// Whether librsvg takes the value of a property that says if an element is seen. It ignores others, which must not replace
-/// valid ones.
+/// Whether librsvg accepts this value of a property that decides about visibility. It ignores other values, so they
+/// must not replace valid ones.
 bool is_valid(const std::string& property, const std::string& value) {
   static const std::set<std::string> kDisplays = {"inline",
                                                   "block",
@@ -63,7 +63,7 @@ std::vector<CssDeclaration> declarations_about_sight(CssTokens content) {
   return all;
 }
 
-/// Searches a document for the pictures that are seen.
+/// Searches a document for the visible pictures.
 class PictureSearch {
  public:
   PictureSearch(const xmlNode* root, const std::string& path) : root_(root), path_(path) {}
@@ -80,7 +80,7 @@ class PictureSearch {
     return is_in_svg_namespace(element) && (name_of(element) == "image" || name_of(element) == kForeignObject);
   }
 
-  /// Returns the properties that style sheets and the style attribute give the element.
+  /// The properties that style sheets and the style attribute give the element.
   Values declared(const xmlNode* element) {
     try {
       if (!style_ && sheets_count_) style_.emplace(root_, path_, declarations_about_sight);
@@ -100,7 +100,7 @@ class PictureSearch {
     return is_valid(property, own) ? own : "";
   }
 
-  /// An image without a size has that of its file, and a foreign object without one has none.
+  /// Whether the picture has a size. An image without one has that of its file, a foreign object without one has none.
   static bool has_size(const xmlNode* picture, const Values& declared) {
     for (const char* side : {"width", "height"}) {
       const std::optional<double> length = leading_number(value_of(picture, declared, side));
@@ -109,7 +109,7 @@ class PictureSearch {
     return true;
   }
 
-  /// Recursion is as deep as the document, which parsed_foreign_svg bounds.
+  /// Searches below the element. The recursion is as deep as the document, which parsed_foreign_svg limits.
   void search(const xmlNode* element, bool visible) {
     const Values declared = this->declared(element);
     if (first_word(value_of(element, declared, "display")) == "none") return;
@@ -133,7 +133,7 @@ class PictureSearch {
   std::vector<const xmlNode*> pictures_;
 };
 
-/// Most drawings have none, and reading style sheets takes time.
+/// Whether there is any picture: most drawings have none, and reading style sheets takes time.
 bool has_picture(const xmlNode* element) {
   const std::string_view name = name_of(element);
   if (name == "image" || name == kForeignObject) return true;

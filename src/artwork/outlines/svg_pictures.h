@@ -1,5 +1,5 @@
-// The images and foreign objects of a foreign SVG that are seen. librsvg tells the extent of an element, but not of these
-// two: in the drawer it gives images none, and it never draws foreign objects.
+// The visible images and foreign objects of a foreign SVG. librsvg reports the extent of other elements, but not of
+// these two: in the drawer images have none, and foreign objects are never drawn.
 #pragma once
 
 #include <libxml/tree.h>
@@ -11,8 +11,8 @@ namespace tessera {
 
 class SvgPictures {
  public:
-  /// Finds the pictures that are displayed, visible, not transparent and not of size 0. `path` is for style sheets that break a
-  /// limit (svg_style.h): then attributes and style attributes alone count.
+  /// Finds the pictures that are displayed, visible, not transparent and not of size 0. `path` names the file in errors
+  /// of style sheets. Where these exceed a limit (svg_style.h), only attributes and style attributes count.
   SvgPictures(const xmlNode* root, const std::string& path);
 
   /// Whether the element is such a picture, has one in it, or refers to one as a <use>.

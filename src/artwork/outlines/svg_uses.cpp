@@ -8,7 +8,7 @@
 namespace tessera {
 namespace {
 
-/// The id that a <use> refers to: SVG 2's href goes before xlink:href.
+/// The id that a <use> refers to: SVG 2's href takes precedence over xlink:href.
 std::string shown_id(const xmlNode* use) {
   const std::string plain = attribute(use, "href");
   if (plain.empty()) return reference(use);
@@ -19,7 +19,7 @@ struct Uses {
   std::unordered_map<std::string, const xmlNode*> first_of_id;
   std::vector<const xmlNode*> all;
 
-  /// Recursion is as deep as the document, which parsed_foreign_svg bounds.
+  /// Collects ids and uses. The recursion is as deep as the document, which parsed_foreign_svg limits.
   void collect(const xmlNode* element) {
     if (const std::string id = attribute(element, "id"); !id.empty()) first_of_id.emplace(id, element);
     if (name_of(element) == "use") all.push_back(element);

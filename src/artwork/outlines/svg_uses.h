@@ -1,4 +1,4 @@
-// Finds the elements of a foreign SVG that show others: those around them, and each <use> that refers to one.
+// Finds the elements of a foreign SVG that show other elements: those around them, and each <use> that refers to them.
 #pragma once
 
 #include <libxml/tree.h>

@@ -1,6 +1,6 @@
-// What the program and its drawers (drawers.h) say to each other: a greeting, then requests and answers in turn. Both
-// sides are the same build on the same machine, so the headers go as they are in memory. The program trusts no answer:
-// it checks every length before it allocates.
+// The messages between the program and its drawers (drawers.h): a greeting, then requests and answers in turn. Both
+// sides are the same build on the same machine, so headers are sent as their bytes in memory. The program trusts no
+// answer: it checks every length before it allocates.
 #pragma once
 
 #include <array>
@@ -16,14 +16,14 @@
 
 namespace tessera {
 
-/// Where a drawer finds its socket.
+/// The descriptor of a drawer's socket.
 inline constexpr int kDrawerSocket = 3;
 
-/// The first thing that a drawer says, when it has limited itself. Another layout of the greeting has another mark.
+/// The first bytes that a drawer sends after it has limited itself. Another layout of the greeting needs another mark.
 using DrawerMark = std::array<char, 8>;
 inline constexpr DrawerMark kDrawerMark = {'d', 'r', 'a', 'w', 'e', 'r', '0', '5'};
 
-/// Two builds of one commit may differ in what was not committed yet, so the sizes of what travels belong to a build.
+/// Identifies a build. Two builds of one commit may differ in uncommitted changes, so it includes the headers' sizes.
 struct DrawerBuild {
   std::array<char, 56> name = {};                  // version and commit, filled up with zeros
   std::array<std::uint32_t, 2> header_bytes = {};  // of RequestHeader and AnswerHeader
@@ -31,7 +31,7 @@ struct DrawerBuild {
   friend bool operator==(const DrawerBuild&, const DrawerBuild&) = default;
 };
 
-/// Comes after the mark.
+/// Follows the mark.
 struct DrawerGreeting {
   DrawerBuild build;
   DrawerLayers layers;
@@ -57,17 +57,17 @@ enum class DrawingKind : std::uint32_t {
 
 struct DrawingRequest {
   DrawingKind kind = DrawingKind::page;
-  int longest_side_px = 0;                   // of page, uncut_page, png and whole
-  double width_pt = 0;                       // of the PDFs
-  double px_per_inch = 0;                    // of outlines
-  TracingSettings tracing = {};              // of shape
-  std::string path = {};                     // stands in messages; a shape's name
-  std::string scope_id = {};                 // of svg_import and warped_svg
-  std::vector<std::uint8_t> warp = {};       // of warped_svg: warp_codec.h
+  int longest_side_px = 0;                   // for page, uncut_page, png and whole
+  double width_pt = 0;                       // for the PDFs
+  double px_per_inch = 0;                    // for outlines
+  TracingSettings tracing = {};              // for shape
+  std::string path = {};                     // for messages; also gives a shape's name
+  std::string scope_id = {};                 // for svg_import and warped_svg
+  std::vector<std::uint8_t> warp = {};       // for warped_svg: see warp_codec.h
   std::span<const std::uint8_t> bytes = {};  // the file
 };
 
-/// Goes before the request's path, scope_id, warp and bytes.
+/// Sent before the request's path, scope_id, warp and bytes.
 struct RequestHeader {
   DrawingKind kind;
   std::int32_t longest_side_px;
@@ -90,10 +90,10 @@ enum class DrawingStatus : std::uint32_t {
   refused  // the payload is the reason
 };
 
-/// Goes before the payload.
+/// Sent before the payload.
 struct AnswerHeader {
   DrawingStatus status = DrawingStatus::done;
-  std::int32_t columns = 0;  // of an image, CV_8UC4, which is the payload
+  std::int32_t columns = 0;  // of an image payload, CV_8UC4
   std::int32_t rows = 0;
   std::uint32_t unused = 0;
   std::uint64_t bytes = 0;
@@ -112,7 +112,7 @@ inline constexpr std::size_t kMostReasonBytes = 4096;
 inline constexpr int kDrawerGaveUp = 70;
 inline constexpr int kDrawerOutOfMemory = 71;
 
-/// The longest payload that a drawer may answer.
+/// The longest payload that a drawer may send.
 std::size_t most_answer_bytes(const DrawingRequest& request);
 
 RequestHeader header_of(const DrawingRequest& request);

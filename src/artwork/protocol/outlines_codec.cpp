@@ -9,7 +9,7 @@
 namespace tessera {
 namespace {
 
-/// Goes before the names and the outlines.
+/// Sent before the names and the outlines.
 struct OutlinesHeader {
   double page_width_mm = 0, page_height_mm = 0;
   double program_px_per_inch = 0;
@@ -21,7 +21,7 @@ struct OutlinesHeader {
   std::uint64_t outlines = 0;
 };
 
-/// Goes before an outline's name and steps.
+/// Sent before an outline's name and steps.
 struct OutlineHeader {
   std::uint32_t filled = 0;
   std::uint32_t even_odd = 0;
@@ -81,7 +81,7 @@ class Reader {
     }
     return step;
   }
-  /// The count of things that follow. Each has a byte at least, and there are no more than `most` of them.
+  /// The checked count of items that follow: each has at least one byte, and there are at most `most` of them.
   std::size_t checked_count(std::uint64_t count, std::size_t most) const {
     if (count > rest_.size() || count > most) throw_garbled();
     return std::size_t(count);
@@ -91,7 +91,7 @@ class Reader {
   }
 
  private:
-  /// A control point may lie beyond what an outline may reach.
+  /// Largest coordinate: a control point may lie beyond the reach of an outline.
   static constexpr double kMost = 10 * kFarthestOutline_mm;
 
   [[noreturn]] static void throw_garbled() { throw std::runtime_error("outlines that are cut off or garbled"); }

@@ -1,4 +1,4 @@
-// An SVG's outlines as bytes, for the way from a drawer.
+// An SVG's outlines as bytes, sent by a drawer.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace tessera {
 
 std::vector<std::uint8_t> encode_outlines(const SvgOutlines& outlines);
 
-/// Throws std::runtime_error where the bytes are not what encode_outlines gives.
+/// Throws std::runtime_error where the bytes are not from encode_outlines.
 SvgOutlines decode_outlines(std::span<const std::uint8_t> bytes);
 
 }  // namespace tessera

@@ -10,14 +10,14 @@
 namespace tessera {
 namespace {
 
-/// Goes before the shape.
+/// Sent before the shape.
 struct ShapeHeader {
   std::int32_t skip_reason = kNone;
   std::int32_t other_components = 0;
   float other_area_fraction = 0;
-  std::int32_t loses_parts = 0;     // 1: it does
-  std::int32_t loses_text = 0;      // 1: it does
-  std::int32_t loses_pictures = 0;  // 1: it does
+  std::int32_t loses_parts = 0;     // 1: true
+  std::int32_t loses_text = 0;      // 1: true
+  std::int32_t loses_pictures = 0;  // 1: true
   float hollowness = 1;
   StyleFeatures style;
 

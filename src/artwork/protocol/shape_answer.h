@@ -1,4 +1,4 @@
-// A shape from artwork, or why there is none, as bytes for the way from a drawer.
+// A shape from artwork, or the reason why there is none, as bytes sent by a drawer.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ using ShapeOrReason = std::variant<ArtworkShape, SkipReason>;
 
 std::vector<std::uint8_t> encode_shape_answer(const ShapeOrReason& answer);
 
-/// Throws std::runtime_error where the bytes are not what encode_shape_answer gave.
+/// Throws std::runtime_error where the bytes are not from encode_shape_answer.
 ShapeOrReason decode_shape_answer(std::span<const std::uint8_t> bytes);
 
 }  // namespace tessera

@@ -95,7 +95,7 @@ class Decoder {
   std::string_view bytes_;
 };
 
-/// The one list of what goes along, for both directions.
+/// The one list of members that are sent, for both directions.
 template <class Codec, class AShape>
 void pass(Codec& codec, AShape& shape) {
   codec(shape.name);

@@ -1,4 +1,4 @@
-// A shape as bytes, for the way between two processes of the same program. Not a file format: see library_file.h.
+// A shape as bytes, sent between two processes of the same program. It is no file format: see library_file.h.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace tessera {
 
 std::string encode_shape(const Shape& shape);
 
-/// Throws std::runtime_error where the bytes are not what encode_shape gave.
+/// Throws std::runtime_error where the bytes are not from encode_shape.
 Shape decode_shape(std::string_view bytes);
 
 }  // namespace tessera

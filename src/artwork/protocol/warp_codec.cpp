@@ -10,7 +10,7 @@
 namespace tessera {
 namespace {
 
-/// Goes before the displacements and the cells.
+/// Sent before the displacements and the cells.
 struct WarpHeader {
   Vec2 origin;
   float step = 0;

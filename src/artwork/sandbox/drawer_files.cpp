@@ -15,8 +15,8 @@ namespace {
 
 using Paths = std::vector<std::string>;
 
-/// Debian's, and what the C library, thread pools and sanitizers ask about the machine and about their own process. The
-/// rest of /proc and /etc stays shut: environments, connections, passwords.
+/// Debian's folders, and what the C library, thread pools and sanitizers read about the machine and their own process.
+/// The rest of /proc and /etc stays closed: environments, connections, passwords.
 constexpr const char* kOfSystem[] = {"/usr",
                                      "/lib",
                                      "/lib64",
@@ -43,7 +43,8 @@ std::string environment(const char* name) {
   return value ? value : "";
 }
 
-/// Of a variable of the XDG base directories, or its default in the home folder. Empty: there is neither.
+/// The folder in a variable of the XDG base directories, or its default in the home folder. Empty where there is
+/// neither.
 std::string user_folder(const char* variable, const char* in_home) {
   if (const std::string given = environment(variable); !given.empty()) return given;
   const std::string home = environment("HOME");
@@ -56,7 +57,7 @@ void add_below(const std::string& folder, std::initializer_list<const char*> nam
   }
 }
 
-/// What stands between the separators.
+/// The parts between the separators.
 Paths parts_of(const std::string& list, const char* separators) {
   Paths parts;
   for (std::size_t from = 0; from <= list.size();) {
@@ -77,7 +78,7 @@ void add_users_own(Paths& paths) {
   }
 }
 
-/// The list of gdk-pixbuf's loaders, each loader, and its folder: what a loader needs lies beside it. A loader stands
+/// Adds the list of gdk-pixbuf's loaders, each loader, and its folder, which has what the loader needs. A loader stands
 /// alone in its line, in quotes.
 void add_image_loaders(Paths& paths) {
   const std::string list = environment("GDK_PIXBUF_MODULE_FILE");
@@ -97,7 +98,7 @@ void add_all(FcStrList* list, Paths& paths) {
   FcStrListDone(list);
 }
 
-/// As the configuration says; the fonts themselves are not looked at yet.
+/// Adds the folders of fonts in the configuration; does not read the fonts themselves.
 void add_fonts(Paths& paths) {
   const std::unique_ptr<FcConfig, decltype(&FcConfigDestroy)> config(FcInitLoadConfig(), FcConfigDestroy);
   if (!config) return;
@@ -106,21 +107,21 @@ void add_fonts(Paths& paths) {
   add_all(FcConfigGetCacheDirs(config.get()), paths);
 }
 
-/// Plugins lie below the libraries: a cluster's modules are not in /usr.
+/// Adds a library's folder, as plug-ins lie below it: modules of a cluster are not in /usr.
 int add_library_folder(dl_phdr_info* library, std::size_t, void* paths) {
   const std::string_view file(library->dlpi_name);
   if (file.starts_with('/')) static_cast<Paths*>(paths)->push_back(std::filesystem::path(file).parent_path());
   return 0;
 }
 
-/// Where this process has its libraries from, and where it looks for those that are loaded later.
+/// Adds the folders of this process' libraries, and those in which later ones are searched.
 void add_libraries(Paths& paths) {
   ::dl_iterate_phdr(add_library_folder, &paths);
   for (const std::string& folder : parts_of(environment("LD_LIBRARY_PATH"), ":;")) paths.push_back(folder);
 }
 
-/// What is there of `paths`, without links on the way, less the root, the home folder and all that the home folder lies
-/// in: whatever a variable or a configuration says, a drawing has no business with the rest of them.
+/// The paths that exist, with links resolved, without the root, the home folder, and folders above the home folder:
+/// whatever a variable or a configuration names, a drawing must not read the rest of these.
 Paths without_home(const Paths& paths) {
   std::error_code error;
   const std::filesystem::path home = std::filesystem::weakly_canonical(environment("HOME"), error) / "";
@@ -142,7 +143,7 @@ std::vector<std::string> files_of_decoders() {
   add_fonts(found);
   add_libraries(found);
   Paths paths = without_home(found);
-  // The system's stay whatever they hold: some accounts of daemons have their home folder in /usr.
+  // The system's folders stay, whatever they hold: some daemon accounts have their home folder in /usr.
   paths.insert(paths.end(), std::begin(kOfSystem), std::end(kOfSystem));
   std::sort(paths.begin(), paths.end());
   paths.erase(std::unique(paths.begin(), paths.end()), paths.end());

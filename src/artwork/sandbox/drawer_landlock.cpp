@@ -29,8 +29,8 @@ class Descriptor {
 /// The kernel's version of Landlock; less than 1 where it has none.
 long landlock_version() { return ::syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION); }
 
-/// All that this version can forbid about files. A bit that the kernel does not know would be an error; those of the
-/// later versions are spelt out, since the headers of older systems lack them.
+/// All rights to files that this version can forbid; a bit unknown to the kernel would be an error. Those of later
+/// versions are written as numbers, since the headers of older systems lack them.
 __u64 all_access(long version) {
   constexpr __u64 kFirstVersion = 2 * LANDLOCK_ACCESS_FS_MAKE_SYM - 1;
   constexpr __u64 kRefer = 1 << 13;     // since version 2
@@ -38,7 +38,7 @@ __u64 all_access(long version) {
   return kFirstVersion | (version >= 2 ? kRefer : 0) | (version >= 3 ? kTruncate : 0);
 }
 
-/// What is not there need not be allowed. False where the kernel does not take the rule.
+/// Allows reading a path; a path that does not exist needs no rule. False where the kernel refuses the rule.
 bool allow_reading(const Descriptor& rules, const std::string& path) {
   const Descriptor place(::open(path.c_str(), O_PATH | O_CLOEXEC));
   struct stat status {};

@@ -1,4 +1,4 @@
-// Which files a drawer (drawers.h) can open, by Landlock.
+// Limits the files that a drawer (drawers.h) can open, with Landlock.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace tessera {
 
-/// From now on this process opens only what lies in `readable`, files and folders, and that for reading alone; what is
-/// open stays so. A link counts as what it leads to. After limit_process (drawer_sandbox.h): it needs
-/// PR_SET_NO_NEW_PRIVS. Missing where the kernel has no Landlock (before Linux 5.13, or switched off). Where the kernel
-/// refuses a rule for something that is there, nothing is confined and the layer has failed, which is told: without a
-/// font that it should have a drawer would make another picture and not notice.
+/// Restricts this process from now on: it can open only files and folders in `readable`, and only for reading; open
+/// files stay open. A link counts as its target. Call it after limit_process (drawer_sandbox.h), which sets the
+/// required PR_SET_NO_NEW_PRIVS. Returns `missing` where the kernel has no Landlock (before Linux 5.13, or switched
+/// off). Where the kernel refuses a rule for an existing file, nothing is confined and it returns `failed`: without a
+/// font that it should have a drawer would silently draw another picture.
 LayerState confine_to_files(const std::vector<std::string>& readable);
 
 }  // namespace tessera

@@ -1,4 +1,4 @@
-// What the elements of a flattened drawing (flattened_svg.h) say, and the frames that they lie in.
+// Reads the elements of a flattened drawing (flattened_svg.h): attributes, styles, and matrices between their frames.
 #pragma once
 
 #include <cairo.h>
@@ -16,26 +16,26 @@ namespace tessera {
 using Style = std::map<std::string, std::string>;
 
 cairo_matrix_t identity();
-/// First `inner`, then `outer`.
+/// The matrix that applies `inner`, then `outer`.
 cairo_matrix_t product(const cairo_matrix_t& outer, const cairo_matrix_t& inner);
 cairo_matrix_t translation(double x, double y);
 
-/// "" where there is none.
+/// The value of a property; "" where there is none.
 std::string value_of(const Style& style, const std::string& name);
 double number_of(const xmlNode* node, const char* name, double otherwise);
 cv::Rect2d rectangle_of(const xmlNode* rect);
-/// Of a path or a rectangle.
+/// The steps of a <path> or a <rect>.
 PathSteps steps_of(const xmlNode* node);
 
 const xmlNode* first_child(const xmlNode* node);
 const xmlNode* next_sibling(const xmlNode* node);
-/// Null where there are none or several.
+/// The only child element; null where there are none or several.
 const xmlNode* only_child(const xmlNode* node);
 
-/// Whether the one lies in the other but for `slack`.
+/// Whether `inner` lies within `outer`, with a tolerance of `slack`.
 bool holds(const cv::Rect2d& outer, const cv::Rect2d& inner, double slack);
 
-/// An InputError on what nobody knows how to deform as vectors.
+/// Throws the InputError for something that cannot be deformed as vectors.
 [[noreturn]] void throw_unknown(const std::string& what, std::string_view found);
 
 }  // namespace tessera

@@ -15,9 +15,9 @@
 namespace tessera {
 namespace {
 
-/// Of the flattened text: a drawer has 512 MiB, and the text stands there with its tree.
+/// Largest flattened text: a drawer has 512 MiB, for the text and its tree.
 constexpr std::size_t kMostBytes = std::size_t(64) << 20;
-/// A unit of the flattened drawing is a point to cairo. What it can only draw as pixels has one px a unit.
+/// A unit of the flattened drawing is a point for cairo. Parts that cairo can only draw as pixels have one px a unit.
 constexpr double kPointsPerInch = 72;
 
 cairo_status_t append(void* closure, const unsigned char* from, unsigned count) {
@@ -42,7 +42,7 @@ FlattenedSvg flattened_svg(std::span<const std::uint8_t> bytes, const std::strin
   flattened.page_from_unit = std::max(flattened.page.width, flattened.page.height) / kFlattenedSide;
   const cv::Size2d size = flattened.page / flattened.page_from_unit;
   const CairoSurface surface(cairo_svg_surface_create_for_stream(append, &flattened.text, size.width, size.height));
-  // Of 1.2 cairo writes only what tells how layers are blended; without it they, and all beneath, would become pixels.
+  // SVG 1.2 only adds the blending of layers; without it layers and everything beneath would become pixels.
   cairo_svg_surface_restrict_to_version(surface.get(), CAIRO_SVG_VERSION_1_2);
   cairo_surface_set_fallback_resolution(surface.get(), kPointsPerInch, kPointsPerInch);
   {

@@ -20,7 +20,7 @@ bool ask_fontconfig() {
   return any;
 }
 
-/// Whether what ends here is the start of a tag, with a prefix or without.
+/// Whether the text ends with the start of a tag, with a prefix or without.
 bool ends_in_tag(std::string_view text) {
   const std::size_t end = text.find_last_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-:");
   return end != text.npos && text[end] == '<';

@@ -19,7 +19,7 @@ int points_of_command(char command) {
   throw InputError(std::string("a path's command: found \"") + command + "\", allowed: M, L, C and Z");
 }
 
-/// An M that no other step follows draws nothing.
+/// Removes each M without a following step: it draws nothing.
 void remove_idle_moves(PathSteps& steps) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < steps.size(); ++i) {

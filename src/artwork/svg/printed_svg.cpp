@@ -9,10 +9,10 @@
 namespace tessera {
 namespace {
 
-/// What librsvg draws as pixels, filters and masks, is as fine as this on paper.
+/// Resolution on paper of parts that librsvg draws as pixels: filters and masks.
 constexpr double kDotsPerPoint = 300. / 72;
 
-/// A whole collage has more than librsvg allows a drawing by itself; the process that draws it has limits of its own.
+/// Parses without librsvg's limits, which a whole collage exceeds; the drawing process has limits of its own.
 SvgDocument parsed(const std::string& svg, const std::string& path) {
   const std::span bytes(reinterpret_cast<const std::uint8_t*>(svg.data()), svg.size());
   return SvgDocument(bytes, path, RSVG_HANDLE_FLAG_UNLIMITED);
@@ -24,7 +24,7 @@ DividedSvg undivided(std::span<const std::uint8_t> svg) {
   return divided;
 }
 
-/// Clips to a path of lines, as collage.svg has them.
+/// Clips to a path of lines, as in collage.svg.
 void clip_to(const std::string& path, cairo_t* cairo) {
   const char* at = path.c_str();
   while (*at) {
@@ -44,8 +44,8 @@ void clip_to(const std::string& path, cairo_t* cairo) {
   cairo_clip(cairo);
 }
 
-/// Recorded by itself and then turned by cairo: librsvg stretches gradients and patterns that follow the box of their
-/// object where that is turned. The clip is not recorded: cairo 1.16 gives up where it leaves nothing of a part.
+/// Records a piece by itself, and lets cairo turn it: where a piece is turned, librsvg stretches gradients and patterns
+/// that follow its box. The clip is not recorded: cairo 1.16 fails where it leaves nothing of a part.
 void draw_piece(const SvgDocument& pieces, const SvgPiece& piece, cv::Size2d points_per_unit, cairo_t* page) {
   const cairo_matrix_t& m = piece.document_from_piece;
   const double dots = std::hypot(m.xx, m.yx) * points_per_unit.width * kDotsPerPoint;
@@ -77,7 +77,7 @@ cv::Size2d PrintedSvg::piece_scale(double width_pt) const {
   const double x = width_pt / divided_.size.width;
   const double y = width_pt * size().height / size().width / divided_.size.height;
   constexpr double kSeen = 1e-6;
-  return {x, std::abs(y - x) > kSeen * x ? y : x};  // of a page that is stretched both differ
+  return {x, std::abs(y - x) > kSeen * x ? y : x};  // both differ on a page that is stretched
 }
 
 void PrintedSvg::draw(cairo_t* cairo, double width_pt) const {

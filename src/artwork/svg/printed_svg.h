@@ -1,4 +1,4 @@
-// A collage's SVG drawn for print: as librsvg draws it, but for what it gets wrong of pieces that are turned.
+// Draws a collage's SVG for print with librsvg, and avoids librsvg's errors in turned pieces.
 #pragma once
 
 #include <cairo.h>
@@ -15,22 +15,23 @@ namespace tessera {
 
 class PrintedSvg {
  public:
-  /// `path` stands in messages. Any SVG will do; without `pieces_apart` it is drawn by librsvg alone. Throws InputError
-  /// where it is none or is damaged; svg_page.h tells about hostile files.
+  /// Parses any SVG; without `pieces_apart` librsvg draws it alone. `path` is used in messages. Throws InputError where
+  /// it is no SVG or is damaged; svg_page.h tells about hostile files.
   PrintedSvg(std::span<const std::uint8_t> svg, const std::string& path, bool pieces_apart = true);
 
-  /// Of its page; only the ratio matters.
+  /// The size of its page; only the ratio matters.
   cv::Size2d size() const { return ground_.size(); }
-  /// Draws the page at (0, 0), `width_pt` points of 1/72 inch wide. Vectors stay vectors where the surface takes them.
+  /// Draws the page at (0, 0), `width_pt` points of 1/72 inch wide. Vectors stay vectors where the surface supports
+  /// them.
   void draw(cairo_t* cairo, double width_pt) const;
 
  private:
-  /// Points of a unit of the document, in x and y.
+  /// Points for each unit of the document, in x and y.
   cv::Size2d piece_scale(double width_pt) const;
 
   DividedSvg divided_;
   SvgDocument ground_;
-  std::optional<SvgDocument> pieces_;  // where there are any
+  std::optional<SvgDocument> pieces_;  // nullopt where there are none
 };
 
 }  // namespace tessera

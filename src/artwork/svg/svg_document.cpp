@@ -13,7 +13,7 @@
 namespace tessera {
 namespace {
 
-/// Takes the error over and throws it as one line.
+/// Frees the error and throws it as one line.
 [[noreturn]] void throw_input_error(const std::string& path, const std::string& what, GError* error) {
   std::string message = path + ": " + what;
   if (error) message += std::string(": ") + error->message;
@@ -22,7 +22,7 @@ namespace {
   throw InputError(message);
 }
 
-/// What the file says of its page.
+/// The size of the page as the file states it.
 struct Dimensions {
   gboolean has_width = FALSE, has_height = FALSE, has_view_box = FALSE;
   RsvgLength width{}, height{};
@@ -41,7 +41,7 @@ bool is_length(const RsvgLength& length) {
          length.unit == RSVG_UNIT_PT || length.unit == RSVG_UNIT_PC;
 }
 
-/// The length in px. Nothing for percentages, and for lengths in units of the font.
+/// The length in px; nullopt for percentages and for lengths in units of the font.
 std::optional<double> in_px(bool given, const RsvgLength& length, double px_per_inch) {
   if (!given) return std::nullopt;
   switch (length.unit) {
@@ -55,7 +55,8 @@ std::optional<double> in_px(bool given, const RsvgLength& length, double px_per_
   }
 }
 
-/// From width and height; from one of them and the viewBox's shape, as a browser does it; else from the viewBox.
+/// The size from width and height; from one of them and the viewBox's aspect ratio, as a browser does; else from the
+/// viewBox.
 std::optional<cv::Size2d> size_of_page(RsvgHandle* handle, double px_per_inch) {
   double width = 0, height = 0;
   if (rsvg_handle_get_intrinsic_size_in_pixels(handle, &width, &height)) return cv::Size2d(width, height);
@@ -69,7 +70,7 @@ std::optional<cv::Size2d> size_of_page(RsvgHandle* handle, double px_per_inch) {
   return view_box;
 }
 
-/// From the origin to where the drawing ends.
+/// The size from the origin to the end of the drawing.
 cv::Size2d reach_of_drawing(RsvgHandle* handle) {
   const RsvgRectangle viewport{0, 0, 1, 1};
   RsvgRectangle ink{};
@@ -94,7 +95,7 @@ SvgDocument::SvgDocument(std::span<const std::uint8_t> svg, const std::string& p
   const std::optional<cv::Size2d> size = size_of_page(handle_.get(), px_per_inch);
   sized_ = size.has_value();
   size_ = size ? *size : reach_of_drawing(handle_.get());
-  if (!size && !(size_.width > 0 && size_.height > 0)) size_ = {1, 1};  // nothing is drawn on it
+  if (!size && !(size_.width > 0 && size_.height > 0)) size_ = {1, 1};  // nothing is drawn on the page
   const bool has_area =
       std::isfinite(size_.width) && std::isfinite(size_.height) && size_.width > 0 && size_.height > 0;
   if (!has_area) throw InputError(path + ": the page has no area");
@@ -119,7 +120,7 @@ bool SvgDocument::draws_element(const std::string& id) const {
 }
 
 void SvgDocument::draw(cairo_t* cairo, double scale) const {
-  // librsvg fits a page that has a size into the viewport; without one it draws in px.
+  // librsvg fits a page that has a size into the viewport; without a size it draws in px.
   const double viewport_scale = sized_ ? scale : 1;
   const RsvgRectangle viewport{0, 0, size_.width * viewport_scale, size_.height * viewport_scale};
   cairo_scale(cairo, scale / viewport_scale, scale / viewport_scale);

@@ -1,4 +1,4 @@
-// An SVG that librsvg has parsed, ready to be drawn through cairo.
+// An SVG that librsvg has parsed and that can be drawn with cairo.
 #pragma once
 
 #include <cairo.h>
@@ -22,33 +22,34 @@ using GObjectPtr = std::unique_ptr<T, Unref>;
 
 class SvgDocument {
  public:
-  /// Parses it from memory without a base address (svg_page.h). Throws InputError where it is no SVG or has no area.
+  /// Parses the SVG from memory, without a base address (svg_page.h). Throws InputError where it is no SVG or has no
+  /// area.
   SvgDocument(std::span<const std::uint8_t> svg, const std::string& path, RsvgHandleFlags flags,
               double px_per_inch = kCssPxPerInch);
 
   /// The page's size in px.
   cv::Size2d size() const { return size_; }
-  /// The file says it; else it is as large as its drawing.
+  /// Whether the file states the page's size; if not, the page is as large as its drawing.
   bool has_size() const { return sized_; }
-  /// Its width or height has a unit of length that is no px.
+  /// Whether its width or height has a unit of length other than px.
   bool says_unit() const;
-  /// How large the drawing is depends on how large px are.
+  /// Whether the drawing's size depends on the size of a px.
   bool depends_on_px() const;
-  /// Text that is not drawn, as this machine has no font.
+  /// Whether text is not drawn, as this machine has no font.
   bool loses_text() const { return loses_text_; }
-  /// A style sheet that goes before the document's own, but for what that calls important.
+  /// Sets a style sheet that overrides the document's own, except for declarations with "!important" there.
   void set_style(const std::string& css);
-  /// Whether the element, or what is in it, covers any place.
+  /// Whether the element, with its content, covers any area.
   bool draws_element(const std::string& id) const;
   /// Draws the page at (0, 0), `scale` times as large. Throws InputError where librsvg cannot.
   void draw(cairo_t* cairo, double scale) const;
-  /// Draws one element with what is in it, as if the page had the size `page`. Throws InputError where librsvg cannot.
+  /// Draws one element with its content, as if the page had the size `page`. Throws InputError where librsvg cannot.
   void draw_element(cairo_t* cairo, const std::string& id, const cv::Size2d& page) const;
 
  private:
   std::string path_;
   GObjectPtr<RsvgHandle> handle_;
-  bool sized_ = false;  // by the file
+  bool sized_ = false;  // stated in the file
   bool loses_text_ = false;
   cv::Size2d size_;
 };

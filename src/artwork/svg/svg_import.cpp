@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::string_view kXlinkNamespace = "http://www.w3.org/1999/xlink";
 
-/// What draws. Of links only the content is kept; what is not here is dropped with all that it holds.
+/// The elements that draw. Of links only the content is kept; other elements are dropped with all their content.
 // clang-format off
 const std::set<std::string_view> kElements = {
     "svg", "g", "a", "defs", "symbol", "use", "switch",                                                   //
@@ -42,8 +42,8 @@ bool is_svg_element(const xmlNode* node) {
   return node->type == XML_ELEMENT_NODE && is_in_svg_namespace(node) && kElements.contains(name_of(node));
 }
 
-/// An embedded bitmap, told by its first bytes and not by what it says it is: an embedded SVG would bring its own
-/// scripts and references. Nothing for any other address.
+/// The URI of an embedded bitmap, recognised by its first bytes, not by its stated type: an embedded SVG would bring
+/// its own scripts and references. Nullopt for any other address.
 std::optional<std::string> bitmap_uri(std::string_view uri) {
   static constexpr std::array<std::array<std::string_view, 2>, 4> kTypes = {
       {{"iVBORw0KGgo", "png"}, {"/9j/", "jpeg"}, {"R0lGOD", "gif"}, {"UklGR", "webp"}}};
@@ -70,15 +70,15 @@ bool begins_like_handler(std::string_view name) {
   return name.size() > 2 && (name[0] == 'o' || name[0] == 'O') && (name[1] == 'n' || name[1] == 'N');
 }
 
-/// Whether a filter takes what lies beneath the drawing. librsvg knows it, of whatever document the drawing is in.
+/// Whether a filter reads what lies beneath the drawing; librsvg supports this, even of the surrounding document.
 bool reads_background(const std::string& attribute, const std::string& value) {
   return (attribute == "in" || attribute == "in2") && value.find("Background") != std::string::npos;
 }
 
-/// Of the outermost <svg>, which gets a place and size of its own: the page, beyond which nothing is drawn.
+/// Attributes of the outermost <svg>, which gets a place and a size: those of the page, beyond which nothing is drawn.
 const std::set<std::string_view> kPlaced = {"x", "y", "width", "height", "overflow"};
 
-/// Writes what is kept of a parsed SVG.
+/// Writes the parts of a parsed SVG that are kept.
 class Importer {
  public:
   Importer(const xmlNode* root, const std::string& path, const std::string& scope_id, cv::Size2d page_size)
@@ -95,7 +95,7 @@ class Importer {
     write_attributes(root_);
     write_children(root_);
     std::string imported = writer_.end().end().finish();
-    // Known at the end only: what lies beneath the drawing takes no part in it.
+    // This is known only at the end. What lies beneath the drawing is not blended with it.
     if (blends_) imported.insert(imported.find('>'), " style=\"isolation:isolate\"");
     return imported;
   }
@@ -109,7 +109,7 @@ class Importer {
     writer_.end();
   }
 
-  /// Recursion is as deep as the document, which parsed_foreign_svg bounds.
+  /// The recursion is as deep as the document, which parsed_foreign_svg limits.
   void write_children(const xmlNode* parent) {
     for (const xmlNode* node = parent->children; node; node = node->next) {
       if (node->type == XML_TEXT_NODE && holds_text(parent)) writer_.text(content_of(node));
@@ -126,7 +126,7 @@ class Importer {
       const std::string_view space = attribute->ns ? view(attribute->ns->href) : "";
       const std::string value = content_of(reinterpret_cast<const xmlNode*>(attribute));
       if (name == "href" && (space.empty() || space == kXlinkNamespace)) {
-        // SVG 2: a plain href goes before xlink:href.
+        // In SVG 2 a plain href takes precedence over xlink:href.
         if (!reference || space.empty()) reference = local_reference(node, value);
       } else if (space.empty() && !is_placed(node, name)) {
         write_attribute(std::string(name), value);
@@ -139,7 +139,7 @@ class Importer {
   }
 
   void write_attribute(const std::string& name, const std::string& value) {
-    // Without style sheets classes mean nothing; the style attribute is written with what the sheets say.
+    // Without style sheets classes have no meaning; the style attribute is written with the declarations of the sheets.
     static const std::set<std::string_view> kDropped = {"src", "base", "class", "style", "version", "baseProfile"};
     if (begins_like_handler(name) || kDropped.contains(name)) return;
     if (reads_background(name, value))
@@ -180,7 +180,7 @@ class Importer {
   SvgStyle style_;
   cv::Size2d page_;
   XmlWriter writer_;
-  bool blends_ = false;  // some part with what is beneath it
+  bool blends_ = false;  // some part blends with what is beneath it
 };
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace tessera {
 namespace {
 
-/// Layers of librsvg have the size of the whole page, whatever is cut out of it.
+/// librsvg's layers have the size of the whole page, whatever window is drawn.
 constexpr int kFinestSvgSide_px = 2048;
 class SvgPage : public ArtworkPage {
  public:

@@ -1,13 +1,13 @@
-// SVG and SVGZ through librsvg and cairo.
+// Draws SVG and SVGZ with librsvg and cairo.
 //
-// What keeps a hostile file at bay:
-// - it is parsed from memory without a base address: librsvg then refuses every reference (image, use, feImage,
-//   xi:include, stylesheet) to a file or to the network; data: images work;
-// - at most kMaxSvgBytes after decompression; libxml2 bounds entity expansion and depth;
+// Protection against hostile files:
+// - The file is parsed from memory without a base address: librsvg then refuses every reference (image, use, feImage,
+// xi:include, stylesheet) to a file or to the network; data: images work.
+// - It has at most kMaxSvgBytes after decompression; libxml2 limits entity expansion and depth.
 // - librsvg stops at 1,000,000 elements and 500,000 resolved references.
-// What nothing in this process bounds is the time and memory of drawing (filters, nested masks, huge embedded images):
-// librsvg cannot be interrupted, and 2.54 even aborts the process for an feConvolveMatrix whose matrix has the wrong
-// size. Foreign files are therefore drawn by tessera-drawer, in processes with limits (drawers.h).
+// Nothing in this process limits the time and memory of drawing (filters, nested masks, huge embedded images). librsvg
+// cannot be interrupted, and 2.54 even aborts the process for an feConvolveMatrix whose matrix has the wrong size.
+// Therefore tessera-drawer draws foreign files, in processes with limits (drawers.h).
 #pragma once
 
 #include <cstdint>
@@ -19,12 +19,12 @@
 
 namespace tessera {
 
-/// CSS's px of an inch.
+/// CSS px in an inch.
 inline constexpr double kCssPxPerInch = 96;
 
 inline constexpr std::size_t kMaxSvgBytes = 64u << 20;
 
-/// Throws InputError where it is no SVG, is damaged or breaks a limit.
+/// Opens an SVG. Throws InputError where it is no SVG, is damaged or exceeds a limit.
 std::unique_ptr<ArtworkPage> open_svg_page(std::span<const std::uint8_t> bytes, const std::string& path);
 
 }  // namespace tessera

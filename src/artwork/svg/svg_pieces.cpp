@@ -13,7 +13,7 @@ namespace tessera {
 namespace {
 
 constexpr const char* kOverlayLayer = "layer-overlay";
-constexpr double kOtherPage = 512;  // of a silhouette, which has none: as large as library build draws
+constexpr double kOtherPage = 512;  // page of a silhouette, which has none: the size that library build draws
 
 xmlNode* first_element(xmlNode* parent, std::string_view name) {
   xmlNode* child = xmlFirstElementChild(parent);
@@ -75,7 +75,7 @@ cairo_matrix_t matrix_of(xmlNode* piece) {
   throw InputError(attribute(piece, "id") + ": transform: found \"" + text + "\", allowed: a matrix");
 }
 
-/// Lays the piece's parts at the origin, without their clips, and lists them.
+/// Moves the piece's parts to the origin, without their clips, and lists them.
 void take_apart(xmlNode* piece, const std::map<std::string, cv::Size2d>& pages,
                 const std::map<std::string, std::string>& clips, std::vector<SvgPiece>& list) {
   const cairo_matrix_t matrix = matrix_of(piece);

@@ -11,14 +11,14 @@
 namespace tessera {
 namespace {
 
-/// More than single precision holds, so that a matrix may be inverted.
+/// Digits of a matrix: more than single precision holds, so that it can be inverted.
 constexpr int kMatrixDigits = 9;
 
 [[noreturn]] void throw_unknown(const std::string& what, std::string_view found, const std::string& allowed) {
   throw InputError(what + ": found \"" + std::string(found.substr(0, 40)) + "\", allowed: " + allowed);
 }
 
-/// What stands between "NAME(" and ")".
+/// The text between "NAME(" and ")".
 std::string_view arguments_of(std::string_view text, std::string_view name) {
   const std::string start = std::string(name) + "(";
   if (!text.starts_with(start) || !text.ends_with(')')) throw_unknown("a value", text, start + "...)");

@@ -1,4 +1,4 @@
-// Values of attributes as cairo writes them into SVGs.
+// Reads and writes attribute values as cairo writes them into SVGs.
 #pragma once
 
 #include <cairo.h>
@@ -9,14 +9,14 @@
 
 namespace tessera {
 
-/// Numbers and letters with spaces and commas between them.
+/// Reads numbers and letters that are separated by spaces and commas.
 class NumberReader {
  public:
   explicit NumberReader(std::string_view text) : rest_(text) {}
 
-  /// 0 at the end.
+  /// The next letter; 0 at the end.
   char next_letter();
-  /// Throws InputError where there is none that is finite.
+  /// The next number. Throws InputError where there is no finite number.
   double next_number();
   bool at_end();
 
@@ -26,17 +26,17 @@ class NumberReader {
   std::string_view rest_;
 };
 
-/// Throws InputError where the text is no finite number.
+/// The number in `text`. Throws InputError where it is no finite number.
 double svg_number(const std::string& text);
 
-/// Of "matrix(...)"; of "" the identity. Throws InputError for everything else.
+/// The matrix of "matrix(...)"; the identity for "". Throws InputError for everything else.
 cairo_matrix_t svg_matrix(const std::string& text);
 std::string svg_text(const cairo_matrix_t& matrix);
 
-/// "#rrggbb" of "rgb(R%,G%,B%)". Throws InputError for everything else.
+/// "#rrggbb" from "rgb(R%,G%,B%)". Throws InputError for everything else.
 std::string hex_colour(const std::string& rgb);
 
-/// The id of "url(#ID)"; "" for everything else.
+/// The id in "url(#ID)"; "" for everything else.
 std::string local_id(const std::string& value);
 
 /// The declarations of a style attribute.

@@ -8,11 +8,11 @@
 namespace tessera {
 namespace {
 
-/// How far a curve may be from the true image, in parts of the page's longest side: a quarter px of a piece that is 1000
-/// px large.
+/// Largest distance of a curve from the true image, relative to the page's longest side: a quarter px in a piece of
+/// 1000 px.
 constexpr double kCurveTolerance = 1 / 4000.;
 
-/// CSS has the same names for these.
+/// cairo's names of blend modes that CSS has, too.
 bool is_blend_mode(const std::string& name) {
   static const std::set<std::string> kModes = {"multiply",   "screen",      "overlay",    "darken",
                                                "lighten",    "color-dodge", "color-burn", "hard-light",

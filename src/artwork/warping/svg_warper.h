@@ -1,6 +1,6 @@
-// Walks through a flattened drawing (flattened_svg.h) and writes it deformed. One class, since definitions, ids and limits are those of
-// the whole; its members stand by what they write: groups in svg_warper.cpp, clips and masks, paths, paints and bitmaps in files of
-// their own.
+// Reads a flattened drawing (flattened_svg.h) and writes it deformed. It is one class, as definitions, ids and limits
+// belong to the whole drawing. The members are in files by what they write: groups in svg_warper.cpp, and clips and
+// masks, paths, paints and bitmaps in files of their own.
 #pragma once
 
 #include <cairo.h>
@@ -25,28 +25,29 @@
 
 namespace tessera {
 
-/// What cairo rounds clips and layers to, in units of the flattened drawing.
+/// Tolerance for clips, as cairo rounds clips and layers; units of the flattened drawing.
 inline constexpr double kClipSlack = 1;
-/// A millionth of the page; and for what is drawn in a frame of its own, which may be far from its origin.
+/// Digits of coordinates: a millionth of the page; more in frames of their own, which may be far from their origin.
 inline constexpr int kPageDigits = 6, kFrameDigits = 9;
 
 class SvgWarper {
  public:
-  /// All must outlive it.
+  /// All arguments must outlive the object.
   SvgWarper(const xmlNode* root, const FlattenedSvg& flattened, const std::string& scope_id, const Warp& warp);
 
-  /// The drawing as one group. Throws InputError where it breaks a limit, or holds what cairo is not known to write.
+  /// The drawing as one group. Throws InputError where it exceeds a limit, or holds something that cairo is not known
+  /// to write.
   std::string warped();
 
  private:
-  /// In what a part of the flattened drawing stands.
+  /// The surroundings of a part of the flattened drawing.
   struct Frame {
     cairo_matrix_t page_from_user;
-    bool in_mask = false;     // only its opacity counts: all is white
+    bool in_mask = false;     // only its opacity matters: all is white
     bool in_pattern = false;  // the page is a pattern's tile, and nothing is deformed
     int depth = 0;
   };
-  /// What is written once for each place where it is used differently.
+  /// Identifies a definition, which is written once for each different use.
   using CopyKey = std::tuple<std::string, std::string, std::array<double, 6>, bool, bool>;
   using Attributes = std::vector<std::pair<std::string, std::string>>;
 
@@ -55,7 +56,7 @@ class SvgWarper {
   std::string url(const std::string& id) const { return "url(#" + id + ")"; }
   std::string new_id() { return scope_id_ + "-" + std::to_string(++ids_); }
 
-  /// Writes the definition that `write` fills under a new id, unless there is the same one already.
+  /// The id of a definition: an equal one that exists already, else a new one that `write` fills.
   template <class Write>
   std::string copy_of(const std::string& what, const std::string& how, const cairo_matrix_t& m, const Frame& frame,
                       Write write) {
@@ -75,31 +76,33 @@ class SvgWarper {
   void write_children(const xmlNode* node, Frame frame, XmlWriter& to);
   void write(const xmlNode* node, Frame frame, XmlWriter& to);
   void write_inside(const xmlNode* node, Frame frame, XmlWriter& to);
-  /// Of a group around the element: what cuts it, how opaque it is, how it is blended.
+  /// Attributes for a group round the element: clip, mask, opacity and blend mode.
   Attributes attributes_around(const xmlNode* node, const Frame& frame);
 
   // Clips and masks
-  /// On the page, before it is deformed.
+  /// The clip's path on the page, before the deformation.
   PathSteps clip_steps(const std::string& id, const Frame& frame);
-  /// Whether it is a rectangle around the page, or around another clip of all that is in the element. cairo writes such
-  /// ones everywhere; their deformed edges would be antialiased.
+  /// Whether the clip is a rectangle round the page, or round another clip that holds all of the element. cairo writes
+  /// such clips everywhere; deformed, their edges would be antialiased.
   bool cuts_nothing(const xmlNode* node, const PathSteps& steps, const Frame& frame);
   void write_clip(const std::string& id, const PathSteps& steps, const std::string& rule, const Frame& frame,
                   XmlWriter& to);
   std::string clip_copy(const PathSteps& steps, const std::string& rule, const Frame& frame);
-  /// A mask is as opaque as what it shows. A mere opacity is one, too.
+  /// The attribute (name, value) for a mask that uses the alpha of what it shows. A mask that only sets an opacity
+  /// becomes the attribute "opacity".
   std::pair<std::string, std::string> attribute_of_mask(const std::string& mask, const Frame& frame);
   void write_mask(const std::string& id, const xmlNode* group, Frame frame, XmlWriter& to);
   static void write_box(const cv::Rect2d& box, XmlWriter& to);
 
   // Paths
-  /// On the page, deformed unless it is in a pattern.
+  /// The path on the page, deformed unless it is in a pattern.
   PathSteps placed(const PathSteps& page_path, const Frame& frame);
   std::string data_of(const PathSteps& steps, int digits);
   void write_path(const xmlNode* node, const Frame& frame, XmlWriter& to);
-  /// cairo fills the page, and what its whole units add, where it has no shape to fill.
+  /// The path, or the page where the path is a rectangle round it: where cairo has no shape to fill, it fills the page,
+  /// rounded up to whole units.
   PathSteps within_page(PathSteps steps, const Frame& frame) const;
-  /// How far a stroke reaches beyond its path, on the page.
+  /// The distance that a stroke reaches beyond its path, on the page.
   static double reach(const Style& style, const cairo_matrix_t& m);
   void note_box(cv::Rect2d box, double reach, const Frame& frame);
   void write_style(const Style& style, const cairo_matrix_t& out_from_path, const Frame& frame, XmlWriter& to);
@@ -114,7 +117,7 @@ class SvgWarper {
                      const Frame& frame, XmlWriter& to);
 
   // Bitmaps
-  /// The one bitmap that a pattern consists of: librsvg paints a bitmap by filling its rectangle with it.
+  /// The only bitmap of a pattern: librsvg paints a bitmap by filling its rectangle with such a pattern.
   const xmlNode* bitmap_of_pattern(const std::string& fill) const;
   void write_bitmap_fill(const xmlNode* pattern, const xmlNode* bitmap, const PathSteps& page_path, const Style& style,
                          Frame frame, XmlWriter& to);
@@ -124,7 +127,7 @@ class SvgWarper {
 
   const xmlNode* root_;
   cv::Rect2d page_;
-  double unit_;  // of the flattened drawing, on the page
+  double unit_;  // size of a unit of the flattened drawing, on the page
   std::string scope_id_;
   const Warp& warp_;
   double tolerance_;

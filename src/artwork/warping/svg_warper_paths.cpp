@@ -10,14 +10,14 @@
 namespace tessera {
 namespace {
 
-/// Numbers and words alone, as they stand in a style.
+/// Whether the value has only numbers and words, as in a style.
 bool is_plain(const std::string& value) {
   return std::all_of(value.begin(), value.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '.' || c == ',' || c == '-' || c == '+' || c == ' ';
   });
 }
 
-/// The affine map that moves the middles of the box's sides apart as the warp does. What colours a path goes with it.
+/// The affine map that moves the middles of the box's sides apart as the warp does; the path's paint moves by it.
 cairo_matrix_t nearest_affine(const Warp& warp, const cv::Rect2d& box) {
   const auto image = [&](double x, double y) {
     const Vec2 p = warp.apply({float(box.x + x * box.width), float(box.y + y * box.height)});
@@ -55,7 +55,7 @@ void SvgWarper::write_path(const xmlNode* node, const Frame& frame, XmlWriter& t
   const bool strokes = !stroke.empty() && stroke != "none";
   if (steps.empty() || (!strokes && value_of(style, "fill") == "none")) return;
   note_box(box_of(steps), strokes ? reach(style, frame.page_from_user) : 0, frame);
-  // A stroke is as wide, and its dashes as long, as they are in the frame of the path.
+  // Widths and dashes of a stroke are those in the path's own frame.
   cairo_matrix_t path_from_page = frame.page_from_user;
   if (strokes && cairo_matrix_invert(&path_from_page) != CAIRO_STATUS_SUCCESS) return;
   const cairo_matrix_t out_from_page = strokes ? path_from_page : identity();

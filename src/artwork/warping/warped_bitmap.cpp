@@ -14,11 +14,11 @@
 namespace tessera {
 namespace {
 
-/// A bitmap's longest side before it is deformed, as of other embedded pictures, and half of that afterwards.
+/// Longest side of a bitmap before the deformation, as of other embedded pictures; afterwards half of it.
 constexpr double kMostSide_px = 2048;
-/// Nodes of a warp that covers a bitmap: a step of a pixel.
+/// Most nodes of a warp over a bitmap: one step for each pixel.
 constexpr double kMostNodes = kMostSide_px * kMostSide_px;
-/// How far a bitmap goes on beyond its edge: as far as a clip's antialiased edge sees.
+/// Distance by which a bitmap continues beyond its edge: as far as the antialiased edge of a clip needs.
 constexpr int kBorder_px = 2;
 
 cv::Rect2d box_on_page(const PageBitmap& bitmap) {
@@ -33,13 +33,13 @@ PageBitmap with_border(const PageBitmap& bitmap) {
   return larger;
 }
 
-/// How many px of the bitmap lie on a unit of the page.
+/// Pixels of the bitmap for each unit of the page.
 double density_of(const PageBitmap& bitmap) {
   const cairo_matrix_t& m = bitmap.page_from_bitmap;
   return 1 / std::sqrt(std::abs(m.xx * m.yy - m.xy * m.yx));
 }
 
-/// The same with less pixels, each the mean of those that it stands for: premultiplied.
+/// The bitmap with fewer pixels, each the mean of those that it replaces; premultiplied.
 PageBitmap shrunk(const PageBitmap& bitmap, double factor) {
   if (factor >= 1) return bitmap;
   const cv::Size size(std::max(1, int(bitmap.bgra.cols * factor)), std::max(1, int(bitmap.bgra.rows * factor)));
@@ -50,7 +50,7 @@ PageBitmap shrunk(const PageBitmap& bitmap, double factor) {
   return smaller;
 }
 
-/// The warp, which goes on beyond its own cells, on a grid that covers the box.
+/// The warp, continued beyond its own cells, on a grid that covers the box.
 Warp covering(const Warp& warp, const cv::Rect2d& box) {
   const cv::Rect2d own(warp.origin.x, warp.origin.y, double(warp.step) * warp.displacement.width(),
                        double(warp.step) * warp.displacement.height());
@@ -60,7 +60,7 @@ Warp covering(const Warp& warp, const cv::Rect2d& box) {
   return spread(warp, {float(box.x), float(box.y)}, {float(box.x + box.width), float(box.y + box.height)});
 }
 
-/// A box that holds the image of `box`, which the warp's grid covers.
+/// A box round the image of `box`, which the warp's grid covers.
 cv::Rect2d around_image(const cv::Rect2d& box, const Warp& warp) {
   Vec2 low = warp.displacement(0, 0), high = low;
   for (const Vec2 d : warp.displacement.data()) {
@@ -70,10 +70,10 @@ cv::Rect2d around_image(const cv::Rect2d& box, const Warp& warp) {
   return {box.tl() + cv::Point2d(low.x, low.y), box.br() + cv::Point2d(high.x, high.y)};
 }
 
-/// Of an affine map.
+/// The entries of an affine map.
 cv::Matx23d entries(const cairo_matrix_t& m) { return {m.xx, m.xy, m.x0, m.yx, m.yy, m.y0}; }
 
-/// The smallest window outside of which everything is clear.
+/// The smallest window with all pixels that are not clear.
 cv::Rect window_of_ink(const cv::Mat& bgra) {
   cv::Mat alpha;
   cv::extractChannel(bgra, alpha, 3);
@@ -99,7 +99,7 @@ WarpedBitmap warped_bitmap(const PageBitmap& bitmap, const Warp& page_warp, cv::
   }
   const cv::Size size(int(std::ceil(image.width * scale)), int(std::ceil(image.height * scale)));
 
-  // Pixels of the result without displacement: page px.
+  // Maps page px (pixels of the result without displacement) to the bitmap.
   const cv::Point2d corner_px = image.tl() * scale;
   cairo_matrix_t bitmap_from_px = source.page_from_bitmap;
   if (cairo_matrix_invert(&bitmap_from_px) != CAIRO_STATUS_SUCCESS) return {};

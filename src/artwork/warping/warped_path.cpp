@@ -8,10 +8,10 @@
 namespace tessera {
 namespace {
 
-/// How often a step is halved at most.
+/// Most halvings of a step.
 constexpr int kMostHalvings = 10;
-/// Places at which a curve is held against the image: two for each cell of the warp that it may cross, but so many at
-/// least, and not more.
+/// Number of places at which a curve is compared with the image: two for each cell of the warp that it may cross,
+/// within these limits.
 constexpr int kFewestPlaces = 6, kMostPlaces = 60;
 
 struct Cubic {
@@ -27,7 +27,7 @@ double length(cv::Point2d v) { return std::sqrt(v.dot(v)); }
 
 Cubic line(cv::Point2d a, cv::Point2d d) { return {a, a + (d - a) / 3, d - (d - a) / 3, d}; }
 
-/// Through the four points at 0, 1/3, 2/3 and 1.
+/// The curve through the four points at parameters 0, 1/3, 2/3 and 1.
 Cubic cubic_through(cv::Point2d p, cv::Point2d q, cv::Point2d r, cv::Point2d s) {
   return {p, (q * 18 - p * 5 - r * 9 + s * 2) / 6, (r * 18 - s * 5 - q * 9 + p * 2) / 6, s};
 }
@@ -100,7 +100,7 @@ class PathWarper {
     return true;
   }
 
-  /// Both control points lie at their thirds of the chord, but for half the tolerance.
+  /// Whether both control points lie at the thirds of the chord, within half the tolerance.
   bool is_straight(const Cubic& fitted) const {
     const Cubic chord = line(fitted.a, fitted.d);
     return std::max(length(fitted.b - chord.b), length(fitted.c - chord.c)) <= tolerance_ / 2;

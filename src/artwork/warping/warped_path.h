@@ -1,4 +1,4 @@
-// Paths deformed with their piece's outline (core/deform/warp.h).
+// Deforms paths together with their piece's outline (core/deform/warp.h).
 #pragma once
 
 #include <cstddef>
@@ -8,9 +8,9 @@
 
 namespace tessera {
 
-/// Bézier curves and lines along the image of the path, which is in the warp's frame: no farther from it than `tolerance`
-/// in the same unit, up to 1,024 to each step of the path. Takes one of `steps_left` for each; throws InputError where
-/// there are none left.
+/// Bézier curves and lines along the image of the path, at most `tolerance` away from it; both are in the warp's frame
+/// and unit. A step of the path becomes at most 1,024 steps. Each new step reduces `steps_left` by one; throws
+/// InputError where none are left.
 PathSteps warped_path(const PathSteps& path, const Warp& warp, double tolerance, std::size_t& steps_left);
 
 }  // namespace tessera

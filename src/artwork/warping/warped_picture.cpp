@@ -8,24 +8,24 @@
 namespace tessera {
 namespace {
 
-/// How far beyond a triangle a pixel's centre still counts as in it, so that no centre falls between two. Far more than
-/// rounding moves an edge, far less than an eye sees.
+/// A pixel's centre this far beyond a triangle still counts as inside, so that none falls between two. It is far more
+/// than rounding moves an edge, and far less than an eye sees.
 constexpr double kTolerance_px = 1e-3;
 
-/// A source is looked up at multiples of 1 / 256 px: exact for whole px, and half a grey level where black meets white.
+/// The source is sampled at multiples of 1 / 256 px: exact for whole px, and half a grey level between black and white.
 constexpr int kSubpixelBits = 8;
 constexpr int kSubpixels = 1 << kSubpixelBits;
 
-/// Where the nodes of a triangle lie in the source and in the result.
+/// The nodes of a triangle in the source and in the result.
 struct Triangle {
   std::array<cv::Point2d, 3> source;
   std::array<cv::Point2d, 3> result;
 };
 
-/// Signed; twice the triangle's area.
+/// Twice the triangle's area, with sign.
 double doubled_area(cv::Point2d a, cv::Point2d b, cv::Point2d c) { return (b - a).cross(c - a); }
 
-/// The affine map of the source, as it follows from the result: at (0, 0), and its change with each px right and down.
+/// The affine map from the result to the source: its value at (0, 0), and its change for each px right and down.
 struct Lookup {
   cv::Point2d origin, right, down;
 
@@ -40,12 +40,12 @@ Lookup lookup_of(const Triangle& t, double area) {
   return lookup;
 }
 
-/// The x between which a triangle's row lies; begin > end where it does not lie on that row.
+/// The x range of a triangle in a row; begin > end where it does not reach the row.
 struct Span {
   double begin, end;
 };
 
-/// The part of the row that lies on the inner side of the edge from a to b, or just beyond it.
+/// Cuts the span to the inner side of the edge from a to b, with the tolerance.
 void cut(Span& span, cv::Point2d a, cv::Point2d b, double y, double side) {
   const cv::Point2d along = (b - a) * side;
   const double length = std::sqrt(along.dot(along));
@@ -63,15 +63,15 @@ Span row_of(const Triangle& t, double y, double side) {
   return span;
 }
 
-/// The first pixel whose centre lies at x or beyond, within 0 to count.
+/// The first pixel whose centre is at x or beyond, from 0 to count.
 int first_pixel(double x, int count) { return int(std::clamp(std::ceil(x - 0.5), 0., double(count))); }
 
-/// A place in a picture in sub-pixels from the first pixel's centre.
+/// A place in a picture, in sub-pixels from the centre of the first pixel.
 struct Place {
   int u, v;
 };
 
-/// Of two pixels one below the other and the two on their right, bilinear at the place between them.
+/// Interpolates bilinearly between two pixels one below the other and their two right neighbours.
 cv::Vec4b between(const std::uint8_t* upper, const std::uint8_t* lower, Place place) {
   const int s = place.u & (kSubpixels - 1), t = place.v & (kSubpixels - 1);
   const int weights[4] = {(kSubpixels - s) * (kSubpixels - t), s * (kSubpixels - t), (kSubpixels - s) * t, s * t};
@@ -88,7 +88,7 @@ class Sampler {
  public:
   explicit Sampler(const cv::Mat& bgra) : bgra_(bgra) {}
 
-  /// Of the picture at p, in continuous px.
+  /// The picture at p, in continuous px.
   cv::Vec4b at(cv::Point2d p) const {
     const Place place{subpixels(p.x, bgra_.cols), subpixels(p.y, bgra_.rows)};
     const int x = place.u >> kSubpixelBits, y = place.v >> kSubpixelBits;
@@ -98,7 +98,7 @@ class Sampler {
     return between(pixels, pixels + 8, place);
   }
 
-  /// The same where the pixels on all sides of p are there.
+  /// The picture at p, which must have pixels on all sides.
   cv::Vec4b at_inner(cv::Point2d p) const {
     return inside({int((p.x - 0.5) * kSubpixels + 0.5), int((p.y - 0.5) * kSubpixels + 0.5)});
   }
@@ -115,7 +115,7 @@ class Sampler {
     return between(upper, upper + bgra_.step[0], place);
   }
 
-  /// The four pixels from (x, y) on where not all of them lie in the picture: the others are clear.
+  /// The four pixels from (x, y) on, where some lie outside the picture: these are clear.
   void copy_pixels(int x, int y, std::uint8_t* to) const {
     for (int k = 0; k < 4; ++k, to += 4) {
       const int i = x + k % 2, j = y + k / 2;
@@ -127,7 +127,7 @@ class Sampler {
   const cv::Mat& bgra_;
 };
 
-/// Pixels begin to end, not empty, of the row whose centres lie at y.
+/// Fills pixels begin to end (not empty) of the row whose centres are at y.
 void fill_row(cv::Vec4b* row, int begin, int end, const Lookup& lookup, double y, const Sampler& sampler) {
   const auto source = [&](int x) { return lookup.at({x + 0.5, y}); };
   if (sampler.is_inner(source(begin)) && sampler.is_inner(source(end - 1))) {  // and so is all between

@@ -1,4 +1,4 @@
-// A picture deformed with its piece's outline (core/deform/warp.h).
+// Deforms a picture together with its piece's outline (core/deform/warp.h).
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -7,13 +7,15 @@
 
 namespace tessera {
 
-/// The picture deformed: CV_8UC4, premultiplied BGRA, in and out. `pixel_warp` maps px of the source to px of the result,
-/// both continuous: centres of pixels lie at + 0.5. A result's pixel whose centre lies in the image of an active cell's
-/// triangle shows the source there, bilinearly, nothing beyond the source's edge; all others are clear. Where the warp
-/// folds, the last triangle, row by row, counts. Nothing is averaged: the warp should not shrink by more than 2.
+/// The deformed picture; input and output are CV_8UC4, premultiplied BGRA. `pixel_warp` maps px of the source to px of
+/// the result, both continuous: centres of pixels are at + 0.5. A pixel of the result whose centre lies in the image of
+/// an active cell's triangle shows the source there, bilinearly, and clear beyond the source's edge; all other pixels
+/// are clear. Where the warp folds, the last triangle, row by row, wins. Nothing is averaged: the warp should not
+/// shrink by more than 2.
 cv::Mat warped_picture(const cv::Mat& bgra, const Warp& pixel_warp, cv::Size size);
 
-/// The same of a picture that lies on a page by `source_from_page`, `page_warp` mapping the page to px of the result.
+/// Deforms a picture on a page in the same way: `source_from_page` places it, `page_warp` maps the page to px of the
+/// result.
 cv::Mat warped_picture(const cv::Mat& bgra, const cv::Matx23d& source_from_page, const Warp& page_warp, cv::Size size);
 
 }  // namespace tessera

@@ -10,7 +10,7 @@
 namespace tessera {
 namespace {
 
-/// Of a page that single precision can deform.
+/// Sizes of a page that single precision can deform.
 constexpr double kSmallestPage = 1e-3, kLargestPage = 1e6;
 
 }  // namespace

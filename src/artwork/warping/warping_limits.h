@@ -1,5 +1,5 @@
-// How much one drawing may become when it is deformed as vectors: far above what openclipart has (332 drawings: 19,286 elements at
-// most), and no more than a process of 512 MiB holds. Each use of an element counts with all that it shows.
+// Limits on one drawing that is deformed as vectors: far above openclipart (332 drawings: at most 19,286 elements), and
+// within a process of 512 MiB. Each use of an element counts with all that it shows.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace tessera {
 
-/// Throws InputError where there is too much.
+/// Counts what is written, and throws InputError where a limit is exceeded.
 class WarpingLimits {
  public:
   static constexpr double kMostPixels = 64e6;
@@ -25,7 +25,7 @@ class WarpingLimits {
     pixels_ += count;
     if (pixels_ > kMostPixels) throw InputError("its bitmaps have too many pixels");
   }
-  /// Of paths, for who makes them to count down.
+  /// Steps of paths that may still be written; the caller reduces it.
   std::size_t& steps_left() { return steps_left_; }
 
  private:

@@ -12,8 +12,8 @@ namespace tessera {
 
 namespace {
 
-/// Where it has read to some 250 bytes before the end, libxml2 counts what it still keeps of the text, and refuses
-/// 10 MB. It gives up what it has read at comments that lie some 500 bytes before the end.
+/// The text with comments at its end. About 250 bytes before the end, libxml2 counts the text that it still keeps, and
+/// refuses 10 MB. At comments about 500 bytes before the end it frees what it has read.
 std::string with_comments(std::span<const std::uint8_t> bytes) {
   constexpr std::string_view kComment = "<!---->";
   constexpr std::size_t kComments = 200;

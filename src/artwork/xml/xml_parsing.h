@@ -1,4 +1,4 @@
-// What libxml2 allocates while it parses foreign XML, with an owner, and a handler that keeps other files out.
+// Owners of libxml2's objects for parsing foreign XML, and a handler that keeps other files out.
 #pragma once
 
 #include <libxml/parser.h>
@@ -13,7 +13,7 @@ namespace tessera {
 struct FreeXml {
   void operator()(xmlDoc* doc) const { xmlFreeDoc(doc); }
   void operator()(xmlChar* text) const { xmlFree(text); }
-  /// Frees the document of the context, too; its new owner sets `myDoc` to null.
+  /// Frees the context and its document; a new owner of the document sets `myDoc` to null.
   void operator()(xmlParserCtxt* context) const {
     if (context->myDoc) xmlFreeDoc(context->myDoc);
     xmlFreeParserCtxt(context);
@@ -25,12 +25,12 @@ using XmlContextPtr = std::unique_ptr<xmlParserCtxt, FreeXml>;
 /// Throws std::bad_alloc.
 XmlContextPtr new_xml_context();
 
-/// The document of `bytes`, null where it is damaged; `options` are XML_PARSE_... without XML_PARSE_HUGE. As
-/// xmlCtxtReadMemory, which also refuses a document of more than 10 MB that ends right after a long tag. Throws
+/// The document in `bytes`, null where it is damaged. `options` are XML_PARSE_... without XML_PARSE_HUGE. Works like
+/// xmlCtxtReadMemory, but accepts a document of more than 10 MB that ends right after a long tag. Throws
 /// std::bad_alloc.
 XmlDocPtr read_xml(xmlParserCtxt& context, std::span<const std::uint8_t> bytes, int options);
 
-/// A handler for xmlSAXHandler::entityDecl. Entities that would be read from elsewhere stay undeclared; using one is
+/// A handler for xmlSAXHandler::entityDecl. Entities that would be read from other files stay undeclared; using one is
 /// then an error like any other.
 void declare_internal_entity(void* context, const xmlChar* name, int type, const xmlChar* public_id,
                              const xmlChar* system_id, xmlChar* content);

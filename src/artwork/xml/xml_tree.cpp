@@ -17,7 +17,7 @@ std::string taken(xmlChar* text) {
   return owned ? reinterpret_cast<const char*>(owned.get()) : "";
 }
 
-/// "line 3: Opening and ending tag mismatch", where libxml2 says it.
+/// libxml2's first error: "line 3: Opening and ending tag mismatch"; empty where it reports none.
 std::string first_fault(xmlParserCtxt& context) {
   const xmlError* const error = xmlCtxtGetLastError(&context);
   if (!error || !error->message) return "";

@@ -6,7 +6,7 @@
 namespace tessera::bench {
 namespace {
 
-constexpr int kEmptyRounds = 2;  // each has other random dockings
+constexpr int kEmptyRounds = 2;  // each with different random dockings
 
 }  // namespace
 

@@ -1,12 +1,11 @@
-// The collage without "cut and paste": in every round all target samples are matched again, not only those that
-// changed.
+// The collage without "cut and paste": every round matches all target samples again, not only those that changed.
 #pragma once
 
 #include "master/collage_loop.h"
 
 namespace tessera::bench {
 
-/// As master::make_collage, but without its stops: it ends when two rounds in succession find nothing.
+/// Like master::make_collage, but it ends only when two rounds in succession find nothing.
 master::CollageResult make_collage_afresh(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher,
                                           ShapeSource& shapes);
 

@@ -24,12 +24,12 @@ namespace fs = std::filesystem;
 constexpr int kTile_px = 64;
 constexpr int kDistance_tiles = 2;
 constexpr std::size_t kShapesAtATime = 256;
-constexpr int kThumbnailSide_px = 1024;  // of any version of a library
+constexpr int kThumbnailSide_px = 1024;  // as large as in any version of a library
 
 std::string drawings_in(const Tiles& tiles) { return tiles.folder + "/drawings"; }
 std::string prepared_in(const Tiles& tiles) { return tiles.folder + "/prepared"; }
 
-/// Straight BGRA on one colour.
+/// The straight BGRA picture on one colour.
 cv::Mat on_ground(const cv::Mat& bgra, const cv::Vec3b& ground) {
   cv::Mat bgr(bgra.size(), CV_8UC3);
   for (int y = 0; y < bgra.rows; ++y) {
@@ -44,7 +44,7 @@ cv::Mat on_ground(const cv::Mat& bgra, const cv::Vec3b& ground) {
 
 void write_png(const std::string& path, const cv::Mat& bgr) { write_file_atomically(path, png_of(bgr)); }
 
-/// The farthest at which enough drawings are left for each tile.
+/// The largest distance at which enough drawings are left for each tile.
 int distance_with(std::size_t drawings) {
   int distance = kDistance_tiles;
   while (distance > 0 && std::size_t((2 * distance + 1) * (2 * distance + 1)) > drawings) --distance;
@@ -97,10 +97,10 @@ void make_metapixel_mosaic(const Tiles& tiles, const std::string& image, const T
                            const std::string& mosaic) {
   const std::string side = std::to_string(grid.tile_px);
   const std::string width = "--width=" + side, height = "--height=" + side;
-  run_program({"metapixel-prepare", drawings_in(tiles), prepared_in(tiles), width, height}, Talk::no);
+  run_program({"metapixel-prepare", drawings_in(tiles), prepared_in(tiles), width, height}, ProgramOutput::no);
   run_program({"metapixel", "--metapixel", image, mosaic, "--library=" + prepared_in(tiles), width, height, "--scale=1",
                "--distance=" + std::to_string(distance_with(tiles.count)), "--metric=subpixel"},
-              Talk::no);
+              ProgramOutput::no);
 }
 
 }  // namespace tessera::bench

@@ -8,7 +8,7 @@
 namespace tessera::bench {
 namespace {
 
-/// Equation 1 on the signed vectors.
+/// Equation 1 with signed vectors.
 std::uint32_t signed_distance(const QuantisedPad& target, float target_convexity, const ModelSample& sample,
                               int levels) {
   if (target_convexity * sample.convexity >= 0) return pad_distance(target, sample.pad, levels);
@@ -37,7 +37,7 @@ void for_near_pairs(const std::vector<ShapeModel>& models, const TargetSample& s
   }
 }
 
-/// "its two endpoints coincide with the corresponding endpoints": of the first level.
+/// Aligns the ends of the first level: "its two endpoints coincide with the corresponding endpoints".
 Similarity align_ends(const Keypoints& shape, const ArclengthPyramid& target, int levels) {
   const Vec2 from = shape[levels - 1];
   const Vec2 to = target.keypoint[levels - 1];
@@ -68,7 +68,7 @@ void PaperMatcher::start_field(int width, int height, Vec2 origin) {
 
 void PaperMatcher::update_field(const FieldPatch& patch) { write_patch(patch, field_.value); }
 
-void PaperMatcher::limit(const StandingLimits& limits) { tessera::limit(context_, all_stances_, limits); }
+void PaperMatcher::limit(const StanceLimits& limits) { tessera::limit(context_, all_stances_, limits); }
 
 void PaperMatcher::post_count(const CountRequest& request) {
   if (!request.samples.empty()) counted_ = request.samples;

@@ -1,7 +1,7 @@
-// The paper's rule to the letter (sections 3.3, 4 and 5), to compare with: of the pairs nearer than beta the best K %,
-// each docked by the ends of its first level and given to the objective Z. No refinement. Plain C++, one thread.
+// The paper's method to the letter (sections 3.3, 4 and 5), for comparison. The best K % of the pairs nearer than beta
+// are docked by the ends of their first level and scored by the objective Z. No refinement. Plain C++, one thread.
 //
-// Where the paper says nothing, this matcher does as our engine does: smoothing levels, each docked only at scales that
+// Where the paper says nothing, this matcher works as our engine: smoothing levels, each docked only at the scales that
 // it serves, and the terms of the objective along the contour.
 #pragma once
 
@@ -17,7 +17,7 @@ class PaperMatcher : public Matcher {
   ShapeRange shapes() const override { return {0, std::uint32_t(models_.size())}; }
   void start_field(int width, int height, Vec2 origin) override;
   void update_field(const FieldPatch& patch) override;
-  void limit(const StandingLimits& limits) override;
+  void limit(const StanceLimits& limits) override;
   void post_count(const CountRequest& request) override;
   std::vector<DistanceHistogram> take_count() override { return std::move(histograms_); }
   void post_dock(const DockRequest& request) override;
@@ -44,7 +44,7 @@ class PaperMatcher : public Matcher {
   std::vector<DockingTerms> measured_;
 };
 
-/// The settings that go with it: K, beta and delta of the paper, its objective, nothing settled or grown.
+/// The settings of this matcher: K, beta, delta and objective of the paper; nothing is settled or grown.
 CollageSettings paper_settings(CollageSettings settings);
 
 }  // namespace tessera::bench

@@ -41,13 +41,13 @@ int wait_for(pid_t process) {
 
 }  // namespace
 
-void run_program(const std::vector<std::string>& command, Talk talk) {
+void run_program(const std::vector<std::string>& command, ProgramOutput talk) {
   std::vector<char*> arguments;
-  for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));  // C's old interface
+  for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));  // an old C interface
   arguments.push_back(nullptr);
   SpawnActions actions;
   actions.read_nothing();
-  if (talk == Talk::no) actions.write_nothing();
+  if (talk == ProgramOutput::no) actions.write_nothing();
   pid_t process = 0;
   const int error = posix_spawnp(&process, arguments[0], actions.get(), nullptr, arguments.data(), environ);
   if (error != 0) throw EnvironmentError("cannot start " + command[0] + ": " + std::strerror(error));

@@ -1,4 +1,4 @@
-// Another program, run to its end.
+// Runs another program to its end.
 #pragma once
 
 #include <string>
@@ -6,17 +6,17 @@
 
 namespace tessera::bench {
 
-/// Whether what a program prints on stdout is seen; errors are.
-enum class Talk { yes, no };
+/// Whether the output of a program on stdout is shown; errors are always shown.
+enum class ProgramOutput { yes, no };
 
-/// `command[0]` is looked for in PATH; the program reads nothing and writes where this one does. Throws
+/// Runs a program. `command[0]` is searched in PATH; the program reads nothing and has our stdout and stderr. Throws
 /// EnvironmentError where it cannot be started or does not exit with 0.
-void run_program(const std::vector<std::string>& command, Talk talk = Talk::yes);
+void run_program(const std::vector<std::string>& command, ProgramOutput talk = ProgramOutput::yes);
 
 /// Whether PATH has a program of this name.
 bool is_in_path(const std::string& program);
 
-/// "a  b" -> {"a", "b"}.
+/// Splits at spaces: "a  b" -> {"a", "b"}.
 std::vector<std::string> words_of(const std::string& text);
 
 }  // namespace tessera::bench

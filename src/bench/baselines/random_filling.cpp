@@ -13,10 +13,10 @@ namespace {
 
 constexpr int kBisections = 10;  // of the range of scales
 
-/// About its own origin.
+/// The similarity resized about its own origin.
 Similarity resized(const Similarity& s, float factor) { return {s.a * factor, s.b * factor, s.tx, s.ty}; }
 
-/// `pose` has scale 1. Zero where not even the smallest piece fits.
+/// The largest scale without overlap; `pose` has scale 1. Zero where not even the smallest piece fits.
 float largest_scale_px(const Similarity& pose, const ShapeModel& model, const FieldView& field,
                        const PieceSettings& pieces) {
   const auto fits = [&](float scale_px) {

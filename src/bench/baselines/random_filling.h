@@ -1,4 +1,4 @@
-// Random space filling: what a collage comes to without any matching.
+// Random filling: a collage without any matching.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace tessera::bench {
 
-/// Places pieces for `seconds`: each is one of the first `shape_count` shapes at random, at a random place of the free
-/// region, turned at random, as large as it fits without overlap.
+/// Places pieces for `seconds`. Each is one of the first `shape_count` shapes at random, at a random place of the free
+/// region, with a random rotation, as large as it fits without overlap.
 std::vector<Placement> fill_at_random(const Canvas& canvas, const CollageSettings& settings, ShapeSource& shapes,
                                       std::uint32_t shape_count, double seconds);
 

@@ -1,4 +1,4 @@
-// The protocol of the paper's Figs. 26 and 27: what is seen of a silhouette whose left part is hidden.
+// The test of the paper's Figs. 26 and 27: the visible curves of a silhouette whose left part is hidden.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -9,11 +9,11 @@
 namespace tessera::bench {
 
 struct Clipping {
-  double blocked = 0;        // part of the bounding box's width that is hidden, from the left
-  bool edge_removed = true;  // the clip edge is cut out of the curves, which are open then; else it counts as boundary
+  double blocked = 0;        // hidden part of the bounding box's width, from the left
+  bool edge_removed = true;  // true: curves are open at the clip edge; false: the clip edge counts as boundary
 };
 
-/// The query that is left of the mask (seen_curves()).
+/// The query from the visible part of the mask (see seen_curves()).
 std::vector<Curve> clipped_curves(const cv::Mat& mask, const Clipping& clipping, const View& view, Draws& draws);
 
 }  // namespace tessera::bench

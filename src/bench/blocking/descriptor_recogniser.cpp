@@ -13,7 +13,7 @@ std::vector<Curve> curves_of(const Outline& outline) {
   return curves;
 }
 
-/// The size of the library's shapes, mask px: a length that all queries and shapes have in common.
+/// The mean size of the library's shapes, mask px: a common length for all queries and shapes.
 double mean_unit_px(const SilhouetteLibrary& library) {
   double sum = 0;
   for (const KnownSilhouette& shape : library.shapes) sum += double(shape.unit_px);
@@ -56,7 +56,7 @@ class DescriptorRecogniser : public Recogniser {
  private:
   std::unique_ptr<ShapeDescriptor> descriptor_;
   double unit_px_;
-  std::vector<Description> own_size_;     // each shape in its own size
+  std::vector<Description> own_size_;     // each shape by its own size
   std::vector<Description> common_size_;  // for queries of a known scale
 };
 

@@ -13,23 +13,23 @@
 namespace tessera::bench {
 
 struct KnownSilhouette {
-  std::size_t silhouette = 0;  // its place in the list that it was made from
+  std::size_t silhouette = 0;  // its index in the list of silhouettes
   bool mirrored = false;
   Outline outline{};  // shape frame
-  float unit_px = 0;  // mask px for one shape unit
+  float unit_px = 0;  // mask px in one shape unit
   ShapeModel model{};
 };
 
 struct SilhouetteLibrary {
   std::vector<KnownSilhouette> shapes;
-  std::vector<std::string> left_out;  // silhouettes of which no shape can be made
+  std::vector<std::string> left_out;  // silhouettes that give no shape
 };
 
-/// The shape of a mask, with its holes, or, where it is all thin lines, of what its outer boundary encloses. Nothing where
-/// no shape can be made of it.
+/// The shape of a mask, with its holes. Where the mask consists of thin lines it is the area within the outer boundary.
+/// Nullopt where it gives no shape.
 std::optional<Shape> shape_of_mask(const cv::Mat& mask);
 
-/// `mirrors`: the mirror image of each is a shape, too.
+/// Makes the library. `mirrors`: the mirror image of each silhouette is a shape, too.
 SilhouetteLibrary make_silhouette_library(const std::vector<Silhouette>& silhouettes, bool mirrors);
 
 }  // namespace tessera::bench

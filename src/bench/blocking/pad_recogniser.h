@@ -1,4 +1,4 @@
-// The recogniser that searches a library of silhouettes by PADs (core/recognition).
+// A recogniser that searches a library of silhouettes with PADs (core/recognition).
 #pragma once
 
 #include "bench/blocking/recogniser.h"
@@ -15,7 +15,7 @@ class PadRecogniser : public Recogniser {
   std::string name() const override { return "pad"; }
   std::vector<std::uint32_t> recognise(const ClippedQuery& query) const override;
 
-  /// The same answer with poses and similarities. Shapes have their places in the library's list as numbers.
+  /// The answer of recognise() with poses and similarities. Numbers of shapes are their indices in the library's list.
   std::vector<Recognition> recognitions(const ClippedQuery& query) const;
 
  private:
@@ -23,7 +23,7 @@ class PadRecogniser : public Recogniser {
   KnownShapes known_;
 };
 
-/// How a query is prepared: noise that somebody told widens the narrowest smoothing.
+/// Prepares a query: where its noise is known, the finest smoothing is widened.
 Query prepared_query(const ClippedQuery& query);
 
 }  // namespace tessera::bench

@@ -1,4 +1,4 @@
-// The methods that the benchmark `blocking` compares: each names the shapes that are most like a query.
+// The methods that the benchmark `blocking` compares: each names the shapes that are most similar to a query.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,12 @@
 namespace tessera::bench {
 
 struct ClippedQuery {
-  std::vector<Curve> curves;   // one at least
-  double noise_px = 0;         // standard deviation of the curves' noise, where somebody told it
-  std::optional<double> size;  // query px for one px of the known masks, where it is known
+  std::vector<Curve> curves;   // at least one
+  double noise_px = 0;         // standard deviation of the curves' noise; 0: unknown
+  std::optional<double> size;  // query px for one px of the known masks; nullopt: unknown
 };
 
-/// The number of shapes that a recogniser names for a query, at most.
+/// Most shapes that a recogniser names for a query.
 inline constexpr std::size_t kMostTold = 10;
 
 class Recogniser {
@@ -27,7 +27,7 @@ class Recogniser {
   virtual ~Recogniser() = default;
 
   virtual std::string name() const = 0;
-  /// The nearest shapes, as places in the library's list; the best first, at most kMostTold. Several threads may call
+  /// The nearest shapes as indices in the library's list, the best first, at most kMostTold. Several threads may call
   /// it.
   virtual std::vector<std::uint32_t> recognise(const ClippedQuery& query) const = 0;
 };

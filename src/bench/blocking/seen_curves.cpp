@@ -13,16 +13,16 @@
 namespace tessera::bench {
 namespace {
 
-constexpr int kRim_px = 8;  // of clear pixels round a turned mask
+constexpr int kRim_px = 8;  // clear pixels round a turned mask
 constexpr double kLeastArea_px2 = 9;
 constexpr float kLeastLength_px = 16;
 /// Limits for the arcs that remain when the hider's edge is cut out.
 constexpr std::size_t kLeastArcPoints = 8;
 constexpr float kLeastArc_px = 12;
-/// Points so near to the hider lie on its edge: in px of the coarser one of mask and query, and in parts of the noise.
+/// Points this near to the hider lie on its edge: px of the coarser of mask and query, and a multiple of the noise.
 constexpr double kEdgeWidth_px = 1.5;
 constexpr double kEdgeNoise = 1.5;
-/// A mask that is drawn smaller is averaged first, by this part of the query's pixel; a mask's own pixels do the rest.
+/// A mask that is drawn smaller is averaged first, by this part of the query's pixel; its own pixels average the rest.
 constexpr double kAveraging = 0.5;
 constexpr double kOwnAveraging_px = 0.3;
 constexpr double kReduced = 0.9;
@@ -32,7 +32,7 @@ struct TurnedMask {
   Similarity query_from_mask;
 };
 
-/// The part of the mask that `box` holds, turned and scaled into a mask just large enough.
+/// The part of the mask within `box`, turned and scaled into a mask just large enough.
 TurnedMask turned_mask(const cv::Mat& mask, const cv::Rect& box, const View& view) {
   const double a = std::cos(view.turned_rad) * view.size;
   const double b = std::sin(view.turned_rad) * view.size;
@@ -51,13 +51,13 @@ TurnedMask turned_mask(const cv::Mat& mask, const cv::Rect& box, const View& vie
   return {turned > 127, {float(a), float(b), float(matrix.at<double>(0, 2)), float(matrix.at<double>(1, 2))}};
 }
 
-/// A number of the normal distribution (Box and Muller 1958).
+/// A random number with the normal distribution (Box and Muller 1958).
 float normal_number(Draws& draws) {
   const double radius = std::sqrt(-2 * std::log(1 - double(draws.unit())));
   return float(radius * std::cos(2 * std::numbers::pi * double(draws.unit())));
 }
 
-/// Points 1 px apart, each moved across the curve.
+/// The curve at points 1 px apart, each moved across it at random.
 Curve noisy(const Curve& closed, double noise_px, Draws& draws) {
   Curve result = resampled(closed, std::max(16, int(length_of(closed))));
   const std::vector<Vec2> tangents = tangents_of(result);
@@ -68,7 +68,7 @@ Curve noisy(const Curve& closed, double noise_px, Draws& draws) {
   return result;
 }
 
-/// Adds the arcs of a closed curve between points that are on the hider's edge; the curve itself where none is.
+/// Adds the arcs of a closed curve between points on the hider's edge; the whole curve where it has no such points.
 template <class OnEdge>
 void add_arcs(const Curve& closed, const OnEdge& on_edge, std::vector<Curve>& arcs) {
   const std::size_t count = closed.points.size();

@@ -1,4 +1,4 @@
-// Queries made of masks: what is seen of a silhouette is drawn anew in pixels and traced, and edges of what hides the rest
+// Makes queries from masks: the visible part of a silhouette is drawn anew in pixels and traced, and edges of the hider
 // are cut out.
 #pragma once
 
@@ -12,24 +12,24 @@
 
 namespace tessera::bench {
 
-/// How what is seen becomes a query, in this order.
+/// The steps from the visible part to a query, in this order.
 struct View {
-  double turned_rad = 0;  // about the middle of what is seen
-  double size = 1;        // px of the query for one px of the mask
-  int jpeg_quality = 0;   // 1 to 100: the drawn mask is kept as a JPEG; 0: it is not
-  double noise_px = 0;    // standard deviation across the boundary, at points 1 px apart, query px
+  double turned_rad = 0;  // about the centre of the visible part
+  double size = 1;        // query px for one px of the mask
+  int jpeg_quality = 0;   // 1 to 100: the drawn mask is stored as a JPEG; 0: it is not
+  double noise_px = 0;    // query px, standard deviation across the boundary, at points 1 px apart
 };
 
-/// The distance of a point from what hides a part of the mask, mask px.
+/// Returns the distance of a point from the hider of a part of the mask, in mask px.
 using HiderDistance = std::function<double(Vec2 mask_point)>;
 
-/// The boundary of what is seen (CV_8U: 255 inside, else 0), query px, interior on the left. No curve where nothing is
-/// seen that is larger than a few pixels. Points at the hider are cut out of the curves, which are open then; an empty
-/// `from_hider`: all counts as boundary. `draws` gives the noise. Throws InputError where the drawn mask is too large for
-/// a JPEG.
+/// The boundary of the visible part `seen` (CV_8U: 255 inside, else 0), query px, interior on the left. Empty where the
+/// visible part has only a few pixels. Points at the hider are cut out of the curves, which are open then; with an
+/// empty `from_hider` everything counts as boundary. `draws` gives the noise. Throws InputError where the drawn mask is
+/// too large for a JPEG.
 std::vector<Curve> seen_curves(const cv::Mat& seen, const View& view, const HiderDistance& from_hider, Draws& draws);
 
-/// The values of a mask as the tracing of outlines takes them, 0 to 1.
+/// The values of a mask as 0 to 1, for the tracing of outlines.
 Grid<float> coverage_of(const cv::Mat& mask);
 
 }  // namespace tessera::bench

@@ -11,13 +11,13 @@ namespace tessera::bench {
 
 /// The outcome of one query.
 struct Success {
-  bool told = false;    // any shape at all
+  bool told = false;    // any shape was named
   bool itself = false;  // the first shape is the silhouette
-  bool twin = false;    // or a twin of it
-  bool among = false;   // one of the shapes told is the silhouette
+  bool twin = false;    // the first shape is the silhouette or a twin of it
+  bool among = false;   // one of the named shapes is the silhouette
 };
 
-/// `found`: places in the library's list, the best first. `silhouette`: that the query was made from.
+/// `found`: indices in the library's list, the best first. `silhouette`: the one from which the query was made.
 Success success_of(const std::vector<std::uint32_t>& found, std::size_t silhouette, const SilhouetteLibrary& library,
                    const Twins& twins);
 

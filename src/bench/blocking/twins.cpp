@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMostTwinBytes = std::size_t(16) << 20;
 
-/// Removes the mark of a mirror image, and tells whether there was one.
+/// Removes the mark of a mirror image, and returns whether there was one.
 bool take_tilde(std::string& name) {
   if (!name.starts_with('~')) return false;
   name.erase(0, 1);

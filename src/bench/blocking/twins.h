@@ -1,4 +1,4 @@
-// Silhouettes that nobody can tell apart: either of them counts as found.
+// Silhouettes that nobody can tell apart; each of them counts as a right answer.
 #pragma once
 
 #include <algorithm>
@@ -14,26 +14,26 @@ namespace tessera::bench {
 
 class Twins {
  public:
-  /// Every silhouette is its own twin alone.
+  /// No twins: every silhouette is only its own twin.
   Twins() = default;
-  /// The pairs of a text, two names a line; "~" before a name means the mirror image. '#' begins a comment, and what
-  /// follows the names is not looked at. Names that no silhouette has are passed over. Throws InputError, which names
-  /// `path` and the line, where a line has one name.
+  /// Reads pairs from a text, two names in a line; "~" before a name means the mirror image. '#' begins a comment, and
+  /// the rest of a line is ignored. Pairs with an unknown name are ignored. Throws InputError, which names `path` and
+  /// the line, where a line has only one name.
   Twins(const std::string& text, const std::string& path, const std::vector<Silhouette>& silhouettes);
 
   /// Whether silhouette `b`, or its mirror image where `b_mirrored`, is a twin of silhouette `a`, or `a` itself.
   bool are_twins(std::size_t a, std::size_t b, bool b_mirrored = false) const {
     return (a == b && !b_mirrored) || pairs_.contains({std::min(a, b), std::max(a, b), b_mirrored});
   }
-  /// How many pairs there are.
+  /// The number of pairs.
   std::size_t size() const { return pairs_.size(); }
 
  private:
-  /// The smaller place, the larger one, and whether one of both is mirrored: it does not matter which.
+  /// (smaller index, larger index, whether one of both is mirrored); it does not matter which.
   std::set<std::tuple<std::size_t, std::size_t, bool>> pairs_;
 };
 
-/// Throws InputError where the file cannot be read, too.
+/// Reads the pairs of a file. Also throws InputError where the file cannot be read.
 Twins read_twins(const std::string& path, const std::vector<Silhouette>& silhouettes);
 
 }  // namespace tessera::bench

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "bench/library_matcher.h"
+#include "bench/inputs/library_matcher.h"
 #include "core/geometry/contour.h"
 
 namespace tessera::bench::concepts {

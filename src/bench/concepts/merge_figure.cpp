@@ -58,7 +58,7 @@ std::string merge_figure(CollageStage& stage) {
   sheet.end_clip();
   sheet.text({20, 24}, "before: orange samples are cut out", 15);
   sheet.text({455, 24}, "after: green ones are pasted in, blue ones changed", 15);
-  sheet.text({20, 486}, "Grey samples keep their PADs and their candidates.", 14);
+  sheet.text({20, 486}, "Grey samples keep their PADs.", 14);
   stage.place(collage.placements().size() + 1);
   return sheet.finish();
 }

@@ -64,7 +64,7 @@ std::string ranks_figure(CollageStage& stage) {
   row("dock", weight.dock, "thresholds; the best dockings of each sample");
   row("refine", weight.refine, "dockings; refined poses with their terms");
   row("measure", weight.measure, "candidates near the new piece; their terms");
-  sheet.text({34, 458}, std::to_string(stage.context().library_shapes) +
+  sheet.text({34, 458}, "Measured with " + std::to_string(stage.context().library_shapes) +
                             " shapes. The master is orange; a worker answers for itself and all ranks below it.");
   return sheet.finish();
 }

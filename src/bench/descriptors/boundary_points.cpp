@@ -11,7 +11,7 @@ namespace {
 constexpr float kTangentSmoothing = 0.01f;
 constexpr int kSmoothedPoints = 400;
 
-/// At even places of which the first is half a step from the curve's start.
+/// Adds evenly spaced points; the first one is half a step from the curve's start.
 void add_even_points(const Curve& curve, int count, float sigma, EvenPoints& points) {
   const Curve fine = resampled(curve, kSmoothedPoints);
   const std::vector<Vec2> tangents = tangents_of(smoothed(fine, sigma));
@@ -71,7 +71,7 @@ Curve closed_boundary(const std::vector<Curve>& curves) {
 float warped_difference(const std::vector<float>& query, const std::vector<float>& known, std::size_t row) {
   const std::size_t queries = query.size() / row;
   const std::size_t places = known.size() / row;
-  // Twice round, so that a path may pass the place where the rows begin.
+  // The rows come twice, so that a path may pass the place where they begin.
   std::vector<float> before(2 * places, 0.f), sums(2 * places), differences(places);
   for (std::size_t i = 0; i < queries; ++i) {
     for (std::size_t j = 0; j < places; ++j) {

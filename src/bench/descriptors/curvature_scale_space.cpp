@@ -10,27 +10,27 @@ namespace tessera::bench {
 namespace {
 
 constexpr int kScalePoints = 200;  // as in the paper
-/// Maxima of less than this part of the highest one are noise (the paper's sixth), and those of fewer points' width.
+/// Maxima below this part of the highest one are noise (a sixth in the paper), and those below this width in points.
 constexpr float kLeastHeight = 1.f / 6;
 constexpr float kLeastWidth = 3;
-/// Smoothing ends where the curve would be an ellipse.
+/// Smoothing ends at this width in points, where the curve would be an ellipse.
 constexpr float kMostWidth = 80;
-/// A maximum may be matched with one so near along the curve.
+/// Largest distance along the curve between matched maxima.
 constexpr float kNearAlong = 0.2f;
-/// Curves are aligned by their highest maxima, and by those of at least this part of them.
+/// Curves are aligned by their highest maxima, and by those of at least this part of the highest.
 constexpr float kAligned = 0.8f;
 
-/// A maximum of the curvature scale space image: where along the curve, 0 to 1, and at which width of the Gaussian, in parts of
-/// the curve's length, two zero crossings of the curvature meet.
+/// A maximum of the curvature scale space image: the place along the curve, 0 to 1, and the width of the Gaussian
+/// relative to the curve's length, at which two zero crossings of the curvature meet.
 struct ScaleMaximum {
   float along;
   float height;
 };
 
-/// A point with the decimals that thousands of steps of smoothing need.
+/// A point in double precision, for thousands of steps of smoothing.
 using FinePoint = Eigen::Vector2d;
 
-/// Round the origin.
+/// The points about their centroid.
 std::vector<FinePoint> fine_points(const std::vector<Vec2>& points) {
   std::vector<FinePoint> result;
   FinePoint sum(0, 0);
@@ -39,7 +39,7 @@ std::vector<FinePoint> fine_points(const std::vector<Vec2>& points) {
   return result;
 }
 
-/// The points of a closed curve after one step of smoothing: a Gaussian of variance 1/2, nearly.
+/// The points of a closed curve after one step of smoothing, approximately a Gaussian of variance 1/2.
 std::vector<FinePoint> smoothed_a_step(const std::vector<FinePoint>& points) {
   const std::size_t count = points.size();
   std::vector<FinePoint> result(count);
@@ -49,7 +49,7 @@ std::vector<FinePoint> smoothed_a_step(const std::vector<FinePoint>& points) {
   return result;
 }
 
-/// Where the curvature changes its sign, as indices of points.
+/// Indices of the points where the curvature changes its sign.
 std::vector<int> zero_crossings(const std::vector<FinePoint>& points) {
   const std::size_t count = points.size();
   std::vector<int> crossings;
@@ -64,7 +64,7 @@ std::vector<int> zero_crossings(const std::vector<FinePoint>& points) {
   return crossings;
 }
 
-/// Takes the two neighbouring crossings that are closest out of the list, and gives the point between them.
+/// Removes the two closest neighbouring crossings from the list, and returns the point between them.
 float closest_pair(std::vector<int>& crossings) {
   const std::size_t count = crossings.size();
   std::size_t at = 0;
@@ -98,11 +98,11 @@ std::vector<ScaleMaximum> scale_maxima(std::vector<FinePoint> points) {
   return maxima;
 }
 
-/// From -1/2 to 1/2.
+/// The way from one place to another along the closed curve, from -1/2 to 1/2.
 float way_along(float from, float to) { return to - from - std::round(to - from); }
 
-/// Sum of the distances of matched maxima and of the heights of those that have no partner, where the query is moved
-/// along by `shift`. Both: the highest first.
+/// The cost of matching: distances of matched maxima plus heights of unmatched ones, with the query shifted by `shift`.
+/// Both lists have the highest first.
 float matching_cost(const std::vector<ScaleMaximum>& query, std::vector<ScaleMaximum> known, float shift) {
   float cost = 0;
   for (const ScaleMaximum& q : query) {
@@ -132,7 +132,7 @@ class CurvatureScaleSpace : public ShapeDescriptor {
  public:
   std::string name() const override { return "curvature-scale-space"; }
 
-  /// Places and heights of the maxima that count, the highest first. A convex curve has none.
+  /// Places and heights of the maxima above the noise, the highest first. A convex curve has none.
   Description describe(const std::vector<Curve>& curves, float) const override {
     std::vector<ScaleMaximum> maxima =
         scale_maxima(fine_points(resampled(closed_boundary(curves), kScalePoints).points));

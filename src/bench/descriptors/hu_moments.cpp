@@ -9,17 +9,17 @@
 namespace tessera::bench {
 namespace {
 
-/// Degrees of the invariants as polynomials of the normalised moments: their roots are comparable.
+/// Degrees of the invariants as polynomials of the normalised moments; the roots of these degrees are comparable.
 constexpr std::array<double, 7> kDegrees = {1, 2, 2, 2, 4, 3, 4};
 
-/// Moments of the area inside all curves. An arc is closed by a straight line: where all arcs end on one line, as on that
-/// of a clip, the sum is exact.
+/// Moments of the area within all curves. A straight line closes an arc: where all arcs end on one line, such as a clip
+/// edge, the sum is exact.
 cv::Moments moments_of(const std::vector<Curve>& curves) {
   std::array<double, 10> sums{};
   for (const Curve& curve : curves) {
     std::vector<cv::Point2f> points;
     for (const Vec2 p : curve.points) points.emplace_back(p.x, p.y);
-    const cv::Moments m = cv::moments(points);  // of positive area, whichever way the curve runs
+    const cv::Moments m = cv::moments(points);  // with positive area, in either direction of the curve
     const double sign = signed_area(curve.points) < 0 ? -1 : 1;
     const std::array<double, 10> own = {m.m00, m.m10, m.m01, m.m20, m.m11, m.m02, m.m30, m.m21, m.m12, m.m03};
     for (std::size_t k = 0; k < own.size(); ++k) sums[k] += sign * own[k];

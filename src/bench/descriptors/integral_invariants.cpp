@@ -11,20 +11,20 @@ namespace tessera::bench {
 namespace {
 
 constexpr int kInvariantPoints = 96;
-/// Curves are taken with so many points each.
+/// Points for each curve.
 constexpr int kRegionPoints = 200;
-/// Radii of the discs, in parts of the unit or of the square root of the shape's area.
+/// Radii of the discs, relative to the unit or to the square root of the shape's area.
 constexpr std::array<float, 4> kDiscRadii = {0.08f, 0.16f, 0.32f, 0.64f};
 
 /// Twice the signed area of the sector of the unit disc between two directions.
 float sector(Vec2 a, Vec2 b) { return std::atan2(cross(a, b), dot(a, b)); }
 
-/// Twice the signed area that the unit disc has in common with the triangle of its centre, a and b.
+/// Twice the signed area of the intersection of the unit disc with the triangle of its centre, a and b.
 float twice_area_in_disc(Vec2 a, Vec2 b) {
   const Vec2 along = b - a;
   const float squared = dot(along, along);
   if (squared == 0) return 0;
-  // The points where the line from a to b crosses the circle: at these parts of the way.
+  // The line from a to b crosses the circle at these fractions of its length.
   const float middle = -dot(a, along) / squared;
   const float inside = middle * middle - (dot(a, a) - 1) / squared;
   if (inside <= 0) return sector(a, b);
@@ -37,7 +37,7 @@ float twice_area_in_disc(Vec2 a, Vec2 b) {
   return (enters > 0 ? sector(a, p) : 0) + cross(p, q) + (leaves < 1 ? sector(q, b) : 0);
 }
 
-/// The part of the disc that is inside the curves. An arc is closed by a straight line.
+/// The part of the disc that is within the curves. A straight line closes an arc.
 float part_of_disc(const std::vector<Curve>& curves, Vec2 centre, float radius) {
   float twice_area = 0;
   for (const Curve& curve : curves) {
@@ -62,7 +62,7 @@ class IntegralInvariants : public ShapeDescriptor {
  public:
   std::string name() const override { return "integral-invariants"; }
 
-  /// One row a point: the part of each disc round it that is inside, 1/2 where the boundary is straight.
+  /// One row for each point: the part of each disc round it that is inside; 1/2 where the boundary is straight.
   Description describe(const std::vector<Curve>& curves, float unit) const override {
     const float one = unit > 0 ? unit : square_root_of_area(curves);
     std::vector<Curve> region;
@@ -74,7 +74,7 @@ class IntegralInvariants : public ShapeDescriptor {
     return parts;
   }
 
-  /// The distance at the best correspondence of points in their order, as in section 4 of the paper.
+  /// The distance with the best ordered correspondence of points, as in section 4 of the paper.
   float distance(const Description& query, const Description& known) const override {
     return warped_difference(query, known, kDiscRadii.size());
   }

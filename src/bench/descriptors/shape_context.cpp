@@ -9,7 +9,7 @@
 namespace tessera::bench {
 namespace {
 
-// The paper's section 3.1: 5 rings from an eighth of the mean distance to twice of it, 12 directions.
+// From the paper's section 3.1: 5 rings from an eighth to twice the mean distance, 12 directions.
 constexpr int kRings = 5;
 constexpr int kDirections = 12;
 constexpr int kContextBins = kRings * kDirections;
@@ -24,14 +24,14 @@ float mean_distance(const std::vector<Vec2>& points) {
   return sum / float(points.size() * (points.size() - 1));
 }
 
-/// Rings are logarithmic; what lies within the innermost counts there, what lies beyond the outermost nowhere: -1.
+/// The ring of a distance; rings are logarithmic. Smaller distances count for the innermost ring; larger ones give -1.
 int ring_of(float distance) {
   if (distance >= kOuterRing) return -1;
   const float steps = std::log2(kOuterRing / kInnerRing) / float(kRings);
   return std::clamp(int(std::log2(distance / kInnerRing) / steps), 0, kRings - 1);
 }
 
-/// From the tangent on, so that the histogram turns with the boundary (section 3.2).
+/// The direction relative to the tangent, so that the histogram turns with the boundary (section 3.2).
 int direction_of(Vec2 to, Vec2 tangent) {
   const float turn = std::atan2(cross(tangent, to), dot(tangent, to)) / (2 * std::numbers::pi_v<float>);
   return std::min(int((turn - std::floor(turn)) * kDirections), kDirections - 1);
@@ -53,7 +53,7 @@ class ShapeContext : public ShapeDescriptor {
 
   std::string name() const override { return "shape-context"; }
 
-  /// One histogram a point, each of sum 1 or, where points lie beyond the rings, less.
+  /// One histogram for each point with a sum of 1, or less where points lie beyond the rings.
   Description describe(const std::vector<Curve>& curves, float unit) const override {
     const EvenPoints points = even_points(curves, points_);
     const float one = unit > 0 ? unit : mean_distance(points.position);
@@ -69,7 +69,7 @@ class ShapeContext : public ShapeDescriptor {
     return histograms;
   }
 
-  /// The shape context distance of section 4.3, of its two sums that of the query's points: a hidden part of the known
+  /// The shape context distance of section 4.3, with only the sum over the query's points: a hidden part of the known
   /// shape costs nothing.
   float distance(const Description& query, const Description& known) const override {
     float sum = 0;

@@ -1,4 +1,4 @@
-// Descriptors of shapes that PAD is compared with: small, plain implementations of what their papers say.
+// Descriptors of shapes, for comparison with PADs: small, plain implementations of their papers.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace tessera::bench {
 
-/// What a descriptor keeps of a shape; what the numbers mean is its own affair.
+/// A description of a shape; only its descriptor knows what the numbers mean.
 using Description = std::vector<float>;
 
 class ShapeDescriptor {
@@ -17,20 +17,20 @@ class ShapeDescriptor {
   virtual ~ShapeDescriptor() = default;
 
   virtual std::string name() const = 0;
-  /// `curves`: at least one, each without a curve_fault(), interior on the left; arcs of an outline are open. `unit`: a
-  /// length that shapes of one size have in common, where sizes are known; else 0: the descriptor takes the shape's own.
+  /// Describes a shape. `curves`: at least one, each without a curve_fault(), interior on the left; arcs of an outline
+  /// are open. `unit`: where sizes are known, a length that shapes of one size share; 0: the shape's own size is used.
   virtual Description describe(const std::vector<Curve>& curves, float unit) const = 0;
-  /// How much two shapes differ, 0 or more; 0 for one and the same description. `query` may be of a part of a shape.
+  /// The difference of two shapes, 0 or more; 0 for equal descriptions. `query` may describe only a part of a shape.
   virtual float distance(const Description& query, const Description& known) const = 0;
 };
 
-/// Shape context (Belongie, Malik and Puzicha 2002): where the other points of the boundary lie, seen from each point.
-/// `points` of the whole boundary, at least 2; 100 in the paper.
+/// Shape context (Belongie, Malik and Puzicha 2002): the distribution of the other boundary points round each point.
+/// `points`: number for the whole boundary, at least 2; 100 in the paper.
 std::unique_ptr<ShapeDescriptor> make_shape_context(int points = 100);
-/// Triangle-area representation (Alajlan, El Rube, Kamel and Freeman 2007): areas of triangles of a point and two others
-/// that lie equally far from it along the boundary.
+/// Triangle-area representation (Alajlan, El Rube, Kamel and Freeman 2007): areas of the triangles of a point and two
+/// others at equal distances from it along the boundary.
 std::unique_ptr<ShapeDescriptor> make_triangle_areas();
-/// Curvature scale space (Mokhtarian, Abbasi and Kittler 1996): how much smoothing each concave segment outlives.
+/// Curvature scale space (Mokhtarian, Abbasi and Kittler 1996): the smoothing at which each concave segment disappears.
 std::unique_ptr<ShapeDescriptor> make_curvature_scale_space();
 /// Integral invariants (Manay, Hong, Yezzi and Soatto 2004): the part of a disc round a boundary point that is inside.
 std::unique_ptr<ShapeDescriptor> make_integral_invariants();

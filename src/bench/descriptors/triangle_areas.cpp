@@ -7,7 +7,7 @@
 namespace tessera::bench {
 namespace {
 
-// The paper's section 4: 128 points, and triangles of all sizes below half of them.
+// From the paper's section 4: 128 points, and triangles of all sizes below half of that.
 constexpr int kTrianglePoints = 128;
 constexpr int kTriangleSizes = kTrianglePoints / 2 - 1;
 
@@ -17,8 +17,8 @@ class TriangleAreas : public ShapeDescriptor {
  public:
   std::string name() const override { return "triangle-areas"; }
 
-  /// One row a point: the areas of its triangles, positive where the boundary is convex, in parts of the largest one of
-  /// their size (Equation 3 of the paper).
+  /// One row for each point: the areas of its triangles, positive where the boundary is convex, relative to the largest
+  /// one of their size (Equation 3 of the paper).
   Description describe(const std::vector<Curve>& curves, float) const override {
     const std::vector<Vec2> points = resampled(closed_boundary(curves), kTrianglePoints).points;
     Description areas(std::size_t(kTrianglePoints) * kTriangleSizes);
@@ -35,7 +35,7 @@ class TriangleAreas : public ShapeDescriptor {
     return areas;
   }
 
-  /// The paper's dynamic space warping, which may begin and end anywhere on the known shape, as the query may be a part.
+  /// The paper's dynamic space warping. It may begin and end anywhere on the known shape, as the query may be a part.
   float distance(const Description& query, const Description& known) const override {
     return warped_difference(query, known, kTriangleSizes);
   }

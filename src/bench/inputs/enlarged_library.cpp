@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t kShapesInAPart = 512;  // whole shapes, 80 KB each
 
-/// Of the drawing that is not there: a page with the shape in its middle.
+/// The artwork of a missing drawing: a page with the shape in its middle.
 Artwork blank_page() {
   constexpr int kSide_px = 600;
   Artwork artwork;

@@ -1,4 +1,4 @@
-// Makes a library file of any size from another one.
+// Makes a library file of any size from another library.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace tessera::bench {
 
-/// Writes the first `count` shapes without their artwork; beyond the library's own they are mirrored and stretched ones
+/// Writes the first `count` shapes without their artwork; beyond the library's own these are mirrored and stretched
 /// (varied_shapes.h). Throws EnvironmentError.
 void write_library_of_size(const LibraryFile& library, std::uint32_t count, const std::string& path);
 

@@ -9,10 +9,10 @@
 
 namespace tessera::bench {
 
-/// A smooth blob with a few lobes, curves everywhere; the same number, the same blob.
+/// A smooth blob with a few lobes and no straight part; the same number gives the same blob.
 TracedOutline blob_outline(std::uint32_t number);
 
-/// Blobs 0 .. count - 1, built on all cores.
+/// Blobs 0 to count - 1, made on all cores.
 std::vector<Shape> blob_shapes(std::size_t count);
 
 std::vector<ShapeModel> models_of(const std::vector<Shape>& shapes, const MatchingContext& context);

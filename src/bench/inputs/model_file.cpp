@@ -13,7 +13,7 @@
 namespace tessera::bench {
 namespace {
 
-constexpr std::uint64_t kHeadBytes = sizeof(std::uint64_t);  // a digest of what the file is of
+constexpr std::uint64_t kHeadBytes = sizeof(std::uint64_t);  // a digest that identifies the content
 
 std::uint64_t digest_of(const VariedShapes& shapes, std::uint32_t count, const SegmentKind& kind) {
   Digest digest;
@@ -25,7 +25,7 @@ std::uint64_t digest_of(const VariedShapes& shapes, std::uint32_t count, const S
   return digest.value();
 }
 
-/// And where the file ends.
+/// The places in the file where segments begin, and its end.
 std::vector<std::uint64_t> segment_begins(const SegmentKind& kind, std::uint32_t count) {
   std::vector<std::uint64_t> begins{kHeadBytes};
   for (std::uint32_t first = 0; first < count; first += kSegmentShapes) {
@@ -42,7 +42,7 @@ bool is_there(const std::string& path, std::uint64_t digest, std::uint64_t bytes
   return found == digest;
 }
 
-/// Models [begin, end) of shapes whose outlines came before: `different` has those of the first ones.
+/// Models [begin, end) of shapes that repeat outlines; `different` has the models of the first ones.
 std::vector<ShapeModel> again(const ModelSource& different, const ShapeRange& range) {
   std::vector<ShapeModel> models;
   for (std::uint32_t at = range.begin; at < range.end;) {

@@ -1,5 +1,5 @@
-// The models of a very large library in a file of their own, as a library file holds them (library/storage/segment_layout.h)
-// and without the rest of it, which no matcher reads: a million shapes are 27 GB.
+// The models of a very large library in a file of their own, laid out as in a library file
+// (library/storage/segment_layout.h). It omits the parts that no matcher reads: a million shapes take 27 GB.
 #pragma once
 
 #include <memory>
@@ -10,12 +10,13 @@
 
 namespace tessera::bench {
 
-/// Of the first `count` varied shapes, with the levels of the context, in a file of the folder. It is made where it is
-/// not there, or is of other shapes. Throws EnvironmentError where it cannot be written.
+/// The models of the first `count` varied shapes, with the levels of the context, from a file in the folder. Writes
+/// that file where it is missing, or holds other shapes. Throws EnvironmentError where it cannot be written.
 std::shared_ptr<const ModelSource> models_in_file(const std::string& folder, const VariedShapes& shapes,
                                                   std::uint32_t count, const MatchingContext& context);
 
-/// The same, or where `folder` is empty, models that are made whenever a matcher asks for them. `shapes` outlive them.
+/// The models from models_in_file(). Where `folder` is empty, they are made whenever a matcher asks for them. `shapes`
+/// must outlive them.
 std::shared_ptr<const ModelSource> varied_models(const VariedShapes& shapes, std::uint32_t count,
                                                  const MatchingContext& context, const std::string& folder);
 

@@ -14,8 +14,8 @@ Vec2 moved(Vec2 p, const ShapeVariation& variation) {
   return along * (dot(along, p) * variation.factor) + Vec2{-along.y, along.x} * (cross(along, p) / variation.factor);
 }
 
-/// The points are the spline's control points: it runs between them by a fraction of their spacing, which is far below
-/// the finest smoothing level. A mirrored curve is walked backwards, for its interior to stay on the left.
+/// The points become the spline's control points: the spline differs from the polygon by a fraction of their spacing,
+/// far below the finest smoothing level. A mirrored curve is reversed, so that its interior stays on the left.
 ClosedSpline varied_curve(std::vector<Vec2> curve, const ShapeVariation& variation) {
   if (variation.mirrored) std::reverse(curve.begin(), curve.end());
   Eigen::Matrix2Xd control(2, Eigen::Index(curve.size()));

@@ -49,7 +49,7 @@ ShapeVariation variation_number(std::uint32_t number) {
   ShapeVariation variation;
   variation.mirrored = number % 2 == 1;
   if (stretch == 0) return variation;
-  // Multiples of the plastic number's powers fill the plane evenly (R2 sequence): no two stretches are alike.
+  // Multiples of the plastic number's powers fill the plane evenly (R2 sequence), so all stretches differ.
   variation.angle_rad = std::numbers::pi_v<float> * fraction(stretch * 0.7548776662466927);
   variation.factor = std::pow(kMostStretch, 0.2f + 0.8f * fraction(stretch * 0.5698402909980532));
   return variation;

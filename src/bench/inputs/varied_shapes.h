@@ -1,4 +1,4 @@
-// A library larger than its file: its shapes, then the same mirrored, then stretched and mirrored in other ways.
+// A library larger than its file: its shapes, then the same mirrored, then others stretched and mirrored.
 #pragma once
 
 #include "bench/inputs/shape_variation.h"
@@ -8,20 +8,21 @@
 
 namespace tessera::bench {
 
-/// Variation 0 changes nothing, 1 mirrors; the further ones stretch by up to 1.5 both ways, every second one mirrored.
+/// Variation 0 changes nothing, 1 mirrors. Later ones stretch by up to 1.5 along and across; every second is mirrored.
 ShapeVariation variation_number(std::uint32_t number);
 
 inline constexpr std::uint32_t kMostVariedShapes = 1'000'000;
 
-/// Of --sizes. Throws InputError.
+/// Checks --sizes. Throws InputError.
 void check_varied_sizes(const std::vector<std::uint32_t>& sizes);
 
-/// The model of shape `number`, whose outline is that of an earlier one, gets PADs of its own.
+/// Changes the PADs of the model of shape `number`, whose outline is that of an earlier shape.
 void change_pads(ShapeModel& model, std::uint32_t number);
 
-/// Shape i is variation i / n of shape i % n of the file's n. Made when asked for: only outlines are kept of the file.
-/// From kDifferent on the outlines come again, and models with other PADs, each element changed by up to a fiftieth: to
-/// make a hundred thousand outlines takes 15 minutes of a core, a million some hours.
+/// Shape i is variation i / n of shape i % n in a file of n shapes. Shapes are made when they are asked for; only the
+/// outlines of the file are kept. From kDifferent on the same outlines come again, with changed PADs in their models:
+/// each element by up to a fiftieth. Making a hundred thousand outlines takes 15 minutes of a core, a million some
+/// hours.
 class VariedShapes : public CachedShapes {
  public:
   explicit VariedShapes(const LibraryFile& library);
@@ -32,10 +33,10 @@ class VariedShapes : public CachedShapes {
 
   static constexpr std::uint32_t kDifferent = 20'000;
 
-  /// Of the file that they are made of.
+  /// The digest of the file from which they are made.
   std::uint64_t content_digest() const { return digest_; }
 
-  /// The time spent on making whole shapes for those who asked for one at a time.
+  /// The time spent on making whole shapes that were asked for one at a time.
   double making_s() const { return making_s_; }
 
  protected:

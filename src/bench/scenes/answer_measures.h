@@ -1,4 +1,4 @@
-// Measures of how good the best answer to a query is: a small one tells a shape that the library has not.
+// Measures for the quality of the best answer to a query: a small value means that the library does not have the shape.
 #pragma once
 
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace tessera::bench {
 
-/// All are 0 where there is no answer.
+/// The measures; all are 0 where there is no answer.
 struct AnswerMeasures {
-  double similarity = 0;  // Recognition::similarity: by closeness, the followed length in parts of the query's
-  double margin = 0;      // the similarity less that of the first answer that is another shape, no twin of the best one
-  double score = 0;       // answer_score(): the same length in parts of the geometric mean of both lengths
+  double similarity = 0;  // Recognition::similarity: weighted length of the match / query's length
+  double margin = 0;      // similarity minus that of the next answer that is no twin of the best one
+  double score = 0;       // answer_score(): the same length / geometric mean of both lengths
 };
 
 /// `found`: the answers, the best first.

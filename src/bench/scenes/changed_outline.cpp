@@ -16,18 +16,18 @@ namespace {
 
 constexpr int kPoints = 512;
 constexpr int kArcTries = 400;
-/// The arc of the other outline, against the replaced one: its length, and the scale by which its ends fit.
+/// Limits for the new arc: its length relative to the replaced one, and the scale at which its ends fit.
 constexpr float kShortest = 0.6f;
 constexpr float kLongest = 1.6f;
 constexpr float kLeastScale = 0.8f;
 constexpr float kMostScale = 1.25f;
-/// So far, in parts of the square root of the area, some point of the new arc lies from the old one.
+/// Some point of the new arc must be at least this far from the old one, relative to the square root of the area.
 constexpr float kLeastChange = 0.1f;
 constexpr int kFilledMargin_px = 8;
 
 double size_of(const std::vector<Vec2>& outline) { return std::sqrt(std::abs(signed_area(outline))); }
 
-/// The points of a closed curve from `first` on, both ends among them.
+/// The points of an arc of a closed curve from `first` on, both ends included.
 std::vector<Vec2> arc_of(const std::vector<Vec2>& closed, std::size_t first, std::size_t steps) {
   std::vector<Vec2> arc;
   for (std::size_t k = 0; k <= steps; ++k) arc.push_back(closed[(first + k) % closed.size()]);
@@ -40,7 +40,7 @@ float arc_length(const std::vector<Vec2>& arc) {
   return length;
 }
 
-/// Lays the arc's ends onto the given ones.
+/// Maps the arc's ends to the given points.
 Similarity onto_ends(const std::vector<Vec2>& arc, Vec2 from, Vec2 to) {
   const Vec2 own = arc.back() - arc.front();
   const Vec2 wanted = to - from;
@@ -67,7 +67,7 @@ bool crosses_itself(const std::vector<Vec2>& closed) {
   return false;
 }
 
-/// The farthest that a point of the arc lies from the points of another one.
+/// The largest distance of a point of the arc from the points of another one.
 float farthest_from(const std::vector<Vec2>& arc, const std::vector<Vec2>& other) {
   float farthest = 0;
   for (const Vec2 p : arc) {
@@ -117,7 +117,7 @@ std::vector<Vec2> outer_outline(const cv::Mat& mask) {
 
 cv::Mat filled_mask(const std::vector<Vec2>& polygon) {
   const Box box = bounding_box(polygon);
-  // A pixel's middle has whole coordinates in a mask, and halves on the grid.
+  // The centre of a pixel has whole coordinates in a mask, and halves on the grid.
   const float margin_px = float(kFilledMargin_px) + 0.5f;
   const Similarity grid_from_polygon{1, 0, margin_px - box.low.x, margin_px - box.low.y};
   const Window window{0, 0, int(box.width()) + 2 * kFilledMargin_px + 1, int(box.height()) + 2 * kFilledMargin_px + 1};

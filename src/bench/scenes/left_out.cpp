@@ -16,7 +16,7 @@ std::vector<std::size_t> shuffled(std::size_t count, Draws& draws) {
   return order;
 }
 
-/// The silhouettes of each class.
+/// The silhouettes of each class, as indices.
 std::vector<std::vector<std::size_t>> classes_of(const std::vector<Silhouette>& silhouettes) {
   std::map<std::string, std::vector<std::size_t>> by_name;
   for (std::size_t i = 0; i < silhouettes.size(); ++i) {
@@ -27,10 +27,10 @@ std::vector<std::vector<std::size_t>> classes_of(const std::vector<Silhouette>& 
   return classes;
 }
 
-/// Takes the members in a random order, each with its twins, and leaves every second group out.
+/// Forms groups from the members in random order, each with its twins, and leaves every second group out.
 void leave_out_half(const std::vector<std::size_t>& members, const Twins& twins, Draws& draws,
                     std::vector<bool>& left_out) {
-  // The library may hold mirror images.
+  // Mirror images count, too: the library may hold them.
   const auto are_alike = [&](std::size_t a, std::size_t b) {
     return twins.are_twins(a, b) || twins.are_twins(a, b, true);
   };

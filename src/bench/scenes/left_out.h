@@ -1,4 +1,4 @@
-// Silhouettes that are kept out of the library, so that "nothing that the library has" is the right answer to a query.
+// Leaves silhouettes out of the library, so that "unknown" is the right answer to their queries.
 #pragma once
 
 #include <cstdint>
@@ -13,15 +13,15 @@ namespace tessera::bench {
 
 enum class LeftOut {
   none,
-  classes,  // half of the classes, each as a whole: nothing of its kind is known
-  shapes    // half of the shapes of each class; twins share their lot
+  classes,  // half of the classes, each completely: no similar shape is known
+  shapes    // half of the shapes of each class; twins stay together
 };
 
-/// Chooses the silhouettes that are left out, by draws of the seed. One value a silhouette: true where it is left out.
+/// Chooses the silhouettes to leave out, with random draws from the seed. The result has true for each left-out one.
 std::vector<bool> chosen_left_out(const std::vector<Silhouette>& silhouettes, const Twins& twins, LeftOut kind,
                                   std::uint64_t seed);
 
-/// Removes their shapes, mirror images too, from the library.
+/// Removes their shapes, with mirror images, from the library.
 void leave_out(const std::vector<bool>& left_out, SilhouetteLibrary& library);
 
 }  // namespace tessera::bench

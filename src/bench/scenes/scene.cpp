@@ -8,7 +8,7 @@
 namespace tessera::bench {
 namespace {
 
-constexpr int kBisections = 24;  // of the bisection: finer than a pixel
+constexpr int kBisections = 24;  // finer than a pixel
 
 double area_px2(const cv::Mat& mask) { return double(cv::countNonZero(mask)); }
 
@@ -23,7 +23,7 @@ cv::Point2d centroid(const cv::Mat& mask) {
   return {m.m10 / m.m00, m.m01 / m.m00};
 }
 
-/// A silhouette that is laid over another one: turned and scaled about its centroid, which lies at a point of the scene.
+/// A silhouette laid over another one: turned and scaled about its centroid, which is placed at a point of the scene.
 class LaidOver {
  public:
   LaidOver(const cv::Mat& mask, double turned_rad, double size)
@@ -103,7 +103,7 @@ std::optional<Scene> covered_scene(const cv::Mat& lower, const cv::Mat& upper, d
 }
 
 HiderDistance distance_from_hider(const Scene& scene) {
-  cv::Mat distance;  // of the middle of each pixel from the nearest hidden one's
+  cv::Mat distance;  // from the centre of each pixel to the nearest hidden one
   cv::distanceTransform(scene.hider == 0, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);
   return [distance](Vec2 p) {
     const int x = std::clamp(int(std::lround(p.x)), 0, distance.cols - 1);

@@ -1,5 +1,4 @@
-// Scenes in which a part of a silhouette is hidden, with the truth known (paper, Fig. 4a). All masks are CV_8U: 255 inside,
-// else 0.
+// Scenes in which a known part of a silhouette is hidden (paper, Fig. 4a). All masks are CV_8U: 255 inside, else 0.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -10,34 +9,34 @@
 
 namespace tessera::bench {
 
-/// Both masks have the same size and frame, px of the lower silhouette's mask.
+/// A scene. Both masks have the same size and frame: px of the lower silhouette's mask.
 struct Scene {
-  cv::Mat lower;  // the silhouette, whole
-  cv::Mat hider;  // what lies over it
+  cv::Mat lower;  // the whole silhouette
+  cv::Mat hider;  // the object over it
 
-  /// The part of the silhouette that shows, and both as one silhouette.
+  /// The visible part of the silhouette; united() has both as one silhouette.
   cv::Mat seen() const;
   cv::Mat united() const;
   /// The hidden part of the silhouette's area, 0 to 1.
   double hidden() const;
 };
 
-/// This part of the width is hidden, from the left: the paper's Figs. 26 and 27.
+/// Hides this part of the width, from the left, as in the paper's Figs. 26 and 27.
 Scene clipped_scene(const cv::Mat& lower, double hidden);
 
-/// Another silhouette lies over the lower one and hides this part of its area, to a pixel's share: turned at random, taken so
-/// many times as large as the lower one (areas), and moved away in a random direction until it hides no more. Empty where
-/// it cannot hide that much.
+/// Lays another silhouette over the lower one so that it hides this part of the area, to a fraction of a pixel. The
+/// upper one has a random rotation and `times_as_large` times the lower one's area, and is moved away in a random
+/// direction until it hides no more. Nullopt where it cannot hide that much.
 std::optional<Scene> covered_scene(const cv::Mat& lower, const cv::Mat& upper, double hidden, double times_as_large,
                                    Draws& draws);
 
-/// Two to six parallel bars, as a fence's: their width is what hides this part of the area.
+/// Hides this part of the area with two to six parallel bars, like a fence; their width is fitted.
 Scene bars_scene(const cv::Mat& lower, double hidden, Draws& draws);
 
-/// A branch with twigs that bear twigs of their own, grown across the silhouette: as thick as hides this part of the area.
+/// Hides this part of the area with a branch across the silhouette, whose twigs have twigs; the thickness is fitted.
 Scene branch_scene(const cv::Mat& lower, double hidden, Draws& draws);
 
-/// Distances from the scene's hider. The scene need not outlive it.
+/// The distance function of the scene's hider. The scene need not outlive it.
 HiderDistance distance_from_hider(const Scene& scene);
 
 }  // namespace tessera::bench

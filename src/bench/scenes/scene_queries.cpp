@@ -11,13 +11,13 @@
 namespace tessera::bench {
 namespace {
 
-/// Other silhouettes that are tried for one query; each is taken larger than the one before it, so that long shapes can be
-/// hidden, too: twice as large (area) after so many.
+/// Most other silhouettes that are tried for one query. Each is scaled larger than the one before, so that it can also
+/// hide long shapes: twice the area after kTriesToDouble.
 constexpr int kMostOthersTried = 64;
 constexpr double kTriesToDouble = 16;
 
 /// The visible part of a scene, and the silhouettes that it shows.
-struct Sight {
+struct VisiblePart {
   cv::Mat seen;
   HiderDistance from_hider;  // empty: all is boundary
   std::vector<std::size_t> shown;
@@ -32,41 +32,41 @@ struct SceneMaker {
 
   const cv::Mat& mask(std::size_t of) const { return run.silhouettes[of].mask; }
 
-  Sight behind(const Scene& scene) const {
+  VisiblePart behind(const Scene& scene) const {
     return {scene.seen(), run.options.edge_removed ? distance_from_hider(scene) : HiderDistance(), {silhouette}};
   }
 
-  /// Makes something of the silhouette and one of the others, whichever can be used.
+  /// Makes a view from the silhouette and one of the others, the first with which `make` succeeds.
   template <class Make>
-  std::optional<Sight> with_another(const Make& make) const {
+  std::optional<VisiblePart> with_another(const Make& make) const {
     for (int attempt = 0; attempt < kMostOthersTried && !others.empty(); ++attempt) {
       const std::size_t other = others[draws.below(others.size())];
       if (run.twins.are_twins(other, silhouette)) continue;
-      if (std::optional<Sight> sight = make(other, attempt)) return sight;
+      if (std::optional<VisiblePart> sight = make(other, attempt)) return sight;
     }
     return std::nullopt;
   }
 
-  std::optional<Sight> covered(bool known) const {
-    return with_another([&](std::size_t upper, int attempt) -> std::optional<Sight> {
+  std::optional<VisiblePart> covered(bool known) const {
+    return with_another([&](std::size_t upper, int attempt) -> std::optional<VisiblePart> {
       const double times_as_large = std::exp2(double(draws.unit()) - 0.5 + attempt / kTriesToDouble);
       const std::optional<Scene> scene = covered_scene(mask(silhouette), mask(upper), hidden, times_as_large, draws);
       if (!scene) return std::nullopt;
-      return known ? behind(*scene) : Sight{scene->united(), {}, {silhouette, upper}};
+      return known ? behind(*scene) : VisiblePart{scene->united(), {}, {silhouette, upper}};
     });
   }
 
-  std::optional<Sight> changed() const {
+  std::optional<VisiblePart> changed() const {
     const std::vector<Vec2> outline = outer_outline(mask(silhouette));
-    return with_another([&](std::size_t other, int) -> std::optional<Sight> {
+    return with_another([&](std::size_t other, int) -> std::optional<VisiblePart> {
       const std::optional<ChangedOutline> changed = changed_outline(outline, outer_outline(mask(other)), hidden, draws);
       if (!changed) return std::nullopt;
-      return Sight{filled_mask(changed->points), {}, {silhouette, other}};
+      return VisiblePart{filled_mask(changed->points), {}, {silhouette, other}};
     });
   }
 };
 
-using MakeSight = std::function<std::optional<Sight>(const SceneMaker&)>;
+using MakeSight = std::function<std::optional<VisiblePart>(const SceneMaker&)>;
 
 const std::vector<std::pair<std::string, MakeSight>>& makers() {
   static const std::vector<std::pair<std::string, MakeSight>> all = {
@@ -96,7 +96,7 @@ std::optional<SceneQuery> scene_query(const SilhouetteCase& run, const std::stri
   Draws draws(mix_bits(run.options.seed + std::uint64_t(maker - makers().begin()) + 1) ^
               (std::uint64_t(silhouette) << 8) ^ std::uint64_t(hidden_percent));
   const View view = random_view(run.options, draws);
-  const std::optional<Sight> sight = maker->second({run, silhouette, hidden_percent / 100., others, draws});
+  const std::optional<VisiblePart> sight = maker->second({run, silhouette, hidden_percent / 100., others, draws});
   if (!sight) return std::nullopt;
   return SceneQuery{told_query(seen_curves(sight->seen, view, sight->from_hider, draws), view, run.options),
                     sight->shown};

@@ -1,5 +1,6 @@
-// Fences and branches over silhouettes (scene.h). Each is a field: how wide its strokes must be, in parts of their own
-// widths, to reach a pixel. What hides a part of the area is where the field is below that part's quantile.
+// Fences and branches over silhouettes (scene.h). Each is a field: how wide its strokes must be, as a multiple of their
+// own widths, to reach a pixel. Pixels are hidden where the field is below the quantile for the wanted part of the
+// area.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -17,7 +18,7 @@ namespace {
 
 constexpr std::size_t kFewestBars = 2;
 constexpr std::size_t kMostBars = 6;
-/// The branch: strokes of each generation, their lengths and widths in parts of those that bear them.
+/// The branch: number of generations and twigs; lengths and widths relative to the parent stroke.
 constexpr int kGenerations = 3;
 constexpr int kTwigs = 4;
 constexpr float kTwigLength = 0.5f;
@@ -27,7 +28,7 @@ constexpr float kMostTurn_rad = 1.1f;
 
 using Field = std::function<float(Vec2)>;
 
-/// Hides the pixels of which the field is lowest: this part of the silhouette's, and the others that are as low.
+/// Hides the pixels with the lowest field: this part of the silhouette's pixels, and all others as low.
 Scene hidden_where_lowest(const cv::Mat& lower, double hidden, const Field& field) {
   cv::Mat values(lower.size(), CV_32F);
   std::vector<float> inside;
@@ -58,7 +59,7 @@ float distance_from(const Stroke& stroke, Vec2 p) {
 
 Vec2 direction(float angle_rad) { return {std::cos(angle_rad), std::sin(angle_rad)}; }
 
-/// Adds the stroke from a point on, and its twigs, alternately to the left and to the right.
+/// Adds a stroke from a point on, with twigs alternately on the left and the right.
 void grow(Vec2 from, float angle_rad, float length, float width, int generation, Draws& draws,
           std::vector<Stroke>& strokes) {
   const Vec2 to = from + direction(angle_rad) * length;

@@ -1,4 +1,4 @@
-// Precision and recall of answers that are given only where a measure of the best shape is large enough.
+// Precision and recall, where an answer is given only if a measure of the best shape reaches a threshold.
 #pragma once
 
 #include <cstddef>
@@ -9,22 +9,22 @@ namespace tessera::bench {
 
 /// The best shape for one query.
 struct Verdict {
-  double measure = 0;  // of how good the answer is; the larger the better
-  bool told = false;   // whether there is an answer at all
+  double measure = 0;  // quality of the answer; larger is better
+  bool told = false;   // whether there is an answer
   bool right = false;
-  bool known = false;  // whether the library has what the query shows
+  bool known = false;  // whether the library has the shape of the query
 };
 
-/// The counts where answers with at least this measure are given, and "unknown" else.
+/// The counts for the threshold `least`: answers below it become "unknown".
 struct PrecisionRecall {
   double least = 0;
   std::size_t right = 0;  // answers
   std::size_t given = 0;  // answers
   std::size_t known = 0;  // queries
 
-  /// The right ones of the answers that were given; 1 where none was given.
+  /// Right answers divided by given answers; 1 where none was given.
   double precision() const { return given == 0 ? 1 : double(right) / double(given); }
-  /// The right answers to queries of known shapes; 1 where there are none of these.
+  /// Right answers divided by queries of known shapes; 1 where there are no such queries.
   double recall() const { return known == 0 ? 1 : double(right) / double(known); }
   /// The harmonic mean of both (van Rijsbergen 1979); 0 where no answer is right.
   double f1() const {
@@ -35,7 +35,7 @@ struct PrecisionRecall {
 
 PrecisionRecall precision_recall(std::span<const Verdict> verdicts, double least);
 
-/// The threshold of the largest F1, which is the measure of one of the verdicts; the highest of equals.
+/// The threshold with the largest F1; the highest of equals. It is the measure of one of the verdicts.
 PrecisionRecall best_threshold(std::span<const Verdict> verdicts);
 
 }  // namespace tessera::bench

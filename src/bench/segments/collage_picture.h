@@ -1,4 +1,4 @@
-// A collage in plain colours, to look at.
+// Draws a collage in plain colours, for a look at it.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@
 
 namespace tessera::bench {
 
-/// Outlines filled in colours that take turns, the first placement, the seed, in grey. `shapes[i]` is library shape i.
+/// Outlines filled in alternating colours; the first placement, the seed, is grey. `shapes[i]` is library shape i.
 std::string collage_svg(const Canvas& canvas, const std::vector<Placement>& placements,
                         const std::vector<Shape>& shapes);
 
-/// The same as `path`, a PNG. Throws EnvironmentError.
+/// Writes the same picture to `path`, a PNG. Throws EnvironmentError.
 void write_collage_picture(const Canvas& canvas, const std::vector<Placement>& placements,
                            const std::vector<Shape>& shapes, const std::string& path);
 

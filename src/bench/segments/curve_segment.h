@@ -1,5 +1,5 @@
-// Segments of curves, so that a descriptor of whole shapes can match parts of them: the naive extension of section 2 of
-// the paper ("divide a shape into multiple instances of curve segments").
+// Segments of curves, with which a descriptor of whole shapes matches parts of shapes: the naive extension in section 2
+// of the paper ("divide a shape into multiple instances of curve segments").
 #pragma once
 
 #include <vector>
@@ -10,17 +10,17 @@
 namespace tessera::bench {
 
 struct CurveSegment {
-  /// Even points along it, both ends included, in the curve's own units: what docking aligns.
+  /// Evenly spaced points along it, both ends included, in the curve's own units. Docking aligns them.
   Keypoints points{};
-  float length = 0;  // the same units
-  /// The area between the segment and its chord lies on its left, as that of a bulge does where the interior is on the
-  /// left.
+  float length = 0;  // in the same units
+  /// Whether the area between the segment and its chord lies on its left. With the interior on the left that is so for
+  /// a bulge.
   bool bulges = false;
   Description description;
 };
 
-/// `line`: an open polyline without a curve_fault(). A segment that does not bulge is described the other way round, so
-/// that the area on its left is positive: Hu's moments know no negative areas.
+/// Makes a segment. `line`: an open polyline without a curve_fault(). A segment that does not bulge is described in the
+/// other direction, so that the area on its left is positive: Hu's moments do not allow negative areas.
 CurveSegment make_segment(std::vector<Vec2> line, const ShapeDescriptor& descriptor);
 
 }  // namespace tessera::bench

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kNotCompared = std::numeric_limits<float>::infinity();
 
-/// The even points of a segment as the key points of a pyramid, which docking aligns.
+/// The evenly spaced points of a segment as the key points of a pyramid, for docking.
 ArclengthPyramid pyramid_of(const CurveSegment& segment) {
   ArclengthPyramid pyramid;
   pyramid.keypoint = segment.points;
@@ -47,7 +47,7 @@ void SegmentMatcher::update_field(const FieldPatch& patch) {
   reference_.update_field(patch);
 }
 
-void SegmentMatcher::limit(const StandingLimits& limits) {
+void SegmentMatcher::limit(const StanceLimits& limits) {
   tessera::limit(context_, all_stances_, limits);
   reference_.limit(limits);
 }
@@ -120,7 +120,7 @@ std::vector<SegmentMatcher::SegmentPair> SegmentMatcher::nearest_pairs(const std
   std::stable_sort(all.begin(), all.end(),
                    [](const SegmentPair& a, const SegmentPair& b) { return a.distance < b.distance; });
   if (all.size() > matching_.pairs) all.resize(matching_.pairs);
-  // Dockings go shape by shape, as the engine's do.
+  // Dockings are ordered by shape, as in the engine.
   std::stable_sort(all.begin(), all.end(),
                    [](const SegmentPair& a, const SegmentPair& b) { return a.shape < b.shape; });
   return all;

@@ -8,7 +8,7 @@ namespace tessera::bench {
 namespace {
 
 PieceSettings without_padding(PieceSettings pieces) {
-  pieces.padding_px = 0;  // the free field is less by it already
+  pieces.padding_px = 0;  // already subtracted from the free field
   return pieces;
 }
 
@@ -30,7 +30,8 @@ void TargetStretches::trace(const CanvasField& free) {
   curve_->retrace(opened.contour(), opened.grid(), free.origin, opened.contour().bounds());
 }
 
-/// The vertices after `from` that are nearer to it than `length_px` along the curve. Nothing where the walk meets `last`.
+/// The vertices after `from` that are nearer to it than `length_px` along the curve. Nullopt where the walk meets
+/// `last`.
 std::optional<std::vector<int>> TargetStretches::walk(int from, float length_px, bool forward, int last) {
   std::vector<int> passed;
   float walked_px = 0;

@@ -1,4 +1,4 @@
-// The collage's target curve, traced from a free field as the engine traces its own, and stretches of it.
+// The collage's target curve, traced from a free field as in the engine, and stretches of it.
 #pragma once
 
 #include <optional>
@@ -16,11 +16,11 @@ class TargetStretches {
   /// The canvas must not repeat.
   explicit TargetStretches(const PieceSettings& pieces);
 
-  /// Traces the whole curve anew. `free`: the free field at the canvas' nodes, paddings taken off.
+  /// Traces the whole curve again. `free`: the free field at the canvas' nodes, with paddings subtracted.
   void trace(const CanvasField& free);
 
-  /// The smoothed target curve from the sample's left end of `level` to its right end, canvas px, the free region on the
-  /// left. Empty where the sample does not lie on the curve, or where the stretch would be the whole closed curve.
+  /// The smoothed target curve from the sample's left end of `level` to its right end, canvas px, with the free region
+  /// on the left. Empty where the sample is not on the curve, or where the stretch would be the whole closed curve.
   std::vector<Vec2> around(const TargetSample& sample, int level);
 
  private:

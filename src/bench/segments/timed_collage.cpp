@@ -9,13 +9,14 @@
 namespace tessera::bench {
 namespace {
 
-/// An octave of sizes: large enough for the 1.5 px by which fields blur, small enough for a quick field.
+/// Sizes over one octave: large enough for the 1.5 px by which fields blur, small enough for a fast field.
 constexpr float kLeastScale_px = 50;
 constexpr float kMostScale_px = 100;
-/// Area of the square canvas, in areas of all shapes at their largest. In a smaller one some shapes find no place at the rim.
+/// Area of the square canvas divided by the area of all shapes at their largest. With less, some shapes find no place
+/// at the rim.
 constexpr double kRoom = 1.5;
 
-/// Counts the pieces over the processor time, and ends the loop when that is over.
+/// Records pieces over processor time, and ends the loop when the time is over.
 class Timer : public master::Observer {
  public:
   explicit Timer(double limit_s) : limit_s_(limit_s) {}
@@ -35,7 +36,7 @@ class Timer : public master::Observer {
 
  private:
   double limit_s_;
-  double start_s_ = std::numeric_limits<double>::infinity();  // before the start no time passes
+  double start_s_ = std::numeric_limits<double>::infinity();  // infinite until the loop starts
   std::vector<std::pair<double, std::size_t>> pieces_at_s_;
 };
 

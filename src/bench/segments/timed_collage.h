@@ -1,4 +1,4 @@
-// A collage grown round a seed while its time is taken: each shape once (paper, Fig. 28).
+// Grows a collage round a seed and measures the time; each shape is used once (paper, Fig. 28).
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace tessera::bench {
 
-/// Shapes that lie in memory.
+/// Shapes in memory.
 class GivenShapes : public CachedShapes {
  public:
   explicit GivenShapes(std::vector<Shape> shapes) : shapes_(std::move(shapes)) {}
@@ -29,41 +29,41 @@ class GivenShapes : public CachedShapes {
   std::vector<Shape> shapes_;
 };
 
-/// The canvas and the settings that all matchers are given.
+/// The canvas and the settings that all matchers get.
 struct SeededCollage {
   Canvas canvas;
   CollageSettings settings;
 };
 
-/// A square with room for so many shapes. Shape 0 lies in its middle as the seed. The others, each once, grow round it:
-/// they dock to what stands, never to the square's edge. Descriptors alone find dockings: there are no random ones, and
+/// A square with room for this many shapes. Shape 0 lies in its middle as the seed. The others, each once, grow round
+/// it: they dock to pieces, never to the square's edge. Only descriptors find dockings: there are no random ones, and
 /// the collage is not improved.
 SeededCollage make_seeded_collage(std::size_t shapes);
 
-/// When a method must stop: the processor time of this process since its loop began, and the pieces beside the seed.
+/// The limits of a method: the processor time of this process since its loop began, and the pieces without the seed.
 struct CollageLimits {
   double processor_s = 0;
   int pieces = 0;  // 0: no limit
 };
 
-/// Tells why a method must stop now; nothing: its time is not over.
+/// Returns why a method must stop now; nullopt: it may go on.
 using TimeIsOver = std::function<std::optional<StopReason>()>;
-/// Makes the matcher, which may ask the question while it works. The time of making it is not counted.
+/// Makes the matcher, which may ask this function while it works. The time of making it is not counted.
 using MakeMatcher = std::function<std::unique_ptr<Matcher>(const TimeIsOver&)>;
 
 struct TimedCollage {
   std::unique_ptr<Matcher> matcher;
-  std::vector<Placement> placements;                        // the seed first
-  double preparation_s = 0;                                 // processor time, before the loop
+  std::vector<Placement> placements;                        // the seed is the first
+  double preparation_s = 0;                                 // processor time before the loop
   double processor_s = 0;                                   // of the loop, all threads
   double wall_s = 0;                                        // of the loop
-  std::vector<std::pair<double, std::size_t>> pieces_at_s;  // processor time of the loop, and pieces beside the seed
+  std::vector<std::pair<double, std::size_t>> pieces_at_s;  // processor time of the loop, and pieces without the seed
   RunStatistics statistics;
 
   std::size_t pieces() const { return placements.size() - 1; }
 };
 
-/// Fills the canvas of `collage` by the matcher, with `settings`, until no piece fits or a limit is reached.
+/// Fills the canvas of `collage` with the matcher and `settings`, until no piece fits or a limit is reached.
 TimedCollage make_timed_collage(const SeededCollage& collage, const CollageSettings& settings, GivenShapes& shapes,
                                 const CollageLimits& limits, const MakeMatcher& make);
 

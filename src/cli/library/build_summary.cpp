@@ -17,17 +17,17 @@ constexpr std::size_t kMergedShown = 10;
 
 std::string file_name(const std::string& path) { return printable_utf8(std::filesystem::path(path).filename()); }
 
-/// Of a line that counts files.
+/// The count column of a line.
 std::string count_column(std::size_t count) {
   char text[32];
   std::snprintf(text, sizeof text, "  %5zu  ", count);
   return text;
 }
 
-/// Where a reason has details after a colon (a parser's message), files are counted by what stands before it.
+/// The part of a reason before a colon; files are counted by it. Details (a parser's message) follow the colon.
 std::string reason_class(const std::string& reason) { return printable_utf8(reason.substr(0, reason.find(": "))); }
 
-/// Collections keep copies of one drawing in several folders: a name is shown once.
+/// The first names, each once: collections keep copies of one drawing in several folders.
 std::string first_names(const std::vector<std::string>& paths) {
   std::vector<std::string> names;
   for (const std::string& path : paths) {
@@ -68,14 +68,14 @@ std::string build_summary(const LibraryBuildReport& report) {
   if (!report.trimmed.empty()) {
     text += "parts that do not touch the largest one are not in the silhouettes of " +
             std::to_string(report.trimmed.size()) + ": " + first_names(report.trimmed) +
-            "\n  join them to have them; where a soft shadow joins them, --edge-opacity 0.05 has them\n";
+            "\n  join the parts to include them; if a soft shadow joins them, --edge-opacity 0.05 includes them\n";
   }
   if (!report.textless.empty()) {
     text += "text is not drawn, as fontconfig finds no font here, in " + std::to_string(report.textless.size()) + ": " +
-            first_names(report.textless) + "\n  install a font to have it: fonts-dejavu-core\n";
+            first_names(report.textless) + "\n  install a font to include it, e.g. fonts-dejavu-core\n";
   }
   if (!report.first_pictures.empty()) {
-    text += "the first picture alone, of an animation or of several pages, is in the library of " +
+    text += "only the first picture of an animation or of several pages is in the library, for " +
             std::to_string(report.first_pictures.size()) + ": " + first_names(report.first_pictures) + "\n";
   }
   if (!report.faint.empty()) {

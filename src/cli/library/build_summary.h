@@ -1,4 +1,4 @@
-// The text that `tessera library build` ends with.
+// The text at the end of `tessera library build`.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace tessera::cli {
 
-/// What was merged and left out, and why files were skipped: for each reason how many, and the first names. Empty where
-/// nothing of the kind happened; otherwise whole lines.
+/// The files that were merged, left out or skipped: their number and first names for each reason. Empty where all files
+/// were used; otherwise whole lines.
 std::string build_summary(const LibraryBuildReport& report);
 
-/// What became of all the files: "9 files: 5 shapes, 1 merged with these, 3 skipped".
+/// The number of files by outcome: "9 files: 5 shapes, 1 merged with these, 3 skipped".
 std::string build_counts(const LibraryBuildReport& report);
 
 }  // namespace tessera::cli

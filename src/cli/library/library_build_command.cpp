@@ -32,7 +32,7 @@ constexpr char kLibraryBuildExamples[] =
     "Reads SVG and SVGZ; PNG, WebP and TIFF with transparency; masks and pictures on a plain background (PNG, WebP,\n"
     "TIFF, BMP, JPEG).\n"
     "Not GIF, PDF, EPS and others: convert them to SVG or PNG. Files that cannot be used are skipped: the first are\n"
-    "named at the end, all of them, with the reasons, in LIB.left_out.txt.";
+    "named at the end, and all of them with reasons in LIB.left_out.txt.";
 
 LibraryBuildReport build_with_progress(const BuildArguments& arguments, const ArtworkFiles& files) {
   std::optional<ProgressBar> bar;
@@ -47,8 +47,8 @@ LibraryBuildReport build_with_progress(const BuildArguments& arguments, const Ar
   return report;
 }
 
-/// Of a build that wrote nothing. The list of a library that stays is not replaced. Returns why the list could not be
-/// written; mostly empty.
+/// Reports what a build left out that wrote no library. Where an older library stays, its list is not replaced. Returns
+/// why the list could not be written; mostly empty.
 std::string tell_what_was_left_out(const BuildArguments& arguments, const LibraryBuildReport& report) {
   std::error_code error;
   if (std::filesystem::exists(arguments.output, error)) {
@@ -79,7 +79,7 @@ void throw_if_nothing_found(const BuildArguments& arguments, const ArtworkFiles&
                                            : ": no file matches " + arguments.glob));
 }
 
-/// CLI::Range lets what is no number pass.
+/// Refuses nan, which CLI::Range accepts.
 void check_is_number(const char* option, float value) {
   if (std::isnan(value)) throw InputError(std::string(option) + ": found nan, allowed: a number");
 }
@@ -98,7 +98,7 @@ void build_library_file(const BuildArguments& arguments) {
   check_left_out_list(arguments.output);
   check_is_not_built_from(files.paths, arguments.output);
   const LibraryBuildReport report = build_with_progress(arguments, files);
-  const comm::StopDelay delay;  // for the list that belongs to it
+  const comm::StopDelay delay;  // the library and its list belong together
   if (!arguments.quiet) print_lines(build_summary(report));
   if (!report.written) throw_not_written(arguments, report);
   write_left_out_list(arguments.output, report);
@@ -112,7 +112,7 @@ void build_library_file(const BuildArguments& arguments) {
              build_counts(report).c_str());
 }
 
-// A table, an option a row.
+// The options, one in a row of the table.
 void add_library_build_command(CLI::App& library, Command& selected) {
   const auto arguments = std::make_shared<BuildArguments>();
   LibraryBuildSettings& settings = arguments->settings;
@@ -132,17 +132,19 @@ void add_library_build_command(CLI::App& library, Command& selected) {
   build->add_flag("--keep-rectangles", settings.tracing.rules.keep_rectangles,
                   "Plain rectangles are shapes, too, not a drawing's background");
   build->add_flag("--fill-holes", settings.tracing.rules.fill_holes,
-                  "What a drawing encloses counts as the shape: for line art, rings, chairs, which others cannot fill");
+                  "Fill the holes of drawings: for line art, rings, chairs, whose holes other pieces cannot enter");
   build->add_flag(
       "--puzzle", [&settings](std::int64_t) { settings.tracing.rules.keep_rectangles = settings.keep_twins = true; },
       "Each file is a piece: plain rectangles and files that look alike are shapes, too");
-  build->add_option("--processes", settings.files_at_a_time, "How many files are traced at a time; default: all cores")
+  build
+      ->add_option("--processes", settings.files_at_a_time,
+                   "Number of files traced at a time; default: the number "
+                   "of cores")
       ->check(CLI::Range(1, 1024));
   build
-      ->add_option(
-          "--edge-opacity", settings.tracing.rules.edge_opacity,
-          "Where the outline runs: at this opacity of the drawing; 0.05 takes in halos and soft shadows. At 0.5 these "
-          "are left out, and translucent parts with an edge are in")
+      ->add_option("--edge-opacity", settings.tracing.rules.edge_opacity,
+                   "Opacity at which the outline runs: 0.05 includes halos and soft shadows; 0.5 leaves these out, but "
+                   "includes translucent parts with an edge")
       ->check(CLI::Range(0.02, 0.9))
       ->capture_default_str();
   build
@@ -152,7 +154,8 @@ void add_library_build_command(CLI::App& library, Command& selected) {
       ->capture_default_str();
   build
       ->add_option("--delta-tau", settings.tracing.pad.delta_tau,
-                   "Their base interval of integral curvature, rad; the same goes for match.delta_tau")
+                   "Base interval of integral curvature of the stored PADs, rad; for jobs with another "
+                   "match.delta_tau they are computed anew")
       ->check(CLI::Range(0.05, 1.0))
       ->capture_default_str();
   build->callback([arguments, &selected] {

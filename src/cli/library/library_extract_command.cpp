@@ -36,17 +36,18 @@ constexpr char kLibraryExtractExamples[] =
     "  tessera library extract gravel.jpg --element-px 16 --enlarge 3 -o gravel.h5    elements of few pixels\n"
     "  tessera library extract wall.jpg --element-px 120 -o stones.h5 --ground mortar.png     the mortar, too\n"
     "  tessera library extract wall.jpg --labels wall_labels.png -o stones.h5      labels from another program\n"
-    "Reads JPEG, PNG, TIFF, WebP and BMP, turned as their EXIF data say. Each element comes with its own pixels, "
-    "which\n"
-    "the library holds. Those that the photo's edge cuts are left out. Elements that touch, or lie on a ground of\n"
-    "several colours, need --element-px. Look at the overview: where elements are merged, give a smaller one, where\n"
-    "they are split, a larger one. 100 elements take some 5 s, 1000 a minute or two.";
+    "Reads JPEG, PNG, TIFF, WebP and BMP, turned as their EXIF data say. The library holds the pixels of each "
+    "element.\n"
+    "Elements cut by the photo's edge are left out. Elements that touch, or lie on a ground of several colours, need\n"
+    "--element-px. Look at the overview: if elements are merged, give a smaller number; if they are split, a larger "
+    "one.\n"
+    "100 elements take about 5 s, 1000 a minute or two.";
 
 struct ExtractArguments {
   std::vector<std::string> photos;
   std::string output;
   std::string overview;
-  std::string ground;  // file
+  std::string ground;  // a file
   int ground_px = 512;
   bool fill_holes = false;
   ExtractionSettings settings;
@@ -105,7 +106,7 @@ std::vector<CutOut> all_cut_outs(const ExtractArguments& arguments, Drawers& dra
   if (all.empty()) {
     throw InputError(arguments.output + " was not written: no element is left of " +
                      (arguments.photos.size() == 1 ? arguments.photos.front() : "these photos") +
-                     "; --min and --max leave out by size, the photo's edge what it cuts" +
+                     "; --min and --max leave out elements by size, the photo's edge those that it cuts" +
                      (arguments.settings.labels.empty() ? ", and --element-px says what to look for" : ""));
   }
   return all;
@@ -118,14 +119,14 @@ LibraryBuildReport build(const ExtractArguments& arguments, const std::vector<Cu
   };
   LibraryBuildSettings settings;
   settings.files_at_a_time = rank_cores();
-  settings.tracing.rules = {.keep_rectangles = true, .fill_holes = arguments.fill_holes};  // tiles; rings
+  settings.tracing.rules = {.keep_rectangles = true, .fill_holes = arguments.fill_holes};  // for tiles; for rings
   ArtworkFiles files;
   for (const CutOut& cut_out : cut_outs) files.paths.push_back(cut_out.path);
   return build_library(files, arguments.output, settings, cut_out_loader(drawers, cut_outs, settings.tracing),
                        progress);
 }
 
-/// Whether both names lead to one file, which need not be there yet.
+/// Whether both names lead to the same file, which need not exist yet.
 bool is_same_path(const std::string& one, const std::string& other) {
   std::error_code error;
   const auto whole = [&](const std::string& path) {
@@ -139,14 +140,14 @@ bool same_file(const std::string& one, const std::string& other) {
   return std::filesystem::equivalent(one, other, error);
 }
 
-/// All that is read.
+/// All input files.
 std::vector<std::string> inputs(const ExtractArguments& arguments) {
   std::vector<std::string> files = arguments.photos;
   if (!arguments.settings.labels.empty()) files.push_back(arguments.settings.labels);
   return files;
 }
 
-/// Before the search: what the option writes replaces nothing that is read.
+/// Checks, before the search, that an option's output replaces no input file.
 void check_replaces_no_input(const ExtractArguments& arguments, const std::string& option, const std::string& output) {
   for (const std::string& photo : arguments.photos) {
     if (same_file(output, photo))
@@ -156,7 +157,7 @@ void check_replaces_no_input(const ExtractArguments& arguments, const std::strin
     throw InputError(option + ": found the map of --labels, " + output + ", allowed: another file, which is written");
 }
 
-/// Before the search: it can be written, and is no other output.
+/// Checks, before the search, that the ground's file can be written and is no other output.
 void check_ground(const ExtractArguments& arguments) {
   const std::filesystem::path ground = arguments.ground;
   std::error_code error;
@@ -169,7 +170,8 @@ void check_ground(const ExtractArguments& arguments) {
     throw InputError("--ground: found " + arguments.ground + ", allowed: a file in a folder that is there");
 }
 
-/// Before the search: each photo has an overview of its own, which is no other file of this run.
+/// Checks, before the search, that each photo has an overview file of its own, different from all other files of this
+/// run.
 void check_overviews(const ExtractArguments& arguments) {
   std::map<std::string, std::string> photo_of_overview;
   for (const std::string& photo : arguments.photos) {
@@ -195,7 +197,7 @@ void check(const ExtractArguments& arguments) {
   check_number("--min", arguments.settings.sizes.least_px);
   check_number("--max", arguments.settings.sizes.most_px);
   if (arguments.settings.sizes.least_px > arguments.settings.sizes.most_px)
-    throw InputError("--min: found more than --max, allowed: at most that");
+    throw InputError("--min: found more than --max, allowed: at most --max");
   if (!arguments.settings.labels.empty() && arguments.settings.element_px > 0)
     throw InputError("found both --element-px and --labels, allowed: one of them");
   if (!arguments.settings.labels.empty() && arguments.photos.size() > 1)
@@ -205,7 +207,7 @@ void check(const ExtractArguments& arguments) {
   if (!arguments.ground.empty()) check_ground(arguments);
   if (!arguments.overview.empty()) check_overviews(arguments);
 }
-/// Keeps other runs away from all that is written, and finds at once where it could not be.
+/// Locks all outputs against other runs, and finds out at once where they cannot be written.
 class ExtractOutputs {
  public:
   explicit ExtractOutputs(const ExtractArguments& arguments) : library_(arguments.output + ".lock", arguments.output) {
@@ -247,7 +249,7 @@ int run(ExtractArguments arguments) {
 
 }  // namespace
 
-// A table, an option a row.
+// The options, one in a row of the table.
 void add_library_extract_command(CLI::App& library, Command& selected) {
   const auto arguments = std::make_shared<ExtractArguments>();
   constexpr double kMostSide_px = 50'000;
@@ -260,25 +262,25 @@ void add_library_extract_command(CLI::App& library, Command& selected) {
       ->type_name("LIB.h5");
   extract
       ->add_option("--element-px", arguments->settings.element_px,
-                   "Short side of a typical element, px of the photo; rather too small than too large. Default: each "
-                   "lies apart on a plain ground")
+                   "Short side of a typical element, px of the photo; rather too small than too large. Default: "
+                   "elements lie apart on a plain ground")
       ->check(CLI::Range(4.0, kMostSide_px));
   extract
       ->add_option("--min", arguments->settings.sizes.least_px,
                    "Leave out smaller elements: square root of the area, px")
       ->check(CLI::Range(0.0, kMostSide_px));
-  extract->add_option("--max", arguments->settings.sizes.most_px, "Leave out larger ones")
+  extract->add_option("--max", arguments->settings.sizes.most_px, "Leave out larger elements")
       ->check(CLI::Range(0.0, kMostSide_px));
   extract
       ->add_option("--enlarge", arguments->settings.enlarged,
-                   "Search and cut up the photo so many times larger; the other options stay in its own px. A library "
-                   "needs elements of 24 px (square root of the area), and twice that for good outlines")
+                   "Enlarge the photo by this factor before the search; the other options stay in px of the photo. A "
+                   "library needs elements of 24 px (square root of the area), and twice that for good outlines")
       ->check(CLI::Range(1, kMostEnlarged));
-  extract->add_flag("--fill-holes", arguments->fill_holes, "What an element encloses counts as the shape: of rings");
+  extract->add_flag("--fill-holes", arguments->fill_holes, "Fill the holes of elements, such as rings");
   extract
       ->add_option("--labels", arguments->settings.labels,
-                   "Which pixels belong together, from another program: grey, 8 or 16 bits, 0 = gap; instead of "
-                   "searching")
+                   "Labels of the photo's pixels from another program, instead of a search: grey, 8 or 16 bits, 0 = "
+                   "gap")
       ->type_name("MAP.png");
   extract
       ->add_option("--overview", arguments->overview, "Show what was found: FOLDER/PHOTO_found.png, elements numbered")

@@ -1,4 +1,4 @@
-// tessera library extract: photographs in, a library of the stones, tiles or coins in them out.
+// tessera library extract: makes a library of the stones, tiles or coins in photographs.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,4 +1,4 @@
-// tessera library info: what is in a library file, as tables and as a contact sheet.
+// tessera library info: shows what a library file holds, as tables and as a contact sheet.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,8 +7,8 @@
 
 namespace tessera::cli {
 
-/// Before the work: a slip of the pen must not turn a library or a drawing into a picture (InputError), and the picture
-/// can be written (EnvironmentError). Nothing where `sheet` is empty.
+/// Checks the contact sheet's path before the work. Throws InputError where it is the name of a library or a drawing (a
+/// mistyped command), and EnvironmentError where it cannot be written. Does nothing where `sheet` is empty.
 void check_sheet(const std::string& sheet);
 
 void add_library_info_command(CLI::App& library, Command& selected);

@@ -11,8 +11,10 @@ namespace {
 constexpr char kLibraryMergeExamples[] =
     "Examples:\n"
     "  tessera library merge animals.h5 birds.h5 -o zoo.h5\n"
-    "Nothing is traced again. A shape with outline and colour of an earlier one is left out and told; shapes of one\n"
-    "outline in other colours are variants of the first. A name that is there already gets the folder of its artwork:\n"
+    "Nothing is traced again. A shape with the outline and colour of an earlier one is left out and listed; shapes "
+    "with the\n"
+    "same outline in other colours are variants of the first. A name that exists already gets the folder of its "
+    "artwork:\n"
     "\"cat (birds)\". The libraries must have been built with the same --pad-levels and --delta-tau. A job can also "
     "read\n"
     "several libraries without merging them: library.files in docs/job-format.md.";

@@ -1,4 +1,4 @@
-// tessera library merge: the shapes of several libraries as one library file.
+// tessera library merge: writes the shapes of several libraries into one library file.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -69,7 +69,7 @@ void copy_to_library(const LibraryChoice& choice, const std::string& output) {
     ProgressBar bar("library", library.size());
     copy_library(library, output, [&](std::size_t done) { bar.update(done); });
   }
-  const comm::StopDelay delay;  // for the list that belongs to it
+  const comm::StopDelay delay;  // the library and its list belong together
   const LibraryBuildReport report = report_of(library);
   write_left_out_list(output, report);
   print_lines(build_summary(report));

@@ -36,7 +36,7 @@ struct StylesArguments {
   bool names = false;
 };
 
-/// All styles of a library and whose they are.
+/// The styles of a library's drawings, with the drawings' names.
 struct Styles {
   std::vector<std::string> names;
   std::vector<StyleFeatures> features;
@@ -108,14 +108,14 @@ void add_library_styles_command(CLI::App& library, Command& selected) {
   CLI::App* styles = library.add_subcommand("styles", "Sort a library's drawings by style");
   styles->footer(kLibraryStylesExamples);
   styles->add_option("LIBRARY", arguments->library, "The library file")->required()->type_name("LIB.h5");
-  styles->add_option("--groups", arguments->groups, "How many groups of like style")
+  styles->add_option("--groups", arguments->groups, "Number of groups of similar style")
       ->check(CLI::Range(1, 64))
       ->capture_default_str()
       ->type_name("N");
   styles->add_option("--sheet", arguments->sheet, "Write a picture of the groups (PNG)")->type_name("SHEET.png");
   styles
       ->add_flag("--names", arguments->names,
-                 "Print a line a drawing instead: group, style distance from its typical one, name")
+                 "Print one line for each drawing instead: group, style distance from its typical one, name")
       ->excludes("--sheet");
   styles->callback([arguments, &selected] { selected.run = [arguments] { return run(*arguments); }; });
 }

@@ -1,4 +1,4 @@
-// tessera library styles: the drawings of a library in groups of like style.
+// tessera library styles: shows the drawings of a library in groups of similar style.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -15,10 +15,11 @@ constexpr char kLibrarySubsetExamples[] =
     "  tessera library subset clipart.h5 --style-like owl --closest 200 -o like_the_owl.h5\n"
     "  tessera library info animals.h5 --names                       what the names are\n"
     "  tessera library styles clipart.h5 --sheet styles.png          what styles there are\n"
-    "GLOB is a pattern as the shell has them, compared with the whole name, case told: * any characters, ? one, [ab] "
-    "one\n"
-    "of these; a name that is the pattern letter by letter wins. Quote it, or the shell takes it for files. A job can\n"
-    "also choose by itself: library.include and library.exclude in docs/job-format.md.";
+    "GLOB is a pattern like those of the shell, compared with the whole name: * any characters, ? one, [ab] one of "
+    "these;\n"
+    "upper and lower case differ. A name that is the pattern letter by letter wins. Quote the pattern, or the shell "
+    "takes\n"
+    "it for files. A job can also choose shapes: library.include and library.exclude in docs/job-format.md.";
 
 struct SubsetArguments {
   LibraryChoice choice;
@@ -50,15 +51,15 @@ void add_library_subset_command(CLI::App& library, Command& selected) {
     return subset->add_option(option, globs, meaning)->type_name("GLOB")->allow_extra_args(false)->take_all();
   };
   add_globs("--include", arguments->choice.names.include, "Shapes with such names; may be repeated; default: all");
-  add_globs("--exclude", arguments->choice.names.exclude, "But not those with such names; may be repeated");
+  add_globs("--exclude", arguments->choice.names.exclude, "Leave out shapes with such names; may be repeated");
   StyleChoice& style = arguments->choice.style;
   CLI::Option* like = add_globs("--style-like", style.like,
                                 "Shapes drawn like this one; may be repeated; auto: the style that prevails");
-  subset->add_option("--closest", style.closest, "So many of them, the nearest in style")
+  subset->add_option("--closest", style.closest, "Number of shapes, the nearest in style")
       ->needs(like)
       ->check(CLI::Range(1, 4'000'000))
       ->type_name("N");
-  subset->add_option("--style-within", style.within, "Those up to this style distance: 1 is alike, 4 unlike")
+  subset->add_option("--style-within", style.within, "Shapes up to this style distance: 1 is similar, 4 is different")
       ->needs(like)
       ->check(CLI::Range(0., 100.))
       ->type_name("D");

@@ -1,4 +1,4 @@
-// tessera library subset: some shapes of a library, chosen by their names, as a library file.
+// tessera library subset: writes some shapes of a library, chosen by name, as a library file.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,4 +1,4 @@
-// Measures the loop's time on rank 0, then gathers that of all ranks.
+// Measures the loop's time on rank 0, then gathers the times of all ranks.
 #pragma once
 
 #include "comm/communicator.h"
@@ -9,10 +9,11 @@ namespace tessera::comm {
 
 class LoopClock {
  public:
-  /// The loop is about to begin; the communicator outlives the clock.
+  /// The measurement begins with the constructor, just before the loop. The communicator must outlive the clock.
   explicit LoopClock(Communicator& ranks);
 
-  /// The loop is over, and these are its own times. Asks the workers for theirs; without workers the result is empty.
+  /// Ends the measurement; `run` holds the loop's own times. Asks the workers for theirs; without workers the result is
+  /// empty.
   RankStatistics stop(const RunStatistics& run);
 
  private:

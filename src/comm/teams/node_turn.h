@@ -1,5 +1,5 @@
-// Turns within a node, for what one rank of a node should do before the others: compiled kernels are cached on disk,
-// and ranks that find the cache cold would each compile for themselves, on the same cores.
+// Lets one rank of a node do something before the others. Compiled kernels are cached on disk; without turns, all ranks
+// that find an empty cache would compile for themselves, on the same cores.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,8 @@
 
 namespace tessera::comm {
 
-/// To be called by every rank but 0: runs `action` first on one of them on each node, then on the others together.
+/// Runs `action` on one rank of each node first, then on the node's other ranks together. To be called by every rank
+/// except 0.
 void first_worker_of_node_first(Communicator& ranks, const std::function<void()>& action);
 
 }  // namespace tessera::comm

@@ -1,4 +1,4 @@
-// Which rank runs where and on which devices, told to rank 0 once for its records.
+// The machine and devices of each rank, sent to rank 0 once for its records.
 #pragma once
 
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace tessera::comm {
 
-/// To be called once on every rank but 0. Waits for nobody.
+/// Sends `site` to rank 0 without waiting. To be called once on every rank except 0.
 void tell_site(Communicator& ranks, const RankSite& site);
 
-/// On rank 0: gives `own`, then the sites of ranks 1, 2, ... Waits until all have told theirs; throws the error that
-/// ended a rank.
+/// Returns `own`, then the sites of ranks 1, 2, ...; for rank 0. Waits for all of them; throws the error that ended a
+/// rank.
 std::vector<RankSite> gather_sites(Communicator& ranks, RankSite own);
 
 }  // namespace tessera::comm

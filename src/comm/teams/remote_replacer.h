@@ -1,4 +1,4 @@
-// Replacement trials on another rank and on those below it.
+// Replacement trials on another rank and on the ranks below it.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@ namespace tessera::comm {
 
 class RemoteReplacer : public Replacer {
  public:
-  /// `worker` (worker_server.h) and those below it work on `breadth` windows at a time. The communicator outlives the
-  /// replacer.
+  /// `worker` (worker_server.h) and the ranks below it work on `breadth` windows at a time. The communicator must
+  /// outlive the replacer.
   RemoteReplacer(Communicator& ranks, int worker, int breadth);
 
   int breadth() const override { return breadth_; }

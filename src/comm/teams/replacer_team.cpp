@@ -14,7 +14,7 @@ namespace {
 
 class ReplacerTeam : public Replacer {
  public:
-  /// `parts`, at least one: those of the workers, then this rank's own, if it has one.
+  /// `parts` (at least one): the workers, then this rank itself, if it takes part.
   explicit ReplacerTeam(std::vector<std::unique_ptr<Replacer>> parts) : parts_(std::move(parts)) {
     for (const auto& part : parts_) breadths_.push_back(part->breadth());
   }
@@ -32,7 +32,7 @@ class ReplacerTeam : public Replacer {
     }
   }
 
-  /// This rank's own part, the last one, works only when it is taken: the others work meanwhile.
+  /// This rank's own part is last and computes only when it is taken; the workers compute meanwhile.
   std::vector<ReplacementOutcome> take_replaced() override {
     std::size_t windows = 0;
     for (const auto& share : shares_) windows += share.size();
@@ -47,7 +47,7 @@ class ReplacerTeam : public Replacer {
  private:
   std::vector<std::unique_ptr<Replacer>> parts_;
   std::vector<int> breadths_;                     // of the parts
-  std::vector<std::vector<std::size_t>> shares_;  // the windows of the question posted that each part has
+  std::vector<std::vector<std::size_t>> shares_;  // windows of the posted request, for each part
 };
 
 }  // namespace

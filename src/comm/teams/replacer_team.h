@@ -1,5 +1,5 @@
-// The workers below a rank, and the rank itself, as one replacer (worker_tree.h). Who works on which window follows
-// from the windows' trials and the workers' breadths; what comes of it does not.
+// The workers below a rank, and the rank itself, as one replacer (worker_tree.h). The windows' trials and the workers'
+// breadths decide who works on which window; the outcome does not depend on it.
 #pragma once
 
 #include <memory>
@@ -9,11 +9,11 @@
 
 namespace tessera::comm {
 
-/// On rank 0, with at least one other rank: joins all workers of the job. Waits until every one has told its breadth
-/// (serve). Throws the error that ended a worker. The communicator outlives the replacer.
+/// Joins all workers of the job; for rank 0 with at least one other rank. Waits until each has told its breadth
+/// (serve). Throws the error that ended a worker. The communicator must outlive the replacer.
 std::unique_ptr<Replacer> gather_replacers(Communicator& ranks);
 
-/// On a worker: joins its own cores and the workers below it; gives `own` alone where there are none.
+/// Joins a worker's own cores and the workers below it; returns only `own` where there are none below.
 std::unique_ptr<Replacer> gather_replacers(Communicator& ranks, std::unique_ptr<Replacer> own);
 
 }  // namespace tessera::comm

@@ -1,4 +1,4 @@
-// A worker's time in the loop, by stage.
+// Measures a worker's time in the loop, by stage.
 #pragma once
 
 #include <utility>
@@ -13,27 +13,27 @@ class WorkerClock {
  public:
   explicit WorkerClock(const Communicator& ranks) : ranks_(ranks) { restart(); }
 
-  /// A field begins, and with the first one the loop: what was before does not count. Later fields, of other regions or
+  /// A field begins. The first one begins the loop: the clock starts at zero. Later fields, of other regions or
   /// attempts at sizes, belong to the same loop.
   void begin_field() {
     if (!std::exchange(in_loop_, true)) restart();
   }
 
-  /// Runs work() and adds its time to `stage`. On a rank with workers below it, that lasts until these have answered,
-  /// too.
+  /// Runs work() and adds its time to `stage`. On a rank with workers below it, this includes the wait for their
+  /// answers.
   template <class Work>
   auto measure(double WorkerTimes::*stage, Work&& work) {
     const Charge charge{times_.*stage, waited_in_stages_s_, ranks_, ranks_.waited_s(), Stopwatch()};
     return work();
   }
-  /// The same for a question that is counted.
+  /// Measures work() in the same way, and counts the request.
   template <class Work>
   auto measure(double WorkerTimes::*stage, std::uint64_t WorkerTimes::*questions, Work&& work) {
     ++(times_.*questions);
     return measure(stage, work);
   }
 
-  /// The loop is over, and these are its times. The next field begins another loop.
+  /// Ends the loop and returns its times. The next field begins another loop.
   WorkerTimes end_loop() {
     in_loop_ = false;
     WorkerTimes times = times_;

@@ -41,7 +41,7 @@ std::vector<ReplacementOutcome> replace(Replacer& replacer, const std::vector<Re
   return replacer.take_replaced();
 }
 
-/// The time that `ask` takes goes on the account of `stage`.
+/// Answers a request with `ask` and adds the time to `stage`.
 template <class Asked, class Question, class Answer>
 Bytes measured_answer(const Message& request, Asked& asked, WorkerClock& clock, double WorkerTimes::*stage,
                       std::uint64_t WorkerTimes::*questions, Answer (*ask)(Asked&, const Question&)) {
@@ -49,7 +49,7 @@ Bytes measured_answer(const Message& request, Asked& asked, WorkerClock& clock, 
   return encode(clock.measure(stage, questions, [&] { return ask(asked, question); }));
 }
 
-/// Of the workers below and of this one: in the order of the ranks.
+/// Times of the workers below and of this worker, in the order of the ranks.
 std::vector<WorkerTimes> times_of(Communicator& ranks, WorkerClock& clock) {
   const WorkerTimes own = clock.end_loop();
   std::vector<WorkerTimes> times = gather_times(ranks);
@@ -70,7 +70,7 @@ void answer(const Message& request, Communicator& ranks, Matcher& matcher, Repla
       clock.measure(&Times::field_s, [&] { matcher.update_field(patch); });
       break;
     }
-    case Tag::limit: matcher.limit(decode<StandingLimits>(request.bytes)); break;
+    case Tag::limit: matcher.limit(decode<StanceLimits>(request.bytes)); break;
     case Tag::count_request:
       ranks.send(asker, Tag::count_reply,
                  measured_answer(request, matcher, clock, &Times::count_s, &Times::counts, count));
@@ -108,7 +108,7 @@ void serve(Communicator& ranks, std::unique_ptr<Matcher> own_matcher, std::uniqu
     const Message request = ranks.receive_any(
         asker, {Tag::start_field, Tag::update_field, Tag::limit, Tag::count_request, Tag::dock_request,
                 Tag::refine_request, Tag::measure_request, Tag::replace_request, Tag::times_request});
-    // While this rank computes it cannot help a large reply along, which others may be waiting for.
+    // While this rank computes it cannot move a large reply on, for which others may be waiting.
     ranks.flush();
     answer(request, ranks, *matcher, *replacer, clock);
   }

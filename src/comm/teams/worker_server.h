@@ -1,5 +1,5 @@
-// A worker's life: it answers questions, by itself and by the workers below it, and keeps nothing but its part of the
-// library, the field, the shapes that it needed lately, and how long the answers took.
+// The main loop of a worker: it answers requests, together with the workers below it. It keeps only its part of the
+// library, the field, recently used shapes, and the time that its answers took.
 #pragma once
 
 #include <memory>
@@ -10,9 +10,9 @@
 
 namespace tessera::comm {
 
-/// Tells the rank that asks this one (core/ranks/worker_tree.h) which shapes the matcher has and how many windows the
-/// replacer works on at a time, then answers in the order of the questions until the job ends. It leaves by JobEnded,
-/// or by what one of the two throws.
+/// Tells the parent of this rank (core/ranks/worker_tree.h) which shapes the matcher has and how many windows the
+/// replacer works on at a time. Then answers requests in their order until the job ends. Leaves by JobEnded, or by an
+/// exception of matcher or replacer.
 [[noreturn]] void serve(Communicator& ranks, std::unique_ptr<Matcher> matcher, std::unique_ptr<Replacer> replacer);
 
 }  // namespace tessera::comm

@@ -10,7 +10,7 @@
 namespace tessera::comm {
 namespace {
 
-/// A worker's part of the library and those of the workers below it, asked by messages (worker_server.h).
+/// A worker's part of the library and the parts of the workers below it, asked by messages (worker_server.h).
 class RemotePart : public MatcherPart {
  public:
   RemotePart(Communicator& ranks, int worker)
@@ -47,7 +47,7 @@ class RemotePart : public MatcherPart {
 
 using RemoteParts = std::vector<std::unique_ptr<RemotePart>>;
 
-/// The parts of the workers, then this rank's own, if it has one.
+/// The parts of the workers, then this rank's own part, if it has one.
 std::vector<MatcherPart*> in_order(const RemoteParts& remote, Matcher* own) {
   std::vector<MatcherPart*> parts;
   for (const auto& part : remote) parts.push_back(part.get());
@@ -55,11 +55,11 @@ std::vector<MatcherPart*> in_order(const RemoteParts& remote, Matcher* own) {
   return parts;
 }
 
-/// What all are told alike is written once. The others are asked and waited for before this rank's own devices: those
-/// work on while its messages come and go.
+/// A matcher that sends the same message to all workers and encodes it only once. The workers are asked, and their
+/// answers awaited, before this rank's own devices: these go on computing meanwhile.
 class WorkerTeam : public JoinedMatcher {
  public:
-  /// `remote`: the parts of the `workers`. `own`: this rank's part; null where it has none.
+  /// `remote`: the parts of the `workers`. `own`: this rank's part, or null.
   WorkerTeam(Communicator& ranks, std::vector<int> workers, RemoteParts remote, std::unique_ptr<Matcher> own)
       : JoinedMatcher(in_order(remote, own.get())),
         ranks_(ranks),
@@ -75,7 +75,7 @@ class WorkerTeam : public JoinedMatcher {
     ranks_.send(workers_, Tag::update_field, encode(patch));
     if (own_) own_->update_field(patch);
   }
-  void limit(const StandingLimits& limits) override {
+  void limit(const StanceLimits& limits) override {
     ranks_.send(workers_, Tag::limit, encode(limits));
     if (own_) own_->limit(limits);
   }

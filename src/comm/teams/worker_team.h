@@ -10,16 +10,16 @@
 
 namespace tessera::comm {
 
-/// On rank 0, with at least one other rank: joins all workers of the job. Waits until every one has told its shapes
-/// (serve), which takes as long as the slowest one's start. Throws the error that ended a worker. The communicator
-/// outlives the matcher.
+/// Joins all workers of the job; for rank 0 with at least one other rank. Waits until each has told its shapes (serve),
+/// which takes as long as the slowest start. Throws the error that ended a worker. The communicator must outlive the
+/// matcher.
 std::unique_ptr<Matcher> gather_workers(Communicator& ranks);
 
-/// On a worker: joins its own part and those of the workers below it; gives `own` alone where there are none.
+/// Joins a worker's own part and those of the workers below it; returns only `own` where there are none below.
 std::unique_ptr<Matcher> gather_workers(Communicator& ranks, std::unique_ptr<Matcher> own);
 
-/// How each worker below this rank spent its time in the loop, in the order of the ranks. A worker's loop begins with
-/// the first field since it was asked for its times. To be called when they have answered everything.
+/// The times of each worker below this rank in the loop, in the order of the ranks. A worker's loop begins with the
+/// first field after its times were last asked for. To be called when the workers have answered everything.
 std::vector<WorkerTimes> gather_times(Communicator& ranks);
 
 }  // namespace tessera::comm

@@ -19,7 +19,7 @@ constexpr int kPassesToMakingWay = 4;
 /// Crossing limbs cannot be separated by pushing. From this pass on the smaller piece is given up, before its
 /// neighbours have shrunk for nothing.
 constexpr int kPassesToGivingUp = 4;
-constexpr float kHopeless = 0.9f;          // of kHopelessDepth_px, up to which depths are measured
+constexpr float kHopeless = 0.9f;          // of kMaxPushDepth_px, up to which depths are measured
 constexpr float kLeastHopelessWay_px = 1;  // least length of a hopeless push, whatever depth is allowed
 /// Factor of the scale, in each pass except those in which neighbours make way. A smaller factor would cost area, a
 /// larger one more passes.
@@ -54,7 +54,7 @@ class Clearing {
         reach_px_(rule_alone(settings).reach_px()),
         hopeless_px_(std::max(
             kLeastHopelessWay_px,
-            kHopeless * kHopelessDepth_px + (settings.padding_px > 0 ? settings.padding_px : -settings.overlap_px))),
+            kHopeless * kMaxPushDepth_px + (settings.padding_px > 0 ? settings.padding_px : -settings.overlap_px))),
         making_way_(free, rule_alone(settings)),
         outlines_(free, settings),
         laid_(pieces.size()),
@@ -64,7 +64,7 @@ class Clearing {
       laid_[i].lay(*pieces[i].shape, pieces[i].canvas_from_shape);
       const ContactShape& shape = *pieces[i].shape;
       outlines_.add({ShapeId{}, pieces[i].canvas_from_shape}, shape.outline, line_radius(shape.field, shape.perimeter));
-      if (may_move_[i]) unsure_.push_back(i);
+      if (may_move_[i]) maybe_conflicting_.push_back(i);
       relaxed_scale_px_.push_back(laid_[i].scale_px);
     }
   }
@@ -75,8 +75,8 @@ class Clearing {
       const bool making_way = pass % kPassesToMakingWay == 0;
       if (making_way) make_way(check_stop);
       if (making_way && pass >= kPassesToGivingUp) give_up([this](std::size_t i) { return lies_too_deep(i); });
-      std::erase_if(unsure_, [&](std::size_t i) { return !gives_way(i, !making_way); });
-      if (unsure_.empty()) break;
+      std::erase_if(maybe_conflicting_, [&](std::size_t i) { return !gives_way(i, !making_way); });
+      if (maybe_conflicting_.empty()) break;
     }
     give_up([this](std::size_t i) { return !conflicts_of(i).empty(); });
     grow_again(check_stop);
@@ -142,7 +142,7 @@ class Clearing {
   /// Takes out the hopeless pieces, the smallest first, as only one of two in conflict has to go.
   template <class Hopeless>
   void give_up(Hopeless hopeless) {
-    std::vector<std::size_t> smallest_first = unsure_;
+    std::vector<std::size_t> smallest_first = maybe_conflicting_;
     std::stable_sort(smallest_first.begin(), smallest_first.end(),
                      [&](std::size_t a, std::size_t b) { return laid_[a].scale_px < laid_[b].scale_px; });
     for (const std::size_t i : smallest_first) {
@@ -150,7 +150,7 @@ class Clearing {
       outlines_.take_out(i);
       may_move_[i] = false;
       lost_.push_back(i);
-      std::erase(unsure_, i);
+      std::erase(maybe_conflicting_, i);
     }
   }
 
@@ -178,8 +178,8 @@ class Clearing {
   /// Relaxes the pieces with conflicts together with their neighbours. A conflict concerns both pieces, so only pieces
   /// that moved must be checked again.
   void make_way(const StopCheck& check_stop) {
-    std::erase_if(unsure_, [&](std::size_t i) { return conflicts_of(i).empty(); });
-    const std::vector<std::size_t> movable = with_neighbours(unsure_);
+    std::erase_if(maybe_conflicting_, [&](std::size_t i) { return conflicts_of(i).empty(); });
+    const std::vector<std::size_t> movable = with_neighbours(maybe_conflicting_);
     std::vector<RelaxedPiece> standing;
     std::vector<std::size_t> active;  // indices in `standing` of the movable pieces, in their order
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
@@ -194,18 +194,18 @@ class Clearing {
     for (std::size_t k = 0; k < movable.size(); ++k) {
       const std::size_t i = movable[k];
       const Similarity& now = standing[active[k]].canvas_from_shape;
-      const bool was_unsure = std::binary_search(unsure_.begin(), unsure_.end(), i);
+      const bool was_unsure = std::binary_search(maybe_conflicting_.begin(), maybe_conflicting_.end(), i);
       const bool moved = now != pieces_[i].canvas_from_shape;
       if (moved) place(i, now);
       if (moved || was_unsure) unsure.push_back(i);
     }
-    unsure_ = std::move(unsure);
+    maybe_conflicting_ = std::move(unsure);
   }
 
   /// These pieces and all movable pieces in contact with them; ascending.
   std::vector<std::size_t> with_neighbours(const std::vector<std::size_t>& some) const {
     std::vector<Box> boxes;
-    for (const LaidPiece& piece : laid_) boxes.push_back(piece.box);
+    for (const ContactPiece& piece : laid_) boxes.push_back(piece.box);
     const PieceNeighbours near(boxes, period_);
     std::vector<std::size_t> all = some;
     for (const std::size_t i : some) {
@@ -224,11 +224,11 @@ class Clearing {
   float hopeless_px_;  // length of a push that counts as hopeless
   Relaxation making_way_;
   PlacedOutlines outlines_;
-  std::vector<LaidPiece> laid_;
+  std::vector<ContactPiece> laid_;
   std::vector<float> relaxed_scale_px_;
   std::vector<bool> may_move_;
-  std::vector<std::size_t> unsure_;  // ascending: pieces that may have a conflict
-  std::vector<std::size_t> lost_;    // in the order in which they were given up
+  std::vector<std::size_t> maybe_conflicting_;  // ascending: pieces that may have a conflict
+  std::vector<std::size_t> lost_;               // in the order in which they were given up
 };
 
 }  // namespace

@@ -12,10 +12,10 @@ namespace {
 
 constexpr float kSamePlace = 0.5f;  // of the former piece's size, between centres
 
-class WhoMayComeIn {
+class ReplacementRules {
  public:
-  WhoMayComeIn(const CollageSettings& settings, const std::vector<std::uint32_t>& silhouettes,
-               const std::vector<std::uint32_t>& drawings)
+  ReplacementRules(const CollageSettings& settings, const std::vector<std::uint32_t>& silhouettes,
+                   const std::vector<std::uint32_t>& drawings)
       : whole_(settings, std::uint32_t(silhouettes.size())),
         uses_(settings.pieces, settings.wishes),
         silhouettes_(silhouettes),
@@ -55,16 +55,16 @@ class WhoMayComeIn {
 
 }  // namespace
 
-bool lies_where_it_lay(const Similarity& then, const Similarity& now, const Period& period) {
+bool is_at_former_place(const Similarity& then, const Similarity& now, const Period& period) {
   const Vec2 apart = period.nearest(now.translation(), then.translation()) - then.translation();
   const float near_px = kSamePlace * then.scale();
   return dot(apart, apart) < near_px * near_px;
 }
 
-std::vector<bool> others_may_come_in(const std::vector<TakenOut>& pieces, const CollageSettings& settings,
-                                     const std::vector<std::uint32_t>& silhouettes,
-                                     const std::vector<std::uint32_t>& drawings) {
-  WhoMayComeIn who(settings, silhouettes, drawings);
+std::vector<bool> may_be_replaced(const std::vector<TakenOut>& pieces, const CollageSettings& settings,
+                                  const std::vector<std::uint32_t>& silhouettes,
+                                  const std::vector<std::uint32_t>& drawings) {
+  ReplacementRules who(settings, silhouettes, drawings);
   std::vector<bool> others;
   for (const TakenOut& piece : pieces) others.push_back(who.others_than(piece));
   return others;

@@ -14,7 +14,7 @@ namespace tessera {
 
 /// Whether a piece at `now` lies where a piece of the same drawing lay at `then`. It does if the distance of their
 /// centres is less than half of the former piece's size.
-bool lies_where_it_lay(const Similarity& then, const Similarity& now, const Period& period);
+bool is_at_former_place(const Similarity& then, const Similarity& now, const Period& period);
 
 struct TakenOut {
   ShapeId shape{};
@@ -25,8 +25,8 @@ struct TakenOut {
 /// given pieces of the settings decide. False also if the piece's own least uses want its shape again, as all other
 /// shapes wait then. `silhouettes`, `drawings`: for each shape of the library the first shape that looks like it, and
 /// the shape whose mirror image it is.
-std::vector<bool> others_may_come_in(const std::vector<TakenOut>& pieces, const CollageSettings& settings,
-                                     const std::vector<std::uint32_t>& silhouettes,
-                                     const std::vector<std::uint32_t>& drawings);
+std::vector<bool> may_be_replaced(const std::vector<TakenOut>& pieces, const CollageSettings& settings,
+                                  const std::vector<std::uint32_t>& silhouettes,
+                                  const std::vector<std::uint32_t>& drawings);
 
 }  // namespace tessera

@@ -42,7 +42,7 @@ struct LoopState {
 };
 
 /// Copies the trials and times of this state into the statistics of the run.
-inline void tell(RunStatistics& statistics, const LoopState& state) {
+inline void copy_to_statistics(RunStatistics& statistics, const LoopState& state) {
   statistics.trials = state.trials;
   statistics.improve_s = state.improve_s;
   statistics.total_s = state.run_s;

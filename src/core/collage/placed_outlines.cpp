@@ -31,7 +31,7 @@ constexpr float kSuspectPlaced_px = 0.75f;
 constexpr float kFromBothSides_px = 0.001f;
 
 /// Adds the rounding margin. A permitted overlap (negative) never becomes a distance.
-float seen_from_both_sides(float needed_px) {
+float with_rounding_margin(float needed_px) {
   return needed_px > 0 ? needed_px + kFromBothSides_px : std::min(needed_px + kFromBothSides_px, 0.f);
 }
 
@@ -63,12 +63,12 @@ bool deepest_vertex(const PolygonIndex& inner, const PolygonIndex& outer, float 
     for (const Vec2 p : curve) {
       // Nearly all suspect vertices are near the boundary.
       if (!within(outer.box(), p) || !suspect(p) || outer.nearer_than(deepest, p) || !outer.contains(p)) continue;
-      const Approach out = outer.approach(p, kHopelessDepth_px);
+      const Approach out = outer.approach(p, kMaxPushDepth_px);
       if (out.distance <= deepest) continue;
       deepest = out.distance;
       // If the boundary is out of reach, there is no short way.
       const Vec2 direction =
-          out.distance < kHopelessDepth_px ? out.there - p : middle(inner.box()) - middle(outer.box());
+          out.distance < kMaxPushDepth_px ? out.there - p : middle(inner.box()) - middle(outer.box());
       way = along(direction, deepest - limit);
     }
   }
@@ -124,7 +124,7 @@ void PlacedOutlines::add(const Placement& placement, const Outline& outline, flo
   placed_.push_back({placement, placed, placed->box(), line_radius});
 }
 
-float PlacedOutlines::needed_of(float needed_px, float line_radius_px) {
+float PlacedOutlines::required_distance_px(float needed_px, float line_radius_px) {
   return needed_px > 0 ? needed_px : -most_depth_px(-needed_px, line_radius_px);
 }
 
@@ -225,7 +225,7 @@ void PlacedOutlines::add_neighbours(const Shape& shape, const Similarity& canvas
     const PolygonIndex& other = *placed.outline;
     const auto in_others = [&](Vec2 p) { return field_value(free, p) < kSuspect_px; };
     const auto in_piece = [&](Vec2 p) { return distance.at(p) < kSuspect_px; };
-    add_ways(piece, in_piece, other, in_others, needed_of(needed_px, placed.line_radius_px()), ways);
+    add_ways(piece, in_piece, other, in_others, required_distance_px(needed_px, placed.line_radius_px()), ways);
   }
 }
 
@@ -244,7 +244,8 @@ void PlacedOutlines::add_ways(const PolygonIndex& piece, InPiece in_piece, const
 
 std::vector<Vec2> PlacedOutlines::conflicts(const Shape& shape, const Similarity& canvas_from_shape) const {
   const PolygonIndex piece(placed_outline(shape.outline, canvas_from_shape));
-  const float needed_px = needed_of(needed_px_, line_radius(shape.field, shape.perimeter) * canvas_from_shape.scale());
+  const float needed_px =
+      required_distance_px(needed_px_, line_radius(shape.field, shape.perimeter) * canvas_from_shape.scale());
   const float reach_px = std::max(needed_px, 0.f);
   std::vector<Vec2> ways;
   add_neighbours(shape, canvas_from_shape, piece, needed_px, ways);
@@ -264,14 +265,15 @@ std::vector<Vec2> PlacedOutlines::conflicts_of(std::size_t index, const FieldDis
   const PolygonIndex& piece = *placed_[index].outline;
   if (reaches_itself(piece.box())) ways.push_back({});
   Vec2 way;
-  if (too_near_the_edge(piece, needed_of(needed_px_, placed_[index].line_radius_px()), way)) ways.push_back(way);
+  if (too_near_the_edge(piece, required_distance_px(needed_px_, placed_[index].line_radius_px()), way))
+    ways.push_back(way);
   return ways;
 }
 
 std::vector<Vec2> PlacedOutlines::conflicts_with_others(std::size_t index, const FieldDistance& distance_px) const {
   const PolygonIndex& piece = *placed_[index].outline;
-  const float own_needed_px = needed_of(needed_px_, placed_[index].line_radius_px());
-  const float reach_px = std::max(seen_from_both_sides(own_needed_px), 0.f);
+  const float own_needed_px = required_distance_px(needed_px_, placed_[index].line_radius_px());
+  const float reach_px = std::max(with_rounding_margin(own_needed_px), 0.f);
   std::vector<Vec2> ways;
   for (const Vec2 offset : free_.grid().period().offsets()) {
     const bool own_place = offset == Vec2{};
@@ -283,7 +285,7 @@ std::vector<Vec2> PlacedOutlines::conflicts_with_others(std::size_t index, const
       if ((own_place && i == index) || !within_reach(box, placed_[i].box, reach_px)) continue;
       const auto in_piece = [&](Vec2 p) { return distance_px(index, p - offset) < kSuspectPlaced_px; };
       const auto in_other = [&](Vec2 p) { return distance_px(i, p) < kSuspectPlaced_px; };
-      const float needed_px = seen_from_both_sides(needed_of(own_needed_px, placed_[i].line_radius_px()));
+      const float needed_px = with_rounding_margin(required_distance_px(own_needed_px, placed_[i].line_radius_px()));
       add_ways(own_place ? piece : *image, in_piece, *placed_[i].outline, in_other, needed_px, ways);
     }
   }

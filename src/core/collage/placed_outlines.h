@@ -57,7 +57,7 @@ class PlacedOutlines {
     float line_radius_px() const { return line_radius * placement.canvas_from_shape.scale(); }
   };
   /// `needed_px`, reduced to the smaller depth that pieces of lines allow.
-  static float needed_of(float needed_px, float line_radius_px);
+  static float required_distance_px(float needed_px, float line_radius_px);
   void add_neighbours(const Shape& shape, const Similarity& canvas_from_shape, const PolygonIndex& piece,
                       float needed_px, std::vector<Vec2>& ways) const;
   /// `in_piece` and `in_other`: see deepest_vertex().

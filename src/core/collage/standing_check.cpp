@@ -40,10 +40,10 @@ Cells count_cells(const Canvas& canvas, const Outline& outline, const Similarity
 
 }  // namespace
 
-StandingCheck check_standing(const Canvas& canvas, const std::vector<GivenPiece>& pieces, float overlap_px,
-                             const std::function<const Shape&(ShapeId)>& shape) {
+GivenPieceCheck check_given_pieces(const Canvas& canvas, const std::vector<GivenPiece>& pieces, float overlap_px,
+                                   const std::function<const Shape&(ShapeId)>& shape) {
   Grid<std::uint8_t> covered(canvas.width_px, canvas.height_px, 0);
-  StandingCheck found;
+  GivenPieceCheck found;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Similarity& pose = pieces[i].canvas_from_shape;
     const double scale_px = double(pose.scale());

@@ -12,7 +12,7 @@
 namespace tessera {
 
 /// Indices in the list of pieces, ascending. A piece may be in several lists.
-struct StandingCheck {
+struct GivenPieceCheck {
   std::vector<std::size_t> outside;      // part of the area is outside the canvas
   std::vector<std::size_t> kept_out;     // part of the area is in a zone that pieces keep out of
   std::vector<std::size_t> overlapping;  // part of the area is on pieces before it
@@ -21,7 +21,7 @@ struct StandingCheck {
 /// Checks the pieces on cells of 1 px. `shape(id)` gives library shapes with their outlines. Two areas are tolerated.
 /// One is the fraction of a piece's area that a run itself leaves where pieces touch. The other is a strip `overlap_px`
 /// deep along half of the outline (PieceSettings::overlap_px; 0 with padding).
-StandingCheck check_standing(const Canvas& canvas, const std::vector<GivenPiece>& pieces, float overlap_px,
-                             const std::function<const Shape&(ShapeId)>& shape);
+GivenPieceCheck check_given_pieces(const Canvas& canvas, const std::vector<GivenPiece>& pieces, float overlap_px,
+                                   const std::function<const Shape&(ShapeId)>& shape);
 
 }  // namespace tessera

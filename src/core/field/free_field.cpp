@@ -96,7 +96,7 @@ Window FreeField::stamp(const Shape& shape, const Similarity& canvas_from_shape)
 Window FreeField::stamp(const Shape& shape, const Similarity& canvas_from_shape, const Window& window) {
   const PieceDistance piece(shape, canvas_from_shape, padding_px_);
   const float line_radius_px = line_radius(shape.field, shape.perimeter) * canvas_from_shape.scale() + padding_px_;
-  const HeldDepth held(hard_depth_px_, line_radius_px);
+  const StoredDepth held(hard_depth_px_, line_radius_px);
   Window changed;
   const Window& one_period = grid_.one_period();
   for (int y = window.y0; y < window.y1;) {
@@ -113,7 +113,7 @@ Window FreeField::stamp(const Shape& shape, const Similarity& canvas_from_shape,
 }
 
 /// Stamps a part of the window whose image in the one period is also a window.
-Window FreeField::stamp_part(const PieceDistance& piece, const HeldDepth& held, const Window& part) {
+Window FreeField::stamp_part(const PieceDistance& piece, const StoredDepth& held, const Window& part) {
   const int to_image = grid_.column(part.x0) - part.x0;
   Window changed;
   for (int y = part.y0; y < part.y1; ++y) {

@@ -12,7 +12,7 @@
 
 namespace tessera {
 
-class HeldDepth;
+class StoredDepth;
 class PieceDistance;
 
 /// Canvas nodes (see CanvasField) whose pixels the piece and a rim of `margin_px` around it can touch; not clipped to
@@ -25,7 +25,7 @@ PeriodicGrid free_field_grid(const Canvas& canvas, const PieceSettings& pieces);
 
 /// Signed distance to the free region's boundary, px, positive inside. It is exact up to stamp_band_px from a piece and
 /// everywhere near the canvas' edge; elsewhere it is a bound that says "far". Within pieces of lines it falls faster
-/// (HeldDepth). On a seamless canvas it repeats exactly, and windows stand for all of their images.
+/// (StoredDepth). On a seamless canvas it repeats exactly, and windows stand for all of their images.
 class FreeField {
  public:
   FreeField(const Canvas& canvas, const PieceSettings& pieces);
@@ -57,7 +57,7 @@ class FreeField {
 
  private:
   std::int64_t node_256ths_px2(float distance_px) const;
-  Window stamp_part(const PieceDistance& piece, const HeldDepth& held, const Window& part);
+  Window stamp_part(const PieceDistance& piece, const StoredDepth& held, const Window& part);
 
   PeriodicGrid grid_;
   Grid<float> empty_;  // the field of the canvas without pieces

@@ -20,9 +20,9 @@ inline float most_depth_px(float depth_px, float line_radius_px) {
 
 /// The depth inside a piece as the free field stores it. In a piece of lines it grows faster, so that the generally
 /// allowed depth is reached at most_depth_px().
-class HeldDepth {
+class StoredDepth {
  public:
-  HeldDepth(float depth_px, float line_radius_px) {
+  StoredDepth(float depth_px, float line_radius_px) {
     const float most_px = most_depth_px(depth_px, line_radius_px);
     if (most_px < depth_px && depth_px > kRim_px)
       steepness_ = (depth_px - kRim_px) / std::max(most_px - kRim_px, kLeastRoom_px);

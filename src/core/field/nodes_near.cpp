@@ -12,16 +12,17 @@ constexpr int kSmallest = 4;  // nodes across the blocks whose nodes are tested 
 
 class Search {
  public:
-  Search(float limit_px, const PieceDistance& piece, Vec2 origin, const Window& window, const BitGrid* asked)
+  Search(float limit_px, const PieceDistance& piece, Vec2 origin, const Window& window, const BitGrid* relevant_nodes)
       : limit_px_(limit_px),
         piece_(piece),
         origin_(origin),
         window_(window),
-        asked_(asked),
+        relevant_nodes_(relevant_nodes),
         nearer_(window.width(), window.height()) {}
 
   BitGrid found() && {
-    each_block({0, 0, window_.width(), window_.height()}, kLargest, [this](const Window& block) { look_at(block); });
+    each_block({0, 0, window_.width(), window_.height()}, kLargest,
+               [this](const Window& block) { search_block(block); });
     return std::move(nearer_);
   }
 
@@ -37,8 +38,8 @@ class Search {
 
   /// Tests the node in the middle. If it is so far from the limit that the corners must be on the same side, all nodes
   /// are.
-  void look_at(const Window& block) {
-    if (asked_ && !asked_->any(block)) return;
+  void search_block(const Window& block) {
+    if (relevant_nodes_ && !relevant_nodes_->any(block)) return;
     const int x = (block.x0 + block.x1) / 2;
     const int y = (block.y0 + block.y1) / 2;
     const float beyond_px = distance(x, y) - limit_px_;
@@ -46,9 +47,10 @@ class Search {
     if (std::abs(beyond_px) > PieceDistance::most_change_px(corner_px)) {
       if (beyond_px < 0) nearer_.set(block);
     } else if (std::max(block.width(), block.height()) > kSmallest) {
-      each_block(block, (std::max(block.width(), block.height()) + 1) / 2, [&](const Window& part) { look_at(part); });
+      each_block(block, (std::max(block.width(), block.height()) + 1) / 2,
+                 [&](const Window& part) { search_block(part); });
     } else {
-      look_at_nodes(block);
+      search_nodes(block);
     }
   }
 
@@ -56,10 +58,10 @@ class Search {
     return piece_.at({origin_.x + float(window_.x0 + x), origin_.y + float(window_.y0 + y)});
   }
 
-  void look_at_nodes(const Window& block) {
+  void search_nodes(const Window& block) {
     for (int y = block.y0; y < block.y1; ++y) {
       for (int x = block.x0; x < block.x1; ++x) {
-        if (asked_ && !asked_->test(x, y)) continue;
+        if (relevant_nodes_ && !relevant_nodes_->test(x, y)) continue;
         if (distance(x, y) < limit_px_) nearer_.set_run(y, x, x + 1);
       }
     }
@@ -69,7 +71,7 @@ class Search {
   const PieceDistance& piece_;
   Vec2 origin_;
   Window window_;
-  const BitGrid* asked_;  // empty: all nodes
+  const BitGrid* relevant_nodes_;  // empty: all nodes
   BitGrid nearer_;
 };
 
@@ -80,8 +82,8 @@ BitGrid nodes_nearer_than(float limit_px, const PieceDistance& piece, Vec2 origi
 }
 
 BitGrid nodes_nearer_than(float limit_px, const PieceDistance& piece, Vec2 origin, const Window& window,
-                          const BitGrid& asked) {
-  return Search(limit_px, piece, origin, window, &asked).found();
+                          const BitGrid& relevant_nodes) {
+  return Search(limit_px, piece, origin, window, &relevant_nodes).found();
 }
 
 }  // namespace tessera

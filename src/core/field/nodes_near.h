@@ -10,9 +10,9 @@ namespace tessera {
 /// first node. `origin` is the canvas position of node (0, 0) of the canvas.
 BitGrid nodes_nearer_than(float limit_px, const PieceDistance& piece, Vec2 origin, const Window& window);
 
-/// Finds these nodes only where `asked` has a node; elsewhere the result may be wrong. Late in a collage few nodes
+/// Finds these nodes only where `relevant_nodes` has a node; elsewhere the result may be wrong. Late in a collage few nodes
 /// matter.
 BitGrid nodes_nearer_than(float limit_px, const PieceDistance& piece, Vec2 origin, const Window& window,
-                          const BitGrid& asked);
+                          const BitGrid& relevant_nodes);
 
 }  // namespace tessera

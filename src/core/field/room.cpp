@@ -14,20 +14,20 @@ constexpr int kMostFineSide_px = 2048;
 
 /// A piece at one of its images, and the px of the canvas that it may affect.
 struct Image {
-  PieceThatLay piece;
+  RemovedPiece piece;
   Window window;
 };
 
 /// Images whose windows overlap, and the window that contains them.
 struct Cluster {
   Window window;
-  std::vector<PieceThatLay> pieces;
+  std::vector<RemovedPiece> pieces;
 };
 
-std::vector<Image> images_of(const std::vector<PieceThatLay>& pieces, int beyond_px, const Canvas& canvas) {
+std::vector<Image> images_of(const std::vector<RemovedPiece>& pieces, int beyond_px, const Canvas& canvas) {
   const Window all = Window{0, 0, canvas.width_px, canvas.height_px}.grown(beyond_px + kCanvasMargin);
   std::vector<Image> images;
-  for (const PieceThatLay& piece : pieces) {
+  for (const RemovedPiece& piece : pieces) {
     for (const Vec2 offset : canvas.period.offsets()) {
       const Similarity at = moved(piece.canvas_from_shape, offset);
       const Window window = bounding_window(*piece.outline, at).grown(beyond_px + 1).intersected(all);
@@ -63,7 +63,7 @@ Canvas covered_by(const Cluster& cluster) {
   const Window& w = cluster.window;
   const int cells_per_px = std::max(w.width(), w.height()) <= kMostFineSide_px ? 2 : 1;
   Grid<float> coverage(cells_per_px * w.width(), cells_per_px * w.height(), 0.f);
-  for (const PieceThatLay& piece : cluster.pieces) {
+  for (const RemovedPiece& piece : cluster.pieces) {
     const Similarity in_window = moved(piece.canvas_from_shape, Vec2{-float(w.x0), -float(w.y0)});
     for (const Span& span : fill_spans(*piece.outline, scaled(in_window, float(cells_per_px)), coverage.bounds())) {
       std::fill(coverage.row(span.y) + span.x0, coverage.row(span.y) + span.x1, 1.f);
@@ -89,7 +89,7 @@ void add_room(const Cluster& cluster, float beyond_px, Grid<float>& room) {
 
 }  // namespace
 
-void fill_only_where_they_lay(const std::vector<PieceThatLay>& pieces, float beyond_px, Canvas& canvas) {
+void limit_regions_to_room(const std::vector<RemovedPiece>& pieces, float beyond_px, Canvas& canvas) {
   const Grid<float>& nodes = canvas.distance.value;
   Grid<float> room(nodes.width(), nodes.height(), -1.f);
   for (const Cluster& cluster : clusters_of(images_of(pieces, int(std::ceil(beyond_px)), canvas))) {

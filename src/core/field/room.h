@@ -10,13 +10,13 @@
 
 namespace tessera {
 
-struct PieceThatLay {
+struct RemovedPiece {
   const Outline* outline = nullptr;
   Similarity canvas_from_shape;
 };
 
 /// Limits each of the canvas' regions to that room and a rim of `beyond_px` around it. A canvas without regions gets
 /// one. The canvas' own distance is unchanged. Away from the room the regions' distance is -1, whatever lies between.
-void fill_only_where_they_lay(const std::vector<PieceThatLay>& pieces, float beyond_px, Canvas& canvas);
+void limit_regions_to_room(const std::vector<RemovedPiece>& pieces, float beyond_px, Canvas& canvas);
 
 }  // namespace tessera

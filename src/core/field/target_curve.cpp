@@ -113,7 +113,7 @@ TargetCurve::Change TargetCurve::retrace(const OpenedField& opened, Vec2 origin,
       change.removed.push_back(id);
       continue;
     }
-    Held held = make_sample(v, std::move(support));
+    SampleEntry held = make_sample(v, std::move(support));
     const bool fresh = old == samples_.end();
     const bool renewed = fresh || changed_much(old->second.matched, held.sample.pyramid, pad_.levels);
     if (!renewed) held.matched = old->second.matched;
@@ -138,8 +138,8 @@ std::vector<SampleId> TargetCurve::reached_by(const Window& window) const {
   return ids;
 }
 
-void TargetCurve::hold(SampleId id, Held held) {
-  Held& kept = samples_[id];
+void TargetCurve::hold(SampleId id, SampleEntry held) {
+  SampleEntry& kept = samples_[id];
   supports_.move(edge_number(id), kept.support, held.support);
   kept = std::move(held);
 }
@@ -180,8 +180,8 @@ void TargetCurve::visit(int v, TileIndex::Region& support) const {
   support.add(Window{e.x, e.y, e.x + 2, e.y + 2}.grown(support_nodes()));
 }
 
-TargetCurve::Held TargetCurve::make_sample(int v, TileIndex::Region support) {
-  Held held;
+TargetCurve::SampleEntry TargetCurve::make_sample(int v, TileIndex::Region support) {
+  SampleEntry held;
   const GridEdge& e = contour_.vertex(v).edge;
   held.sample.id = SampleId{e.number(contour_.width())};
   held.sample.position = contour_.vertex(v).raw;

@@ -50,7 +50,7 @@ class TargetCurve {
   void set_matched_pads(const std::vector<MatchedPad>& pads);
 
  private:
-  struct Held {
+  struct SampleEntry {
     TargetSample sample;
     ArclengthPyramid matched;              // as it was when the sample was last reported as renewed
     std::vector<TileIndex::Tile> support;  // tiles of the nodes that the sample depends on
@@ -63,8 +63,8 @@ class TargetCurve {
   int support_nodes() const { return int(3 * sigma_px_) + 3; }
   void visit(int v, TileIndex::Region& support) const;
   bool on_short_loop(int v, TileIndex::Region& support) const;
-  Held make_sample(int v, TileIndex::Region support);
-  void hold(SampleId id, Held held);
+  SampleEntry make_sample(int v, TileIndex::Region support);
+  void hold(SampleId id, SampleEntry held);
   void drop(SampleId id);
   void reject(SampleId id, std::vector<TileIndex::Tile> support);
 
@@ -74,7 +74,7 @@ class TargetCurve {
   float longest_side_px_;
   int spacing_px_;
   PadParameters pad_;
-  std::map<SampleId, Held> samples_;
+  std::map<SampleId, SampleEntry> samples_;
   std::map<SampleId, std::vector<TileIndex::Tile>> rejected_;  // places where the loop is too short for a sample
   TileIndex supports_;  // samples and rejected places, by the nodes that they depend on
 };

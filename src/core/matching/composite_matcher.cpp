@@ -165,7 +165,7 @@ void CompositeMatcher::update_field(const FieldPatch& patch) {
   for (const auto& part : parts_) part->update_field(patch);
 }
 
-void CompositeMatcher::limit(const StandingLimits& limits) {
+void CompositeMatcher::limit(const StanceLimits& limits) {
   for (const auto& part : parts_) part->limit(limits);
 }
 

@@ -58,7 +58,7 @@ class CompositeMatcher : public JoinedMatcher {
 
   void start_field(int width, int height, Vec2 origin) override;
   void update_field(const FieldPatch& patch) override;
-  void limit(const StandingLimits& limits) override;
+  void limit(const StanceLimits& limits) override;
 
  private:
   void post_count_to_all(const CountRequest& request) override;

@@ -106,7 +106,7 @@ class Matcher : public MatcherPart {
   virtual void start_field(int width, int height, Vec2 origin) = 0;
   virtual void update_field(const FieldPatch& patch) = 0;
   /// Limits the requests that follow. Before the first call all that the context allows may stand.
-  virtual void limit(const StandingLimits& limits) = 0;
+  virtual void limit(const StanceLimits& limits) = 0;
 
   virtual void post_count(const CountRequest& request) = 0;
   virtual void post_dock(const DockRequest& request) = 0;

@@ -81,7 +81,7 @@ MatchingContext make_matching_context(const CollageSettings& settings, std::uint
   return c;
 }
 
-void limit(MatchingContext& context, const StanceTable& all, const StandingLimits& limits) {
+void limit(MatchingContext& context, const StanceTable& all, const StanceLimits& limits) {
   context.stances = all.limited(limits);
   set_sizes(context, limits.size_factor);
 }

@@ -43,6 +43,6 @@ MatchingContext make_matching_context(const CollageSettings& settings, std::uint
 
 /// Limits the context, whose whole table of stances is `all`. Sets the stances that may stand and all numbers that
 /// follow from the sizes at `limits.size_factor`.
-void limit(MatchingContext& context, const StanceTable& all, const StandingLimits& limits);
+void limit(MatchingContext& context, const StanceTable& all, const StanceLimits& limits);
 
 }  // namespace tessera

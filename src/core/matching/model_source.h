@@ -41,7 +41,7 @@ class ModelSource {
   virtual std::vector<std::uint32_t> pad_order(const ShapeRange&, std::size_t /*level*/) const { return {}; }
 
   /// Whether contours and key points can be read later, shape by shape and PAD by PAD. If false, models come whole.
-  virtual bool reads_singly() const { return false; }
+  virtual bool supports_random_access() const { return false; }
   /// Models without levels, in the order of the shapes.
   virtual std::vector<ShapeModel> contours(std::span<const ShapeId>) const { return {}; }
   /// 2 n + 1 points for each PAD, in the pyramid's order; n is the number of levels of a pyramid.

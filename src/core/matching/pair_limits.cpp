@@ -47,8 +47,8 @@ double share_of(std::uint32_t stride, std::uint32_t shapes) {
 }
 
 /// Counts from `bins` bins on, with more bins each time, until each sample has more than `pairs` pairs or all bins.
-std::vector<DistanceHistogram> look(std::vector<std::uint32_t> bins, std::uint64_t pairs, std::uint32_t stride,
-                                    const CountPairs& count) {
+std::vector<DistanceHistogram> count_until_enough(std::vector<std::uint32_t> bins, std::uint64_t pairs,
+                                                  std::uint32_t stride, const CountPairs& count) {
   std::vector<DistanceHistogram> found(bins.size());
   while (std::any_of(bins.begin(), bins.end(), [](std::uint32_t b) { return b > 0; })) {
     const std::vector<DistanceHistogram> counted = count(bins, stride);
@@ -74,7 +74,7 @@ std::vector<std::uint32_t> estimated_bins(std::vector<std::uint32_t> first, std:
   // The share is raised by a quarter, so that one further count is enough for most samples.
   const auto share = std::uint64_t(std::ceil(1.25 * double(pairs) * share_of(stride, shapes)));
   std::vector<std::uint32_t> bins;
-  for (const DistanceHistogram& found : look(std::move(first), share, stride, count)) {
+  for (const DistanceHistogram& found : count_until_enough(std::move(first), share, stride, count)) {
     std::uint64_t sum = 0;
     std::uint32_t bin = 0;
     while (bin < kDistanceBins && sum <= share) sum += found[bin++];
@@ -91,7 +91,7 @@ std::vector<std::uint32_t> pair_limits(std::size_t samples, std::uint64_t pairs,
   const std::uint32_t stride = stride_of_estimate(shapes);
   if (stride > 1) bins = estimated_bins(std::move(bins), pairs, shapes, stride, count);
   std::vector<std::uint32_t> limits;
-  for (const DistanceHistogram& found : look(std::move(bins), pairs, 1, count)) {
+  for (const DistanceHistogram& found : count_until_enough(std::move(bins), pairs, 1, count)) {
     limits.push_back(bin_limit_for(found, pairs));
   }
   return limits;

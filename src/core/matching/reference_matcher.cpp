@@ -30,7 +30,7 @@ void ReferenceMatcher::start_field(int width, int height, Vec2 origin) {
 
 void ReferenceMatcher::update_field(const FieldPatch& patch) { write_patch(patch, field_.value); }
 
-void ReferenceMatcher::limit(const StandingLimits& limits) {
+void ReferenceMatcher::limit(const StanceLimits& limits) {
   tessera::limit(context_, all_stances_, limits);
   near_colours_.set_depth(context_.colour_depth_px);
   near_colours_.start(context_.stances);

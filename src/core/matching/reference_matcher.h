@@ -17,7 +17,7 @@ class ReferenceMatcher : public Matcher {
   ShapeRange shapes() const override;
   void start_field(int width, int height, Vec2 origin) override;
   void update_field(const FieldPatch& patch) override;
-  void limit(const StandingLimits& limits) override;
+  void limit(const StanceLimits& limits) override;
   void post_count(const CountRequest& request) override;
   std::vector<DistanceHistogram> take_count() override;
   void post_dock(const DockRequest& request) override;

@@ -192,10 +192,10 @@ bool refine(Similarity& s, const ShapeModel& shape, const FieldView& field, cons
   Descent approach = kApproach;
   approach.first_radius_px = std::max(kApproach.first_radius_px, kApproachRadius * s.scale());
   descend(s, shape, field, approach, poses);
-  descend(s, shape, field, kNestle, poses);
+  descend(s, shape, field, kCloseFit, poses);
   float depth = depth_px(s, shape, field);
   for (int push = 0; push < kPushSteps && depth > hard_depth_px; ++push) {
-    if (depth > kHopelessDepth_px) return false;
+    if (depth > kMaxPushDepth_px) return false;
     if (push > 0) {
       s.a *= kPushShrink;
       s.b *= kPushShrink;

@@ -112,7 +112,7 @@ void StanceTable::set_scales(StanceList& list) const {
   for (const Stance& s : of(list)) list.max_scale_px = std::max(list.max_scale_px, s.poses.max_scale_px);
 }
 
-StanceTable StanceTable::limited(const StandingLimits& limits) const {
+StanceTable StanceTable::limited(const StanceLimits& limits) const {
   StanceTable table = *this;
   for (Stance& s : table.stances_) {
     s.poses.min_scale_px *= limits.size_factor;

@@ -35,13 +35,13 @@ struct StanceList {
 };
 
 /// Limits of the moment: the part of all stances that may be used now. They change from round to round.
-struct StandingLimits {
+struct StanceLimits {
   std::uint32_t region = 0;  // of the canvas, being filled
   float size_factor = 1;     // times all sizes
   float most_scale_px = std::numeric_limits<float>::infinity();
   std::vector<ShapeId> used_up = {};  // ascending
 
-  friend bool operator==(const StandingLimits&, const StandingLimits&) = default;
+  friend bool operator==(const StanceLimits&, const StanceLimits&) = default;
 };
 
 class StanceTable {
@@ -51,7 +51,7 @@ class StanceTable {
   StanceTable() = default;
 
   /// The table with the stances of the whole table that `limits` allow. Each stance keeps its index.
-  StanceTable limited(const StandingLimits& limits) const;
+  StanceTable limited(const StanceLimits& limits) const;
 
   const StanceList& list(ShapeId shape) const { return lists_[class_of(shape)]; }
   std::span<const Stance> of(const StanceList& list) const { return {stances_.data() + list.first, list.count}; }

@@ -10,7 +10,7 @@ namespace tessera {
 namespace {
 
 /// A piece or an image of it. Its index is made when another piece comes near, and kept while it may meet others.
-struct Standing {
+struct PieceImage {
   std::uint32_t piece;
   Vec2 offset_px;  // from the piece's given place
   bool is_image;   // false: the piece itself, with its centre in the first period
@@ -36,7 +36,7 @@ class GapSweep {
   GapSweep(const std::vector<JudgedPiece>& pieces, const Period& period, float reach_px)
       : pieces_(pieces),
         reach_px_(reach_px),
-        accompanied_(pieces.size(), false) {
+        has_near_piece_(pieces.size(), false) {
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
       const Box box = bounding_box(pieces[i].outline_px);
       const Vec2 home = period.wrapped(pieces[i].centre_px) - pieces[i].centre_px;
@@ -46,7 +46,7 @@ class GapSweep {
       }
     }
     std::sort(standing_.begin(), standing_.end(),
-              [](const Standing& a, const Standing& b) { return a.box_px.low.x < b.box_px.low.x; });
+              [](const PieceImage& a, const PieceImage& b) { return a.box_px.low.x < b.box_px.low.x; });
   }
 
   PieceGaps gaps() {
@@ -60,15 +60,17 @@ class GapSweep {
         standing_[other].index.reset();
         return true;
       });
-      for (const std::size_t other : open) meet(standing_[k], standing_[other]);
+      for (const std::size_t other : open) compare_pair(standing_[k], standing_[other]);
       open.push_back(k);
     }
-    const auto alone = std::count(accompanied_.begin(), accompanied_.end(), false);
+    const auto alone = std::count(has_near_piece_.begin(), has_near_piece_.end(), false);
     return {smallest_px_, double(alone) / double(pieces_.size())};
   }
 
  private:
-  Vec2 a_point_px(const Standing& s) const { return pieces_[s.piece].outline_px.curves.front().front() + s.offset_px; }
+  Vec2 a_point_px(const PieceImage& s) const {
+    return pieces_[s.piece].outline_px.curves.front().front() + s.offset_px;
+  }
 
   /// An upper bound of the smallest gap.
   float bound_px() const {
@@ -79,7 +81,7 @@ class GapSweep {
     return least_px * 1.001f + 0.01f;
   }
 
-  const PolygonIndex& index_of(Standing& s) const {
+  const PolygonIndex& index_of(PieceImage& s) const {
     if (!s.index) {
       Outline outline_px = pieces_[s.piece].outline_px;
       for (std::vector<Vec2>& curve : outline_px.curves) {
@@ -90,21 +92,21 @@ class GapSweep {
     return *s.index;
   }
 
-  void meet(Standing& a, Standing& b) {
+  void compare_pair(PieceImage& a, PieceImage& b) {
     if (a.is_image && b.is_image) return;
-    const bool both_accompanied = accompanied_[a.piece] && accompanied_[b.piece];
+    const bool both_accompanied = has_near_piece_[a.piece] && has_near_piece_[b.piece];
     const float look_px = both_accompanied ? smallest_px_ : std::max(smallest_px_, reach_px_);
     if (look_px <= 0 || !within_reach(a.box_px, b.box_px, look_px)) return;
     const float px = distance_px(index_of(a), index_of(b), look_px);
     smallest_px_ = std::min(smallest_px_, px);
-    if (px < reach_px_) accompanied_[a.piece] = accompanied_[b.piece] = true;
+    if (px < reach_px_) has_near_piece_[a.piece] = has_near_piece_[b.piece] = true;
   }
 
   const std::vector<JudgedPiece>& pieces_;
   float reach_px_;
   float smallest_px_ = 0;  // so far
-  std::vector<Standing> standing_;
-  std::vector<bool> accompanied_;  // another piece lies within reach
+  std::vector<PieceImage> standing_;
+  std::vector<bool> has_near_piece_;  // another piece lies within reach
 };
 
 }  // namespace

@@ -136,7 +136,7 @@ float closeness(const Query& query, float distance) {
   return closeness_within(distance, kCloseWidths * query.least_sigma(), farthest(query));
 }
 
-bool is_nearly_one_of(std::span<const Similarity> others, const Similarity& pose, const Query& query) {
+bool is_near_any_pose(std::span<const Similarity> others, const Similarity& pose, const Query& query) {
   const Vec2 at_centre = pose.inverse().apply(query.centre());
   const float least = kSamePose * query.radius();
   return std::any_of(others.begin(), others.end(), [&](const Similarity& other) {

@@ -38,6 +38,6 @@ float roughly_followed(const Query& query, const BoundaryPoints& shape, const Si
 float closeness(const Query& query, float distance);
 
 /// Whether the pose is nearly equal to one of the others, so that refinement would make one of both.
-bool is_nearly_one_of(std::span<const Similarity> others, const Similarity& pose, const Query& query);
+bool is_near_any_pose(std::span<const Similarity> others, const Similarity& pose, const Query& query);
 
 }  // namespace tessera

@@ -78,7 +78,7 @@ class CurveMatcher {
     std::vector<Similarity> taken;
     for (const PosedCurves& posed : refined(sorted_poses())) {
       if (matches.size() == most) break;
-      if (posed.score < kLeastScore || is_nearly_one_of(taken, posed.a_from_b, query_a_)) continue;
+      if (posed.score < kLeastScore || is_near_any_pose(taken, posed.a_from_b, query_a_)) continue;
       taken.push_back(posed.a_from_b);
       CurveMatch match = match_at(posed);
       if (!match.runs.empty()) matches.push_back(std::move(match));
@@ -126,7 +126,7 @@ class CurveMatcher {
     std::vector<Similarity> tried;
     for (const PosedCurves& start : starts) {
       if (tried.size() == kMostRefinedPoses) break;
-      if (is_nearly_one_of(tried, start.a_from_b, query_a_)) continue;
+      if (is_near_any_pose(tried, start.a_from_b, query_a_)) continue;
       tried.push_back(start.a_from_b);
       const Similarity pose = refined_pose_from(start.a_from_b);
       result.push_back({pose, score_of(followed_part(query_a_, points_.boundary(), pose), pose)});

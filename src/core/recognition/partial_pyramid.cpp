@@ -113,7 +113,7 @@ PartialPyramid TurningProfile::pyramid(int vertex, const PadParameters& pad) con
 
 }  // namespace
 
-bool tells_enough(const PartialPyramid& pyramid) {
+bool has_enough_levels(const PartialPyramid& pyramid) {
   return pyramid.left_levels + pyramid.right_levels >= kLeastLevels &&
          std::min(pyramid.left_levels, pyramid.right_levels) >= kLeastLevelsOfASide;
 }

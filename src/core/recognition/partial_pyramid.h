@@ -22,7 +22,7 @@ inline constexpr int kLeastLevels = 4;
 inline constexpr int kLeastLevelsOfASide = 2;
 
 /// Whether both sides have enough levels for a comparison.
-bool tells_enough(const PartialPyramid& pyramid);
+bool has_enough_levels(const PartialPyramid& pyramid);
 
 /// The pyramids at every `stride`-th point of a curve that was smoothed by `sigma`. On an open curve the last `sigma`
 /// before each end counts as missing, because smoothing has changed it.

@@ -50,9 +50,9 @@ QueryWidth make_width(const std::vector<Curve>& curves, float sigma, float lengt
     const int count = int(std::clamp<float>(own * kPointsOfWidth / sigma, kLeastPoints, kMostPoints));
     const int stride = std::max(1, int(spacing * float(count) / own));
     for (const PartialPyramid& p : partial_pyramids(smoothed(resampled(curve, count), sigma), sigma, stride, pad)) {
-      if (tells_enough(p)) width.pyramids.push_back(p);
+      if (has_enough_levels(p)) width.pyramids.push_back(p);
       const bool has_more = std::max(p.left_levels, p.right_levels) > kInnerLevels;
-      if (curve.closed && has_more && tells_enough(inner_levels(p))) width.pyramids.push_back(inner_levels(p));
+      if (curve.closed && has_more && has_enough_levels(inner_levels(p))) width.pyramids.push_back(inner_levels(p));
     }
   }
   return width;

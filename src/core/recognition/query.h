@@ -13,7 +13,7 @@ namespace tessera {
 /// The query's pyramids after smoothing by one width.
 struct QueryWidth {
   float sigma = 0;
-  std::vector<PartialPyramid> pyramids;  // each with tells_enough()
+  std::vector<PartialPyramid> pyramids;  // each with has_enough_levels()
 };
 
 struct QuerySettings {

@@ -44,7 +44,7 @@ std::vector<PosedShape> first_of_each(const Query& query, const std::vector<Pose
   for (const PosedShape& p : posed) {
     if (chosen.size() == kMostRefined) break;
     std::vector<Similarity>& others = of_shape[p.shape];
-    if (others.size() == kMostOfShape || is_nearly_one_of(others, p.query_from_shape, query)) continue;
+    if (others.size() == kMostOfShape || is_near_any_pose(others, p.query_from_shape, query)) continue;
     others.push_back(p.query_from_shape);
     chosen.push_back(p);
   }

@@ -2,7 +2,7 @@
 
 namespace tessera {
 
-void LaidPiece::lay(const ContactShape& of_shape, const Similarity& where) {
+void ContactPiece::lay(const ContactShape& of_shape, const Similarity& where) {
   shape = &of_shape;
   canvas_from_shape = where;
   scale_px = where.scale();

@@ -11,7 +11,7 @@
 namespace tessera {
 
 /// A shape at its pose on the canvas. Canvas px.
-struct LaidPiece {
+struct ContactPiece {
   const ContactShape* shape = nullptr;  // outlives the piece
   Similarity canvas_from_shape;
   float scale_px = 0;
@@ -42,7 +42,7 @@ struct Contact {
 /// samples: the distance changes by no more than the way along the boundary. `slack_px` is the error of look-up between
 /// nodes.
 template <class Distance, class F>
-void walk_contacts(const LaidPiece& piece, float reach_px, float slack_px, Distance distance, F f) {
+void walk_contacts(const ContactPiece& piece, float reach_px, float slack_px, Distance distance, F f) {
   const float per_step = 1 / (piece.samples->longest_step * piece.scale_px);
   std::size_t i = 0;
   for (const std::size_t end : piece.samples->curve_ends) {
@@ -62,7 +62,7 @@ void walk_contacts(const LaidPiece& piece, float reach_px, float slack_px, Dista
 
 /// Calls f(contact) for the samples of `piece` that are nearer than `reach_px` to `other` moved by `offset`.
 template <class F>
-void each_contact(const LaidPiece& piece, const LaidPiece& other, Vec2 offset, float reach_px, F f) {
+void each_contact(const ContactPiece& piece, const ContactPiece& other, Vec2 offset, float reach_px, F f) {
   const Box box{other.box.low + offset, other.box.high + offset};
   if (!within_reach(piece.box, box, std::max(reach_px, 0.f))) return;
   const float node_px = other.scale_px / other.shape->nodes_per_unit;
@@ -78,7 +78,7 @@ void each_contact(const LaidPiece& piece, const LaidPiece& other, Vec2 offset, f
 
 /// Calls f(contact) for the samples nearer than `reach_px` to the canvas' edge, whose distance is negative outside.
 template <class F>
-void each_contact(const LaidPiece& piece, const EdgeDistance& edge, float reach_px, F f) {
+void each_contact(const ContactPiece& piece, const EdgeDistance& edge, float reach_px, F f) {
   // No sample is farther from the centre than the radius.
   const FieldSample centre = edge.at(piece.canvas_from_shape.translation());
   if (centre.value > piece.shape->radius * piece.scale_px + reach_px + edge.node_px()) return;

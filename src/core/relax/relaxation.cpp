@@ -21,7 +21,7 @@ constexpr float kOneWay = 0.5f;
 /// Damping, as part of the stiffness of a whole boundary in contact. It keeps pieces without contacts from leaping.
 constexpr float kStepDamping = 0.01f;
 /// The relaxation ends with a sweep in which no piece moves farther than this.
-constexpr float kAtRest_px = 0.01f;
+constexpr float kConverged_px = 0.01f;
 /// Neighbours are searched this much farther away than contact reaches, and again when two pieces may have come nearer
 /// by as much. A larger slack means more boxes to test, a smaller one more searches.
 constexpr float kNeighbourSlack_px = 16;
@@ -33,15 +33,15 @@ float most_movement(const std::vector<RelaxedPiece>& pieces, const std::vector<s
   return 1 + 2 * radius;
 }
 
-std::vector<LaidPiece> laid(const std::vector<RelaxedPiece>& pieces) {
-  std::vector<LaidPiece> all(pieces.size());
+std::vector<ContactPiece> laid(const std::vector<RelaxedPiece>& pieces) {
+  std::vector<ContactPiece> all(pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i) all[i].lay(*pieces[i].shape, pieces[i].canvas_from_shape);
   return all;
 }
 
-PieceNeighbours neighbours_among(const std::vector<LaidPiece>& pieces, const Period& period) {
+PieceNeighbours neighbours_among(const std::vector<ContactPiece>& pieces, const Period& period) {
   std::vector<Box> boxes;
-  for (const LaidPiece& piece : pieces) boxes.push_back(piece.box);
+  for (const ContactPiece& piece : pieces) boxes.push_back(piece.box);
   return {boxes, period};
 }
 
@@ -59,13 +59,13 @@ void each_depth(float distance_px, const ContactDistances& distances, const Stif
 }
 
 /// The part of the piece's energy that depends on its pose, to second order, without its area.
-RelaxationStep step_of(const LaidPiece& piece, const std::vector<LaidPiece>& pieces,
+RelaxationStep step_of(const ContactPiece& piece, const std::vector<ContactPiece>& pieces,
                        const std::vector<Neighbour>& neighbours, const EdgeDistance& edge,
                        const ContactDistances& distances, const Stiffness& stiffness) {
   RelaxationStep step(piece.canvas_from_shape);
   const float reach_px = distances.soft_px;
   for (const Neighbour& n : neighbours) {
-    const LaidPiece& other = pieces[n.piece];
+    const ContactPiece& other = pieces[n.piece];
     each_contact(piece, other, n.offset, reach_px, [&](const Contact& c) {
       each_depth(c.distance_px, distances, stiffness,
                  [&](float depth_px, float k) { step.add_own(c, depth_px, kOneWay * k); });
@@ -84,7 +84,7 @@ RelaxationStep step_of(const LaidPiece& piece, const std::vector<LaidPiece>& pie
 }
 
 /// Moves the piece, by at most `most_px`; returns the length of the movement.
-float take(const RelaxationStep& step, const PoseRange& poses, float most_px, LaidPiece& piece) {
+float take(const RelaxationStep& step, const PoseRange& poses, float most_px, ContactPiece& piece) {
   const PieceMovement movement = step.solved(piece.canvas_from_shape, poses);
   const float wanted_px = movement.largest();
   const float part = wanted_px > most_px ? most_px / wanted_px : 1.f;
@@ -113,7 +113,7 @@ void shuffle(std::vector<std::size_t>& pieces, int sweep) {
 void Relaxation::relax(std::vector<RelaxedPiece>& pieces, std::vector<std::size_t> active,
                        const RelaxationSchedule& schedule, const StopCheck& check_stop) const {
   std::erase_if(active, [&](std::size_t i) { return pieces[i].fixed; });
-  std::vector<LaidPiece> all = laid(pieces);
+  std::vector<ContactPiece> all = laid(pieces);
   std::vector<std::vector<Neighbour>> neighbours(pieces.size());
   const float movement = most_movement(pieces, active);
   float may_have_moved_px = kNeighbourSlack_px;
@@ -140,7 +140,7 @@ void Relaxation::relax(std::vector<RelaxedPiece>& pieces, std::vector<std::size_
       largest_px = std::max(largest_px, take(step, pieces[i].poses, most_step_px, all[i]));
     }
     may_have_moved_px += movement * largest_px;
-    if (largest_px < kAtRest_px) break;
+    if (largest_px < kConverged_px) break;
   }
   for (const std::size_t i : active) {
     pieces[i].canvas_from_shape = edge_.period().wrapped(all[i].canvas_from_shape);
@@ -155,7 +155,7 @@ double Relaxation::energy_px2(const std::vector<RelaxedPiece>& pieces, float sti
 
 double Relaxation::energy_px2(const std::vector<RelaxedPiece>& pieces, const std::vector<std::size_t>& active,
                               float stiffness, float hard_stiffness) const {
-  const std::vector<LaidPiece> all = laid(pieces);
+  const std::vector<ContactPiece> all = laid(pieces);
   const PieceNeighbours near = neighbours_among(all, edge_.period());
   std::vector<bool> is_active(pieces.size(), false);
   for (const std::size_t i : active) is_active[i] = true;
@@ -182,7 +182,7 @@ double Relaxation::energy_px2(const std::vector<RelaxedPiece>& pieces, const std
 
 std::array<double, 4> Relaxation::energy_gradient(const std::vector<RelaxedPiece>& pieces, std::size_t piece,
                                                   float stiffness) const {
-  const std::vector<LaidPiece> all = laid(pieces);
+  const std::vector<ContactPiece> all = laid(pieces);
   const PieceNeighbours near = neighbours_among(all, edge_.period());
   RelaxationStep step =
       step_of(all[piece], all, near.of(std::uint32_t(piece), distances_.reach_px()), edge_, distances_, {stiffness, 0});

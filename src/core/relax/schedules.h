@@ -15,13 +15,13 @@ namespace tessera {
 inline constexpr RelaxationSchedule kGrowTogether{60, 0.5f, 5, 4, 0.3f};
 /// Ends at a stiffness of 12. At 5, pieces of 20 to 160 px would cover 0.3 % more of the canvas, but 0.12 % more of it
 /// twice.
-inline constexpr RelaxationSchedule kComeToRest{40, 5, 12, 1, 0.2f};
+inline constexpr RelaxationSchedule kConverge{40, 5, 12, 1, 0.2f};
 /// Tips have little boundary, so they lie deep, and only the hard stiffness draws them out. If it were larger, pieces
 /// would stop growing.
-inline constexpr RelaxationSchedule kKeepTheRule{60, 12, 12, 1, 0.1f, 200};
-inline constexpr std::array kRelaxCollage = {kGrowTogether, kGrowTogether, kComeToRest, kKeepTheRule};
+inline constexpr RelaxationSchedule kResolveDepth{60, 12, 12, 1, 0.1f, 200};
+inline constexpr std::array kRelaxCollage = {kGrowTogether, kGrowTogether, kConverge, kResolveDepth};
 /// The schedules for pieces whose poses are good already.
-inline constexpr std::array kSettleCollage = {kComeToRest, kKeepTheRule};
+inline constexpr std::array kSettleCollage = {kConverge, kResolveDepth};
 
 /// The distances at which contact begins and becomes hard: slightly before PlacedOutlines finds a conflict, as fields
 /// do not show all of an outline.

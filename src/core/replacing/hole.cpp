@@ -20,7 +20,7 @@ Hole::Hole(Vec2 centre_px, float half_px, float cell_px, const EdgeDistance& edg
   }
 }
 
-void Hole::add(const LaidPiece& piece) {
+void Hole::add(const ContactPiece& piece) {
   const auto first = [&](float low, float origin) { return std::max(0, int((low - kFar_px - origin) / cell_px_)); };
   const auto end = [&](float high, float origin, int count) {
     return std::min(count, int(std::max(0.f, (high + kFar_px - origin) / cell_px_)) + 2);

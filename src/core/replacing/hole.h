@@ -20,7 +20,7 @@ class Hole {
   Hole(Vec2 centre_px, float half_px, float cell_px, const EdgeDistance& edge);
 
   /// Takes the piece out of the free area.
-  void add(const LaidPiece& piece);
+  void add(const ContactPiece& piece);
 
   /// Distance to the boundary of the free area, positive in the hole, at most kFar_px. It is less than that beyond the
   /// end of a piece's field. Beyond the raster: the value at the nearest point of the raster.

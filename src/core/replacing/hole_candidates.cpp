@@ -27,7 +27,7 @@ constexpr float kLargerThanFree = 1.1f;  // candidates may be larger than the fr
 const BoundarySamples& boundary_of(const HoleShape& shape) { return shape.contact.samples.back(); }
 
 /// The score of a pose; stops as soon as it falls below `least`.
-float score(const Hole& hole, const HoleGuest& guest, const Similarity& pose, float softness, float least) {
+float score(const Hole& hole, const CandidateShape& guest, const Similarity& pose, float softness, float least) {
   const float scale = pose.scale();
   const float worth = guest.worth * scale * scale;
   const float inside = softness * scale * scale / float(guest.shape->interior.size());
@@ -50,7 +50,7 @@ float score(const Hole& hole, const HoleGuest& guest, const Similarity& pose, fl
 }
 
 /// The pose after moving, turning and growing in the hole.
-Similarity refined(const Hole& hole, const HoleGuest& guest, Similarity pose) {
+Similarity refined(const Hole& hole, const CandidateShape& guest, Similarity pose) {
   const ContactShape& shape = guest.shape->contact;
   for (int k = 0; k < kRefineSteps; ++k) {
     const float scale = pose.scale();
@@ -84,7 +84,8 @@ Similarity docked(const DockPoint& dock, const RimPoint& rim, float scale_px, co
   return {pose.a, pose.b, at.x, at.y};
 }
 
-float drawn_scale_px(const HoleGuest& guest, const DockPoint& dock, const RimPoint& rim, float most_px, Draws& draws) {
+float drawn_scale_px(const CandidateShape& guest, const DockPoint& dock, const RimPoint& rim, float most_px,
+                     Draws& draws) {
   const float spread = kRoomSpread * (draws.unit() - 0.5f);
   const float wanted = rim.room_px / dock.thickness * portable_exp2(spread);
   return std::clamp(wanted, guest.poses.min_scale_px,
@@ -92,7 +93,7 @@ float drawn_scale_px(const HoleGuest& guest, const DockPoint& dock, const RimPoi
 }
 
 /// A dock point whose docking has an allowed rotation, or nearly, if some draws find one.
-const DockPoint& drawn_dock(const HoleGuest& guest, const RimPoint& rim, Draws& draws) {
+const DockPoint& drawn_dock(const CandidateShape& guest, const RimPoint& rim, Draws& draws) {
   constexpr int kMostDraws = 16;
   constexpr float kNearly_rad = 0.3f;
   const std::vector<DockPoint>& docks = guest.shape->docks;
@@ -107,14 +108,15 @@ const DockPoint& drawn_dock(const HoleGuest& guest, const RimPoint& rim, Draws& 
 }
 
 /// Random dockings, not yet scored.
-std::vector<HoleCandidate> drawn(const Hole& hole, float reach_px, const std::vector<HoleGuest>& guests, Draws& draws) {
+std::vector<HoleCandidate> drawn(const Hole& hole, float reach_px, const std::vector<CandidateShape>& guests,
+                                 Draws& draws) {
   std::vector<HoleCandidate> all;
   const std::vector<RimPoint> rim = hole.rim(reach_px);
   if (rim.empty() || guests.empty()) return all;
   const float most_px = kLargerThanFree * std::sqrt(hole.free_px2(reach_px));
   for (int k = 0; k < kDockings; ++k) {
     const std::size_t g = draws.below(guests.size());
-    const HoleGuest& guest = guests[g];
+    const CandidateShape& guest = guests[g];
     const RimPoint& at = rim[draws.below(rim.size())];
     if (draws.unit() >= guest.weight || guest.poses.min_scale_px > most_px || guest.shape->docks.empty()) continue;
     const DockPoint& dock = drawn_dock(guest, at, draws);
@@ -130,7 +132,7 @@ void keep_best(const HoleCandidate& candidate, std::vector<HoleCandidate>& best)
 
 /// The candidates with the best scores; among equal ones the first.
 std::vector<HoleCandidate> best_of(std::span<const HoleCandidate> drawn, const Hole& hole,
-                                   const std::vector<HoleGuest>& guests, float softness) {
+                                   const std::vector<CandidateShape>& guests, float softness) {
   std::vector<HoleCandidate> best;
   for (HoleCandidate candidate : drawn) {
     const float least = best.size() < kRefinedInHole ? 0.f : best.back().score_px2;
@@ -143,7 +145,7 @@ std::vector<HoleCandidate> best_of(std::span<const HoleCandidate> drawn, const H
 /// best_of(), divided among threads if one is idle. Otherwise one thread is better: it knows the best scores up to now
 /// and skips more candidates.
 std::vector<HoleCandidate> shared_best_of(const std::vector<HoleCandidate>& drawn, const Hole& hole,
-                                          const std::vector<HoleGuest>& guests, float softness, TaskPool& pool) {
+                                          const std::vector<CandidateShape>& guests, float softness, TaskPool& pool) {
   if (!pool.has_idle_thread()) return best_of(drawn, hole, guests, softness);
   std::vector<std::vector<HoleCandidate>> parts(kDockingParts);
   pool.run(kDockingParts, [&](std::size_t k) {
@@ -160,7 +162,7 @@ std::vector<HoleCandidate> shared_best_of(const std::vector<HoleCandidate>& draw
 
 }  // namespace
 
-std::vector<HoleCandidate> best_candidates(const Hole& hole, float reach_px, const std::vector<HoleGuest>& guests,
+std::vector<HoleCandidate> best_candidates(const Hole& hole, float reach_px, const std::vector<CandidateShape>& guests,
                                            float softness, Draws& draws, TaskPool& pool) {
   const std::vector<HoleCandidate> all = drawn(hole, reach_px, guests, draws);
   std::vector<HoleCandidate> candidates = shared_best_of(all, hole, guests, softness, pool);

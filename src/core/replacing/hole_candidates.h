@@ -20,7 +20,7 @@ struct HoleCandidate {
 };
 
 /// A shape that may come in, and the worth of an area of 1.
-struct HoleGuest {
+struct CandidateShape {
   const HoleShape* shape = nullptr;
   PoseRange poses;
   float weight = 1;
@@ -29,7 +29,7 @@ struct HoleGuest {
 
 /// The best few distinct candidates with a positive score, best first. `softness`: cost of a px² of overlap with
 /// neighbours; it may be low as neighbours will make some room.
-std::vector<HoleCandidate> best_candidates(const Hole& hole, float reach_px, const std::vector<HoleGuest>& guests,
+std::vector<HoleCandidate> best_candidates(const Hole& hole, float reach_px, const std::vector<CandidateShape>& guests,
                                            float softness, Draws& draws, TaskPool& pool);
 
 }  // namespace tessera

@@ -31,9 +31,9 @@ std::vector<IncomingShape> incoming_shapes(const StanceTable& stances, const Sha
   return all;
 }
 
-std::vector<IncomingShape> let_into(const Box& box, const std::vector<IncomingShape>& incoming,
-                                    const std::vector<FormerPiece>& not_back, const Period& period,
-                                    const ShapeSource& shapes) {
+std::vector<IncomingShape> shapes_for_window(const Box& box, const std::vector<IncomingShape>& incoming,
+                                             const std::vector<FormerPiece>& not_back, const Period& period,
+                                             const ShapeSource& shapes) {
   const Vec2 middle = (box.low + box.high) * 0.5f;
   std::set<ShapeId> lay_there;
   for (const FormerPiece& piece : not_back) {

@@ -20,8 +20,8 @@ std::vector<IncomingShape> incoming_shapes(const StanceTable& stances, const Sha
 /// The shapes of `incoming` that may come into the window `box`. A shape stays out if a piece of its drawing was taken
 /// out in this window and must not come back (`not_back`). The whole window counts, as the place of a new piece is not
 /// known before. If fewer than half would remain, all may come in.
-std::vector<IncomingShape> let_into(const Box& box, const std::vector<IncomingShape>& incoming,
-                                    const std::vector<FormerPiece>& not_back, const Period& period,
-                                    const ShapeSource& shapes);
+std::vector<IncomingShape> shapes_for_window(const Box& box, const std::vector<IncomingShape>& incoming,
+                                             const std::vector<FormerPiece>& not_back, const Period& period,
+                                             const ShapeSource& shapes);
 
 }  // namespace tessera

@@ -19,14 +19,14 @@ constexpr RelaxationSchedule kSettleScene{20, kSoft, kStiffness, kSoftStep_px, k
 /// Cost of area covered twice: it is not gained, and it is hidden.
 constexpr double kCoveredTwice = 2;
 
-std::vector<LaidPiece> laid(const Scene& scene) {
-  std::vector<LaidPiece> all(scene.pieces.size());
+std::vector<ContactPiece> laid(const Scene& scene) {
+  std::vector<ContactPiece> all(scene.pieces.size());
   for (std::size_t i = 0; i < all.size(); ++i) all[i].lay(*scene.pieces[i].shape, scene.pieces[i].canvas_from_shape);
   return all;
 }
 
 /// The area of `piece` inside `other`, by the points of its interior.
-double within_px2(const LaidPiece& piece, const HoleShape& shape, const LaidPiece& other) {
+double within_px2(const ContactPiece& piece, const HoleShape& shape, const ContactPiece& other) {
   std::size_t points = 0;
   for (const Vec2 p : shape.interior) {
     const Vec2 at = piece.canvas_from_shape.apply(p);
@@ -39,7 +39,7 @@ double within_px2(const LaidPiece& piece, const HoleShape& shape, const LaidPiec
 /// Boundary samples do not see a piece that lies wholly within another, or exactly on a copy of its shape. So this
 /// adds, for each pair that a trial may change, the area of one in the other, both ways.
 double covered_twice_px2(const Scene& scene) {
-  const std::vector<LaidPiece> all = laid(scene);
+  const std::vector<ContactPiece> all = laid(scene);
   std::vector<bool> active(all.size(), false);
   for (const std::size_t i : scene.active) active[i] = true;
   double covered_px2 = 0;
@@ -67,11 +67,11 @@ SceneRelaxation::SceneRelaxation(const ReplacementWindow& window)
       relaxation_(edge_, window.distances),
       first_step_px_(kFirstStep * middle_px(window)) {}
 
-void SceneRelaxation::soften(Scene& scene) const {
+void SceneRelaxation::relax_softly(Scene& scene) const {
   relaxation_.relax(scene.pieces, scene.active, {10, kSoftest, kSoft, first_step_px_, kSoftStep_px}, [] {});
 }
 
-void SceneRelaxation::come_to_rest(Scene& scene) const {
+void SceneRelaxation::relax_fully(Scene& scene) const {
   relaxation_.relax(scene.pieces, scene.active, kSettleScene, [] {});
 }
 

@@ -26,8 +26,8 @@ class SceneRelaxation {
   const EdgeDistance& edge() const { return edge_; }
 
   /// A few soft sweeps, whose energy predicts that of the full relaxation well.
-  void soften(Scene& scene) const;
-  void come_to_rest(Scene& scene) const;
+  void relax_softly(Scene& scene) const;
+  void relax_fully(Scene& scene) const;
   /// The cost of the moving pieces: depth in each other and beyond the edge, and area covered twice; less their area.
   double energy_px2(const Scene& scene) const;
 

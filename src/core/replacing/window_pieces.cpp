@@ -25,7 +25,7 @@ WindowPieces::WindowPieces(const ReplacementWindow& window, const HoleShapes& sh
 }
 
 void WindowPieces::stand(const WindowPiece& piece, std::uint32_t from, bool still) {
-  Standing s{piece, shapes_.at(piece.shape), {}, from, still};
+  WindowPieceState s{piece, shapes_.at(piece.shape), {}, from, still};
   s.laid.lay(s.shape->contact, piece.canvas_from_shape);
   standing_.push_back(std::move(s));
 }
@@ -40,7 +40,7 @@ bool WindowPieces::is_inside(const Box& box) const {
 
 bool WindowPieces::stays_inside(const Scene& scene) const {
   return std::all_of(scene.active.begin(), scene.active.end(), [&](std::size_t i) {
-    LaidPiece laid;
+    ContactPiece laid;
     laid.lay(*scene.pieces[i].shape, scene.pieces[i].canvas_from_shape);
     return is_inside(laid.box);
   });
@@ -48,7 +48,7 @@ bool WindowPieces::stays_inside(const Scene& scene) const {
 
 float WindowPieces::openness_px(Vec2 p, float most_px) const {
   float open = std::min(most_px, edge_.at(p).value);
-  for (const Standing& s : standing_) {
+  for (const WindowPieceState& s : standing_) {
     if (within_reach(s.laid.box, {p, p}, std::max(open, 0.f))) open = std::min(open, s.laid.distance(p).value);
   }
   return open;
@@ -66,9 +66,9 @@ std::vector<std::pair<float, std::size_t>> WindowPieces::nearest(Vec2 p, float m
 }
 
 bool WindowPieces::any_near(std::size_t i, const std::vector<std::size_t>& others, float reach_px) const {
-  const LaidPiece& piece = standing_[i].laid;
+  const ContactPiece& piece = standing_[i].laid;
   for (const std::size_t o : others) {
-    const LaidPiece& other = standing_[o].laid;
+    const ContactPiece& other = standing_[o].laid;
     if (!within_reach(other.box, piece.box, reach_px)) continue;
     for (std::size_t k = 0; k < piece.points.size(); k += kOutlineStep) {
       if (other.distance(piece.points[k]).value < reach_px) return true;
@@ -88,7 +88,7 @@ float WindowPieces::farthest_px(Vec2 p, const std::vector<std::size_t>& pieces) 
 Scene WindowPieces::scene_of(const std::vector<std::size_t>& moving, const std::vector<std::size_t>& out,
                              const std::vector<Box>& incoming) const {
   const auto add = [this](Scene& scene, std::size_t i, bool moves) {
-    const Standing& s = standing_[i];
+    const WindowPieceState& s = standing_[i];
     scene.add(*s.shape, s.piece.canvas_from_shape, s.piece.poses, moves);
   };
   Scene scene;
@@ -117,7 +117,7 @@ Hole WindowPieces::hole_of(Vec2 centre_px, const std::vector<std::size_t>& out, 
 }
 
 void WindowPieces::move(std::size_t i, const Similarity& canvas_from_shape) {
-  Standing& s = standing_[i];
+  WindowPieceState& s = standing_[i];
   s.piece.canvas_from_shape = canvas_from_shape;
   s.laid.lay(s.shape->contact, canvas_from_shape);
 }
@@ -134,7 +134,7 @@ void WindowPieces::add(const IncomingShape& shape, const Similarity& canvas_from
 std::vector<ReplacedPiece> WindowPieces::replaced() const {
   std::vector<ReplacedPiece> pieces;
   for (const bool old : {true, false}) {
-    for (const Standing& s : standing_) {
+    for (const WindowPieceState& s : standing_) {
       if (s.still || (s.from != ReplacedPiece::kNew) != old) continue;
       pieces.push_back({s.piece.shape, s.piece.canvas_from_shape, s.from});
     }

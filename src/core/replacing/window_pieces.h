@@ -17,10 +17,10 @@ using HoleShapes = std::map<ShapeId, const HoleShape*>;
 
 class WindowPieces {
  public:
-  struct Standing {
+  struct WindowPieceState {
     WindowPiece piece;
     const HoleShape* shape = nullptr;
-    LaidPiece laid;
+    ContactPiece laid;
     std::uint32_t from = ReplacedPiece::kNew;  // index in ReplacementWindow::moving
     bool still = false;
   };
@@ -28,7 +28,7 @@ class WindowPieces {
   /// All arguments must outlive this object.
   WindowPieces(const ReplacementWindow& window, const HoleShapes& shapes, const EdgeDistance& edge);
 
-  const Standing& operator[](std::size_t i) const { return standing_[i]; }
+  const WindowPieceState& operator[](std::size_t i) const { return standing_[i]; }
   /// Whether the piece may move: it does not stand still, and its box lies inside the window.
   bool may_move(std::size_t i) const;
   bool stays_inside(const Scene& scene) const;
@@ -64,7 +64,7 @@ class WindowPieces {
   const ReplacementWindow& window_;
   const HoleShapes& shapes_;
   const EdgeDistance& edge_;
-  std::vector<Standing> standing_;
+  std::vector<WindowPieceState> standing_;
 };
 
 }  // namespace tessera

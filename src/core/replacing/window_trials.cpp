@@ -14,7 +14,8 @@ namespace tessera {
 namespace {
 
 constexpr std::size_t kMostPointsDrawn = 8;  // the most open of the drawn points is the hole's centre
-constexpr float kLookedAt = 1.6f;  // of the most scale: distance from the centre up to which pieces are considered
+constexpr float kPieceSearchReach =
+    1.6f;                          // of the most scale: distance from the centre up to which pieces are considered
 constexpr float kRing = 0.4f;      // of the middle size: pieces nearer than this to pieces that go out make room
 constexpr float kRoundCentre = 1;  // of the middle size: so do pieces nearer than this to the hole's centre
 // of the product of both scales: rise of the energy after soft sweeps that ends a trial
@@ -99,7 +100,7 @@ class WindowTrials {
   bool draw(Trial& trial) {
     trial.centre_px = drawn_centre();
     const std::size_t wanted = drawn_count(draws_);
-    const auto near = pieces_.nearest(trial.centre_px, kLookedAt * window_.most_scale_px);
+    const auto near = pieces_.nearest(trial.centre_px, kPieceSearchReach * window_.most_scale_px);
     for (const auto& [distance_px, i] : near) {
       if (trial.out.size() < wanted && pieces_.may_move(i)) trial.out.push_back(i);
     }
@@ -171,7 +172,7 @@ class WindowTrials {
                                       [](const Attempt& a, const Attempt& b) { return a.energy_px2 < b.energy_px2; });
     const double most_px2 = old_energy_px2 + double(kGiveUp * window_.least_scale_px * window_.most_scale_px);
     if (best.energy_px2 > most_px2) return {};
-    relaxation_.come_to_rest(best.scene);
+    relaxation_.relax_fully(best.scene);
     best.energy_px2 = energy_px2(best, trial);
     return std::move(best);
   }
@@ -188,16 +189,16 @@ class WindowTrials {
       add(more.front(), repetition, made);
     }
     made.scene = scene_of(trial, made.incoming);
-    relaxation_.soften(made.scene);
+    relaxation_.relax_softly(made.scene);
     made.energy_px2 = energy_px2(made, trial);
     return made;
   }
 
   /// The guests in the order of the window's incoming shapes. As copies they cost what one about as large as the hole
   /// would.
-  std::vector<HoleGuest> guests(const Repetition& repetition, const Trial& trial) const {
+  std::vector<CandidateShape> guests(const Repetition& repetition, const Trial& trial) const {
     const float scale_px = std::min(trial.reach_px, window_.most_scale_px);
-    std::vector<HoleGuest> all;
+    std::vector<CandidateShape> all;
     for (const IncomingShape& in : window_.incoming) {
       const double cost = repetition.cost_px2({in.drawing, trial.centre_px, scale_px}) / double(scale_px * scale_px);
       all.push_back({shapes_.at(in.shape), in.poses, in.weight, float(1 - cost)});
@@ -212,8 +213,8 @@ class WindowTrials {
     repetition.add(placed_drawing(incoming(candidate).drawing, candidate.canvas_from_shape));
   }
 
-  LaidPiece laid(const HoleCandidate& candidate) const {
-    LaidPiece piece;
+  ContactPiece laid(const HoleCandidate& candidate) const {
+    ContactPiece piece;
     piece.lay(shapes_.at(incoming(candidate).shape)->contact, candidate.canvas_from_shape);
     return piece;
   }

@@ -91,11 +91,11 @@ inline constexpr int kRefined = 6;            // of these, distinct dockings tha
 inline constexpr float kSameDocking = 0.13f;  // of the scale: refinement would bring both to one pose
 
 // Refinement.
-/// First kApproach from far away, then kNestle nearby; points outside weigh more and more. The first radius of
+/// First kApproach from far away, then kCloseFit nearby; points outside weigh more and more. The first radius of
 /// kApproach is at least this fraction of the scale.
 inline constexpr Descent kApproach{6, 6, 3, 3, false};
 inline constexpr float kApproachRadius = 0.1f;
-inline constexpr Descent kNestle{3, 2.5f, 2, 12, false};
+inline constexpr Descent kCloseFit{3, 2.5f, 2, 12, false};
 inline constexpr Descent kPush{2, 1.5f, 1.5f, 25, true};  // for points that are still too deep
 inline constexpr int kPushSteps = 5;
 inline constexpr float kPushShrink = 0.994f;  // a piece that is still too deep shrinks a little
@@ -109,7 +109,7 @@ inline constexpr float kGrowthDamping = 0.0125f;
 /// The smallest depth at which the fields can tell that a piece lies too deep; less is rounding. Outlines decide about
 /// smaller depths.
 inline constexpr float kFieldDepth_px = 0.25f;
-inline constexpr float kHopelessDepth_px = 3.f;  // pushing a piece out of a greater depth is not worth the time
+inline constexpr float kMaxPushDepth_px = 3.f;   // pushing a piece out of a greater depth is not worth the time
 inline constexpr float kInteriorDepth_px = 3.f;  // added to an interior point's depth: only thin overlaps reach it
 
 /// The largest depth of a placed piece's boundary point in another piece with its kept distance, by the fields.
@@ -162,7 +162,7 @@ inline constexpr int kRefillBelow = 2;         // a target sample with fewer can
 inline constexpr float kNearTwinReach = 0.5f;
 inline constexpr float kUseInOtherColours = 0.75f;  // weight of a use in other colours: the rarer variant is chosen
 inline constexpr int kFinalists = 8;                // candidates checked exactly in a round
-inline constexpr int kFinalistsLookedAt = 64;       // candidates examined to find the distinct finalists
+inline constexpr int kFinalistsExamined = 64;       // candidates examined to find the distinct finalists
 inline constexpr float kSameCandidate = 0.07f;      // of the scale: two finalists would look the same
 inline constexpr int kEmptyPasses = 2;  // passes over all samples, with new random dockings, until the region is full
 
@@ -199,7 +199,7 @@ inline constexpr int kExactSteps = 8;          // pushes out of conflicts of out
 // of any size are taken out.
 inline constexpr float kRuinedScale = 2.5f;  // of the smallest piece
 inline constexpr int kMostRuined = 4;
-inline constexpr int kRuinedLookedAt = 16;  // small pieces whose distance from the gap is measured
+inline constexpr int kRuinedExamined = 16;  // small pieces whose distance from the gap is measured
 inline constexpr int kGapDraws = 4096;      // random points drawn to hit a gap
 inline constexpr float kGapDepth_px = 1.f;  // shallower gaps lie between pieces that touch
 

@@ -91,7 +91,7 @@ Division best_division(const std::vector<StylePlace>& places, std::size_t groups
 }
 
 /// An order of the groups: from the plainest one, nearest to 0 in all features, each time to the nearest remaining one.
-std::vector<std::uint32_t> way_through(const std::vector<StylePlace>& means) {
+std::vector<std::uint32_t> order_by_similarity(const std::vector<StylePlace>& means) {
   std::vector<std::uint32_t> left(means.size()), way;
   std::iota(left.begin(), left.end(), 0u);
   StylePlace here{};
@@ -114,7 +114,7 @@ std::vector<StyleGroup> style_groups(const std::vector<StylePlace>& places, std:
   std::vector<StyleGroup> all(division.means.size());
   for (std::uint32_t i = 0; i < places.size(); ++i) all[division.group_of[i]].members.push_back(i);
   std::vector<StyleGroup> ordered;
-  for (const std::uint32_t g : way_through(division.means)) {
+  for (const std::uint32_t g : order_by_similarity(division.means)) {
     if (all[g].members.empty()) continue;
     std::stable_sort(all[g].members.begin(), all[g].members.end(), [&](std::uint32_t a, std::uint32_t b) {
       return style_distance(places[a], division.means[g]) < style_distance(places[b], division.means[g]);

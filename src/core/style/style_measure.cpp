@@ -41,7 +41,7 @@ struct Inside {
   double chroma = 0;
 };
 
-Inside look_inside(const StyleRaster& raster) {
+Inside measure_inside(const StyleRaster& raster) {
   Inside inside;
   for (std::size_t i = 0; i < raster.inside.data().size(); ++i) {
     if (raster.inside.data()[i] == 0) continue;
@@ -55,7 +55,7 @@ Inside look_inside(const StyleRaster& raster) {
 }  // namespace
 
 StyleFeatures measure_style(const StyleRaster& raster) {
-  const Inside inside = look_inside(raster);
+  const Inside inside = measure_inside(raster);
   if (inside.pixels == 0) return {};
   const Grid<float> lines = dark_lines(raster);
   const double line_px2 = std::accumulate(lines.data().begin(), lines.data().end(), 0.0);

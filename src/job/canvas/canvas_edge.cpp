@@ -13,18 +13,18 @@
 namespace tessera {
 namespace {
 
-// px of the page. Drawn coverage has few steps, so that its contour trembles by a tenth of a px: a blur takes that
-// away, and rounds corners by no more than itself.
+// Blur of the coverage in px of the page. Drawn coverage has few steps, so its contour wavers by a tenth of a px. The
+// blur removes that, and rounds corners by no more than itself.
 constexpr double kBlur_px = 1;
-constexpr double kBorderBlur_px = 2;  // between regions, whose shares in a place are less certain
+constexpr double kBorderBlur_px = 2;  // between regions, where the shares of the colours are less certain
 constexpr double kTolerance_px = 0.02;
-/// So far a ground goes on beneath those after it, and all of them beyond the page.
+/// Distance by which a ground reaches beneath those after it, and all grounds beyond the page.
 constexpr int kBeneath_px = 8;
 
-/// A page, and how large its pixels are on the canvas.
+/// A page and the size of its pixels on the canvas.
 struct EdgePage {
   cv::Mat bgra;
-  float canvas_px = 1;  // of a px of the page
+  float canvas_px = 1;  // width of a px of the page
 };
 
 EdgePage edge_page(const CanvasSpec& spec, Drawers& drawers) {
@@ -35,7 +35,7 @@ EdgePage edge_page(const CanvasSpec& spec, Drawers& drawers) {
   return {drawers.render(read_canvas_file(spec.file), spec.file, side_px, background_of(spec)), canvas_px};
 }
 
-/// With as few points as the tolerance allows.
+/// The curve with as few points as the tolerance allows.
 std::vector<Vec2> simplified(const std::vector<Vec2>& curve) {
   std::vector<cv::Point2f> points, kept;
   for (const Vec2& p : curve) points.emplace_back(p.x, p.y);
@@ -45,11 +45,11 @@ std::vector<Vec2> simplified(const std::vector<Vec2>& curve) {
   return result;
 }
 
-/// The contour of a coverage whose first node lies at (corner_px, corner_px) of the page.
+/// The contour of a coverage whose first node is at (corner_px, corner_px) of the page.
 std::vector<std::vector<Vec2>> traced(Grid<float> coverage, double blur_px, int corner_px, float canvas_px) {
   cv::Mat image(coverage.height(), coverage.width(), CV_32F, coverage.row(0));
   cv::GaussianBlur(image, image, {0, 0}, blur_px, blur_px, cv::BORDER_REPLICATE);
-  const float to_corner = float(corner_px) + 0.5f;  // nodes lie in the middle of their px
+  const float to_corner = float(corner_px) + 0.5f;  // nodes are at the centres of their px
   std::vector<std::vector<Vec2>> curves;
   for (const std::vector<Vec2>& curve : contours(coverage, 0.5f)) {
     curves.push_back(simplified(curve));
@@ -58,8 +58,8 @@ std::vector<std::vector<Vec2>> traced(Grid<float> coverage, double blur_px, int 
   return curves;
 }
 
-/// The region with a rim beneath those after it, and around the page. Its border with those before it runs through the
-/// places where the colours mix.
+/// Coverage of a region with a rim: beneath the regions after it and round the page. Its border with the regions before
+/// it runs where the colours mix.
 Grid<float> ground_coverage(const cv::Mat_<short>& with_rim, const std::vector<BorderPlace>& borders, short region) {
   const cv::Mat disc = cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * kBeneath_px + 1, 2 * kBeneath_px + 1});
   const cv::Mat own = with_rim == region;

@@ -7,13 +7,13 @@
 namespace tessera {
 namespace {
 
-/// Longest side of the grid that is searched for what is enclosed: large canvases take no more memory than others.
+/// Longest side of the grid that is searched for enclosed areas: a large canvas takes no more memory than others.
 constexpr int kMostCells = 1024;
-/// A line that runs between two nodes closes an outline, too.
+/// Tolerance by which a line that runs between two nodes still closes an outline.
 constexpr float kHalfDiagonal_px = 0.75f;
 
-/// `inside_px(i, j)`: signed distance at a node, positive inside. What the border of the nodes is not joined to is
-/// enclosed.
+/// `inside_px(i, j)`: signed distance at a node, positive inside. An area is enclosed if it is not connected to the
+/// border of the grid.
 template <typename Distance>
 double covered_part(const Grid<float>& nodes, const Distance& inside_px) {
   const int step = (std::max(nodes.width(), nodes.height()) + kMostCells - 1) / kMostCells;
@@ -34,7 +34,7 @@ double covered_part(const Grid<float>& nodes, const Distance& inside_px) {
 
 }  // namespace
 
-double covered_part_of_enclosed(const Canvas& canvas) {
+double covered_share(const Canvas& canvas) {
   const Grid<float>& distance = canvas.distance.value;
   if (!canvas.has_zones()) return covered_part(distance, [&](int i, int j) { return distance(i, j); });
   const Grid<float>& to_zones = canvas.keep_out.value;

@@ -34,7 +34,7 @@ bool has_transparency(const cv::Mat& page) {
 
 namespace {
 
-/// Found in a page of this size at most, as finding them in a larger one takes gigabytes.
+/// Longest side of the page in which translucent parts are found: larger pages would take gigabytes.
 constexpr int kMostForParts_px = 4096;
 
 cv::Mat shrunk_alpha(const cv::Mat& image, int longest_side_px) {
@@ -46,10 +46,10 @@ cv::Mat shrunk_alpha(const cv::Mat& image, int longest_side_px) {
 }
 
 /// Adds translucent parts that end at edges to an alpha channel, as a library does (solid_coverage.h). Soft edges stay:
-/// how wide those of an enlarged image are is not known here.
+/// in an enlarged image their width is not known here.
 void add_translucent_parts(cv::Mat& alpha) {
   const cv::Mat small = shrunk_alpha(alpha, kSilhouetteSide_px);
-  if (solid_coverage(small, 0).coverage.data == small.data) return;  // most have none
+  if (solid_coverage(small, 0).coverage.data == small.data) return;  // most drawings have no such parts
   cv::Mat parts;
   cv::resize(solid_coverage(shrunk_alpha(alpha, kMostForParts_px), 0).coverage, parts, alpha.size(), 0, 0,
              cv::INTER_LINEAR);
@@ -60,7 +60,7 @@ cv::Mat region(const cv::Mat& page) {
   cv::Mat alpha;
   cv::extractChannel(page, alpha, 3);
   add_translucent_parts(alpha);
-  if (!has_transparency(page)) {  // an SVG with a background; images come cut out already
+  if (!has_transparency(page)) {  // an SVG with a background; images already come cut out
     cv::Mat bgr;
     cv::cvtColor(page, bgr, cv::COLOR_BGRA2BGR);
     cv::extractChannel(cut_from_background(bgr), alpha, 3);
@@ -99,7 +99,7 @@ Grid<float> canvas_coverage(const cv::Mat& page, const CanvasSpec& spec) {
   return spec.region_colours.empty() ? mask_coverage(page) : region_coverage(page, region_labels(page, spec));
 }
 
-/// A page of the largest size may take three times its pixels.
+/// Memory limit: a page of the largest size may take three times the memory of its pixels.
 DrawerSettings canvas_drawer_settings(const CanvasSpec& spec, double seconds, int side_px) {
   constexpr std::size_t kMebibyte = std::size_t(1) << 20;
   const int largest_px = std::max({2 * spec.width_px, 2 * spec.height_px, side_px});

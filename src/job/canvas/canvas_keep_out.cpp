@@ -11,7 +11,7 @@
 namespace tessera {
 namespace {
 
-/// The longest side of a canvas with such a file, which is drawn at twice its resolution.
+/// Longest side of a canvas with such a file, as the file is drawn at twice the canvas' resolution.
 constexpr int kMaxMaskCanvas_px = kMaxArtworkSide_px / 2;
 
 void check_size(const CanvasSpec& spec, const Canvas& canvas) {
@@ -21,7 +21,7 @@ void check_size(const CanvasSpec& spec, const Canvas& canvas) {
                    " px, allowed with a file: " + std::to_string(kMaxMaskCanvas_px) + " px or less each");
 }
 
-/// The file's silhouette over the whole canvas, at twice its resolution.
+/// The silhouette in the file over the whole canvas, at twice its resolution.
 Grid<float> coverage_of_file(const CanvasSpec& spec, Drawers& drawers, const Canvas& canvas) {
   check_size(spec, canvas);
   const cv::Size box_px(2 * canvas.width_px, 2 * canvas.height_px);

@@ -1,4 +1,4 @@
-// The zones of a job's canvas that pieces keep out of: rectangles, and what the file of canvas.keep_out shows.
+// The keep-out zones of a job's canvas: rectangles, and what the file of canvas.keep_out shows.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,11 @@
 
 namespace tessera {
 
-/// Takes the zones of the spec out of its canvas. What the file shows is read as canvas.file is (mask_coverage). Throws
-/// InputError where the file is no artwork, breaks a limit or shows nothing, and where nothing is left of the canvas.
+/// Removes the keep-out zones of the spec from the canvas. The file is read like canvas.file (mask_coverage). Throws
+/// InputError where the file is no artwork, exceeds a limit or shows nothing, and where nothing is left of the canvas.
 void take_out_zones(const CanvasSpec& spec, Drawers& drawers, Canvas& canvas);
 
-/// Where a page of this size lies on the canvas, in px of it: as large as its aspect allows, in the middle.
+/// The place of a page of this size in canvas px: centred, and as large as its aspect ratio allows.
 cv::Rect2d place_on_canvas(cv::Size2d page, const Canvas& canvas);
 
 }  // namespace tessera

@@ -35,13 +35,13 @@ Background background_of(const CanvasSpec& spec) {
 
 namespace {
 
-/// The largest size of the page's aspect within the box, in the box's unit.
+/// The largest size within the box that has the page's aspect ratio, in the box's unit.
 cv::Size2d fitted_size(const cv::Size2d& natural, const cv::Size2d& box) {
   return natural * std::min(box.width / natural.width, box.height / natural.height);
 }
 
-/// The box in px of a job in mm is a fraction of a px larger or smaller than canvas.size_px, and a page of its aspect
-/// fills it.
+/// The page of a job with lengths in mm. Its exact box differs from canvas.size_px by a fraction of a px; a page of the
+/// same aspect ratio fills it.
 CanvasPage page_on_paper(std::span<const std::uint8_t> bytes, const CanvasSpec& spec, Drawers& drawers) {
   const cv::Size2d box_px = cv::Size2d(spec.width_mm, spec.height_mm) * px_per_mm(spec);
   const cv::Size2d exact_px = fitted_size(drawers.natural_size(bytes, spec.file), box_px);

@@ -1,4 +1,4 @@
-// The drawing in a canvas file, as large as the canvas needs it.
+// The drawing of a canvas file, with the resolution that the canvas needs.
 #pragma once
 
 #include <cstdint>
@@ -14,36 +14,36 @@
 
 namespace tessera {
 
-/// The bytes of canvas.file, or of the file of another key. Throws InputError.
+/// Reads the file of the key `key`. Throws InputError.
 std::vector<std::uint8_t> read_canvas_file(const std::string& path, const char* key = "canvas.file");
 
 struct CanvasPage {
-  cv::Mat bgra;      // straight
+  cv::Mat bgra;      // straight alpha
   int width_px = 0;  // of the canvas
   int height_px = 0;
-  int cells_per_px = 2;  // of coverage_on_canvas, both ways: the page is drawn so fine where it can be; else 1
+  int cells_per_px = 2;  // resolution of coverage_on_canvas: 2 where the page can be drawn so fine, else 1
 
-  /// Of a px of the page.
+  /// Width of a page px in canvas px.
   float canvas_px() const { return cells_per_px == 1 ? float(width_px) / float(bgra.cols) : 0.5f; }
 };
 
-/// The artwork as it fits into a box of canvas px. It is drawn at twice the canvas' resolution, and 8192 px large at
-/// most. Errors as Drawers::render.
+/// Draws the artwork fitted into a box in canvas px, at twice the canvas' resolution, but at most 8192 px large. Errors
+/// as Drawers::render.
 CanvasPage page_in_box(std::span<const std::uint8_t> bytes, const std::string& path, cv::Size box_px, Drawers& drawers,
                        Background background = Background::cut_out);
 
-/// Regions are told by their colours, so that no colour may be taken for a background before.
+/// The treatment of the background by drawers. A canvas with regions keeps it: its colour may be that of a region.
 Background background_of(const CanvasSpec& spec);
 
-/// Of a canvas with a file and a size on paper: makes the box as large as the page within it, in mm exactly, in px as
-/// `canvas`. Else does nothing. Errors as canvas_page.
+/// Reduces the box to the page within it, exactly in mm, and in px to the size of `canvas`. Does nothing unless the
+/// canvas has a file and a size on paper. Errors as canvas_page.
 void shrink_box_to_page(CanvasSpec& spec, const Canvas& canvas, Drawers& drawers);
 
-/// The page of the spec's file, which touches the spec's box in width or height. Errors as load_canvas (canvas_file.h).
+/// The page of the spec's file; it touches the spec's box in width or height. Errors as load_canvas (canvas_file.h).
 CanvasPage canvas_page(const CanvasSpec& spec, Drawers& drawers);
 
-/// What was found for each pixel of the page (0 to 1), in the canvas' cells: the page's pixels where these are fine
-/// enough, sizes rounded to even ones, else interpolated. As make_mask_canvas takes it.
+/// Converts a coverage (0 to 1) of the page's pixels to the canvas' cells, for make_mask_canvas. The pixels are taken
+/// as they are where they are fine enough, with sizes rounded to even numbers; otherwise they are interpolated.
 Grid<float> coverage_on_canvas(const CanvasPage& page, const Grid<float>& coverage);
 
 }  // namespace tessera

@@ -12,7 +12,7 @@
 namespace tessera {
 namespace {
 
-/// A background that is no further from a region's colour, in all three channels together, is that region.
+/// A background whose distance from a region's colour (all three channels together) is at most this is that region.
 constexpr int kSameColour = 48;
 
 int squared_difference(const cv::Vec3i& a, const cv::Vec3i& b) { return (a - b).dot(a - b); }
@@ -37,7 +37,7 @@ bool is_opaque(const cv::Mat& page) {
   return least >= 128;
 }
 
-/// The regions' colours, and behind them that of a background where there is one.
+/// The regions' colours, followed by the colour of the background, if there is one.
 std::vector<cv::Vec3i> colours_of(const cv::Mat& page, const CanvasSpec& spec) {
   std::vector<cv::Vec3i> colours;
   for (const std::string& colour : spec.region_colours) colours.push_back(bgr_of(colour));
@@ -52,7 +52,7 @@ std::vector<cv::Vec3i> colours_of(const cv::Mat& page, const CanvasSpec& spec) {
   return colours;
 }
 
-/// Of the places whose label `counts`.
+/// Coverage of the pixels whose label `counts`.
 template <class Counts>
 Grid<float> coverage_where(const cv::Mat& page, const cv::Mat_<short>& labels, Counts counts) {
   Grid<float> coverage(page.cols, page.rows, 0.f);
@@ -64,7 +64,7 @@ Grid<float> coverage_where(const cv::Mat& page, const cv::Mat_<short>& labels, C
   return coverage;
 }
 
-/// Each region has a field as large as the canvas.
+/// Throws InputError where the regions' fields, each as large as the canvas, would take too much memory.
 void check_memory(const CanvasPage& page, std::size_t regions) {
   constexpr double kMostFields_px2 = 4 * kMaxCanvas_px2;
   const double canvas_px2 = double(page.width_px) * page.height_px;
@@ -99,8 +99,8 @@ std::vector<CanvasRegion> canvas_regions(const CanvasPage& page, const cv::Mat_<
     const Grid<float> coverage = coverage_where(page.bgra, labels, [&](int label) { return label == int(region); });
     Canvas part = make_mask_canvas(coverage_on_canvas(page, coverage), page.cells_per_px);
     if (part.area_px2 <= 0) {
-      throw InputError("canvas file " + spec.file + ": no place of it is nearest to " + spec.region_colours[region] +
-                       ", the colour of one of [[regions]]");
+      throw InputError("canvas file " + spec.file + ": none of its pixels is nearest to " +
+                       spec.region_colours[region] + ", the colour of one of [[regions]]");
     }
     regions.push_back({std::move(part.distance), part.area_px2});
   }

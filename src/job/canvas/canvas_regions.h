@@ -1,4 +1,4 @@
-// The regions of a canvas file, by their colours.
+// The regions of a canvas file, recognised by their colours.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -10,18 +10,18 @@
 
 namespace tessera {
 
-/// What belongs to no region.
+/// Label of a pixel that belongs to no region.
 inline constexpr int kNoRegion = -1;
 
-/// For each place of a page (straight BGRA) the region that it belongs to, CV_16S. On an opaque page the colour that
-/// prevails along its edge is the background, unless it is a region's.
+/// The region of each pixel of a page (straight BGRA), CV_16S. On an opaque page the prevailing colour along its edge
+/// is the background, unless it is the colour of a region.
 cv::Mat_<short> region_labels(const cv::Mat& page, const CanvasSpec& spec);
 
-/// The places that belong to a region, as coverage 0..1 of each pixel.
+/// Coverage 0..1 of each pixel: the pixels that belong to any region.
 Grid<float> region_coverage(const cv::Mat& page, const cv::Mat_<short>& labels);
 
-/// The regions of the spec, in their order; none where the spec has none. Throws InputError where a region has no place
-/// in the page, or where all of them together would take gigabytes.
+/// The regions of the spec in their order; empty where it has none. Throws InputError where a region has no pixel in
+/// the page, or where all regions together would take gigabytes.
 std::vector<CanvasRegion> canvas_regions(const CanvasPage& page, const cv::Mat_<short>& labels, const CanvasSpec& spec);
 
 }  // namespace tessera

@@ -17,18 +17,18 @@
 namespace tessera {
 namespace {
 
-constexpr float kTexelsPerPiece = 8;  // along the side of the smallest
+constexpr float kTexelsPerPiece = 8;  // along the side of the smallest piece
 constexpr float kSizesPerPiece = 2;
-/// Steps in which what was read is kept: how OpenCV's sums round differs from machine to machine, in bits far below.
+/// Steps to which values are rounded: OpenCV's sums differ between machines, but far below one step.
 constexpr float kStepsOfColour = 256;
 constexpr float kStepsOfSize = 1024;
 constexpr int kStripRows = 64;
-constexpr std::size_t kShapesAtATime = 4096;  // heads alone: some MB
+constexpr std::size_t kShapesAtATime = 4096;  // without outlines and artwork: some MB
 constexpr LibraryParts kHeadsOnly{.outline = false, .field = false, .levels = 0, .artwork = false};
 
 float in_steps(float value, float steps) { return std::nearbyint(value * steps) / steps; }
 
-/// Of a grid over the canvas, so many for the side of the smallest piece.
+/// Cell size of a grid over the canvas with this many cells along the side of the smallest piece.
 float px_per_cell(float smallest_px, float cells_per_piece) { return std::max(1.f, smallest_px / cells_per_piece); }
 
 cv::Size cells_of(const Canvas& canvas, float px_per_cell) {
@@ -36,7 +36,7 @@ cv::Size cells_of(const Canvas& canvas, float px_per_cell) {
   return {along(canvas.width_px), along(canvas.height_px)};
 }
 
-/// An SVG is drawn twice as fine as cells.
+/// Size at which an SVG is drawn: twice as fine as the cells.
 int side_for(cv::Size cells) { return 2 * std::max(cells.width, cells.height); }
 
 void refuse_seamless(const Canvas& canvas, const char* key) {
@@ -44,7 +44,8 @@ void refuse_seamless(const Canvas& canvas, const char* key) {
   throw InputError(std::string(key) + ": found with canvas.seamless, allowed: a canvas that does not repeat");
 }
 
-/// Of straight BGRA: lightness, a and b times alpha, and alpha. By strips, as much is needed for each pixel on the way.
+/// Lightness, a and b, each times alpha, and alpha itself, from straight BGRA. It works in strips, as each pixel needs
+/// as much memory again in between.
 cv::Mat weighted_lab(const cv::Mat& straight_bgra) {
   cv::Mat sums(straight_bgra.size(), CV_32FC4);
   for (int top = 0; top < sums.rows; top += kStripRows) {
@@ -61,7 +62,7 @@ cv::Mat weighted_lab(const cv::Mat& straight_bgra) {
   return sums;
 }
 
-/// Means, weighted by alpha.
+/// Means over texels, weighted by alpha.
 Grid<Texel> texels_from(const cv::Mat& straight_bgra, cv::Size size) {
   cv::Mat sums = weighted_lab(straight_bgra);
   cv::resize(sums, sums, size, 0, 0, cv::INTER_AREA);
@@ -76,7 +77,7 @@ Grid<Texel> texels_from(const cv::Mat& straight_bgra, cv::Size size) {
   return texels;
 }
 
-/// By lightness as it is stored; transparent places are white.
+/// The size map from the stored lightness; transparent places count as white.
 std::shared_ptr<const SizeMap> size_map_of(const Canvas& canvas, const std::string& file, float smallest_px,
                                            Drawers& drawers) {
   if (file.empty()) return nullptr;
@@ -125,7 +126,7 @@ void add_colour_grids(const ShapeLibrary& library, const Job& job, Digest& diges
   });
 }
 
-/// `bgra` is colour.image as matching has it. Where that is small the file may be an SVG, which is drawn anew.
+/// `bgra` is colour.image as matching uses it. Where it is small the file may be an SVG, which is drawn again, larger.
 std::shared_ptr<const std::vector<std::uint8_t>> shown_png(const Canvas& canvas, const std::string& image,
                                                            const cv::Mat& bgra, Drawers& drawers) {
   const bool small = std::max(bgra.cols, bgra.rows) < kLongestShownSide_px;

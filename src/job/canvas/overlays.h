@@ -1,5 +1,5 @@
-// The pictures that a job lays over its canvas: colour.image, whose colours the pieces are to show, and
-// pieces.size_map, how large they may be from place to place.
+// The pictures that a job lays over its canvas: colour.image holds the colours that the pieces shall show,
+// pieces.size_map the sizes that they may have at each place.
 #pragma once
 
 #include <cstdint>
@@ -19,35 +19,35 @@ namespace tessera {
 
 /// colour.image over the canvas: the pixels, and the colours that pieces are matched with.
 struct ColourImage {
-  cv::Mat bgra;  // straight, CV_8UC4; its edges are the canvas' (overlay.h)
+  cv::Mat bgra;  // straight, CV_8UC4; its edges are those of the canvas (overlay.h)
   std::shared_ptr<const ColourTarget> target;
 };
 
-/// Of the file `image` (colour.image); empty where that is "". `smallest_px`: the size of the smallest piece. Errors as
-/// read_overlays but for the job's path, and as overlay_picture where `drawers` are stopped.
+/// Reads the file `image` (colour.image); empty where that is "". `smallest_px`: the size of the smallest piece. Errors
+/// as read_overlays, without the job's path; as overlay_picture where `drawers` are stopped.
 ColourImage read_colour_image(const Canvas& canvas, const std::string& image, float smallest_px, Drawers& drawers);
 
-/// Longest side of the picture that a result keeps. Its PNG in Base64, as SVGs hold it, stays below the 10 MB that
-/// libxml2 reads in one attribute, even where it is noise.
+/// Longest side of the picture that a result keeps. As Base64 in an SVG its PNG stays below 10 MB, the most that
+/// libxml2 reads in one attribute, even for noise.
 inline constexpr int kLongestShownSide_px = 1360;
 
 /// colour.image as straight BGRA in a PNG; larger pictures are reduced to kLongestShownSide_px.
 std::vector<std::uint8_t> shown_picture_png(const cv::Mat& bgra);
 
-/// What is empty is not there.
+/// The overlays of a job; one that the job does not have is null.
 struct Overlays {
   std::shared_ptr<const ColourTarget> colour;
   std::shared_ptr<const SizeMap> sizes;
   std::shared_ptr<const std::vector<std::uint8_t>> shown_png = {};
 };
 
-/// Read from the job's files, as finely as the smallest piece needs, whose size is `smallest_px`. Throws InputError that
-/// names job, key and file: where that is no picture, where the colours are transparent all over, or the canvas is
+/// Reads the overlays of the job's files, as finely as the smallest piece (`smallest_px`) needs. Throws InputError that
+/// names job, key and file, where the file is no picture, its colours are transparent everywhere, or the canvas is
 /// seamless.
 Overlays read_overlays(const Canvas& canvas, const Job& job, float smallest_px);
 
-/// Makes them those of the job's settings. Throws InputError where the library does not know the colours of its
-/// drawings' parts, as it is older, and they are asked for.
+/// Puts the overlays into the job's settings. Throws InputError where colours of drawings are needed and the library is
+/// too old to hold them.
 void set_overlays(const Overlays& overlays, const ShapeLibrary& library, Job& job);
 
 }  // namespace tessera

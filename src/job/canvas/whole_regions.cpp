@@ -11,11 +11,11 @@
 namespace tessera {
 namespace {
 
-/// From a place on a border to the certain ones on both sides: a drawn border is two px wide, and its neighbours are
-/// not certain either.
+/// Reach from a pixel on a border to certain pixels on both sides: a drawn border is two px wide, and its neighbours
+/// are not certain either.
 constexpr int kBorderReach_px = 3;
 
-/// CV_8U, 255 where the label is that of all places around, none of which is half transparent.
+/// CV_8U: 255 where a pixel and all its neighbours have the same label and are at least half opaque.
 cv::Mat_<std::uint8_t> certain_places(const cv::Mat_<short>& labels, const cv::Mat& page_bgra) {
   cv::Mat alpha;
   cv::extractChannel(page_bgra, alpha, 3);
@@ -28,13 +28,13 @@ cv::Mat_<std::uint8_t> certain_places(const cv::Mat_<short>& labels, const cv::M
   return cv::Mat((lowest == highest) & (opaque != kNoRegion));
 }
 
-/// Of the nearest certain place.
+/// The label of the nearest certain pixel, for each pixel.
 cv::Mat_<short> nearest_labels(const cv::Mat_<short>& labels, const cv::Mat_<std::uint8_t>& certain) {
   cv::Mat_<short> whole(labels.size(), short(kNoRegion));
   const int places = cv::countNonZero(certain);
   if (places == 0) return whole;
   cv::Mat distance;
-  cv::Mat_<int> nearest;  // for each place the number of a certain one
+  cv::Mat_<int> nearest;  // the number of the nearest certain pixel, for each pixel
   cv::distanceTransform(~certain, distance, nearest, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
   std::vector<short> label_of(std::size_t(places) + 1, short(kNoRegion));
   for (int y = 0; y < labels.rows; ++y) {
@@ -53,7 +53,7 @@ cv::Vec3d colour_at(const cv::Mat& page_bgra, int x, int y) {
   return {double(pixel[0]), double(pixel[1]), double(pixel[2])};
 }
 
-/// The mean colours of the regions that are certain near the place, by their numbers.
+/// The mean colour of each region that has certain pixels near the place, by region number.
 std::map<short, cv::Vec3d> colours_near(cv::Point at, const cv::Mat_<short>& labels,
                                         const cv::Mat_<std::uint8_t>& certain, const cv::Mat& page_bgra) {
   std::map<short, cv::Vec3d> sums;

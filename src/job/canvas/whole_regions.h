@@ -1,4 +1,4 @@
-// Regions of a page without what blurs between them.
+// Regions of a page without the mixed colours between them.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -6,12 +6,12 @@
 
 namespace tessera {
 
-/// A place on the border of two regions, in whose colour both have a share.
+/// A pixel on the border of two regions whose colour is a mixture of both.
 struct BorderPlace {
   cv::Point at;
-  short first = 0;  // of the two regions, the one with the smaller number
+  short first = 0;  // the region with the smaller number
   short second = 0;
-  float second_share = 0;  // 0 to 1
+  float second_share = 0;  // share of `second` in the colour, 0 to 1
 };
 
 struct WholeRegions {
@@ -19,9 +19,9 @@ struct WholeRegions {
   std::vector<BorderPlace> borders;
 };
 
-/// The regions of region_labels (canvas_regions.h), so that every place of the page is in one: where two colours mix,
-/// and outside all of them, each place is in the region that is nearest for certain, as its neighbours are of that
-/// region, too. Labels that are nowhere certain are lost; without any that is, there are no regions (kNoRegion).
+/// Extends the regions of region_labels (canvas_regions.h) to the whole page. A pixel is certain if all its neighbours
+/// have its label. Every other pixel, where colours mix or outside all regions, joins the region of the nearest certain
+/// pixel. A label without a certain pixel is lost; without any certain pixel there are no regions (kNoRegion).
 WholeRegions whole_regions(const cv::Mat_<short>& labels, const cv::Mat& page_bgra);
 
 }  // namespace tessera

@@ -11,10 +11,11 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kDeepest = 32;              // of what is nested in what
+constexpr int kDeepest = 32;              // most levels of nesting
 constexpr std::size_t kMostInLists = 16;  // values in lists of one feature's properties
 
-/// Tells nlohmann's parser what to keep: of each feature what is read, and no feature that was handed out.
+/// Tells nlohmann's parser what to keep: the wanted properties of the present feature, and no feature that was passed
+/// on.
 class Filter {
  public:
   Filter(const std::vector<std::string_view>& keys, std::size_t most, const std::function<void(const json&)>& take)
@@ -56,7 +57,7 @@ class Filter {
                      " or fewer");
   }
 
-  /// Whether the member with this key is read.
+  /// Whether the parser keeps the member with this key.
   bool enter(int depth, const json& key) {
     if (depth == kCollection) return in_features_ = key == "features";
     if (depth == kProperties) {
@@ -78,7 +79,7 @@ class Filter {
   bool in_properties_ = false;
   bool in_read_property_ = false;
   std::size_t features_ = 0;
-  std::size_t in_lists_ = 0;  // of the feature that is read
+  std::size_t in_lists_ = 0;  // of the present feature
 };
 
 }  // namespace

@@ -26,7 +26,7 @@ std::string library_text(const Job& job) {
 
 namespace {
 
-/// The last table that says something of a shape counts.
+/// The rules for mirror images; for each shape the last table that mentions it wins.
 std::vector<MirroringRule> mirroring_of(const Job& job) {
   std::vector<MirroringRule> rules = {{{"*"}, job.mirrored}};
   for (const JobRow& row : rows_of(job, "shapes")) {

@@ -1,4 +1,4 @@
-// What a job's wishes need to know of a shape.
+// The properties of a shape that wishes of a job refer to.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 namespace tessera {
 
 struct NamedShape {
-  std::string name;          // a mirror image has that of its drawing
+  std::string name;          // a mirror image has the name of its drawing
   float drawn_scale_px = 0;  // Shape::drawn_scale_px
-  bool mirrored = false;     // the drawing's mirror image
+  bool mirrored = false;     // it is the drawing's mirror image
   StyleFeatures style = {};
 };
 

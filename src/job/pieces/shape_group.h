@@ -1,4 +1,4 @@
-// The named groups that a job puts its shapes into, for those who edit the collage.
+// The named groups into which a job puts its shapes, for people who edit the collage.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace tessera {
 
-/// For each of the shapes' names the `group` of the last row of [[shapes]] that says one of it; empty: none.
-/// `other_names` are shapes of the library, too (NameIndex).
+/// The `group` of each shape: from the last row of [[shapes]] that gives one for its name; empty: none. `other_names`
+/// are further shapes of the library (NameIndex).
 std::vector<std::string> shape_groups(const Job& job, const std::vector<std::string>& names,
                                       const std::vector<std::string>& other_names = {});
 

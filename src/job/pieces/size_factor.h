@@ -1,4 +1,4 @@
-// What pieces.fit = "all" makes of the sizes of a job, on its canvas.
+// The effect of pieces.fit = "all" on the sizes of a job on its canvas.
 #pragma once
 
 #include "core/field/canvas.h"
@@ -8,12 +8,12 @@
 
 namespace tessera {
 
-/// The factor of the sizes at the first attempt of a collage; 1 where each size is what the job says. `settings`: with
+/// The factor on all sizes in the first attempt of a collage; 1 where the job gives the sizes. `settings` must have
 /// resolved wishes and the pieces that the collage starts from.
 double size_factor_on(const Canvas& canvas, const ShapeLibrary& library, const CollageSettings& settings);
 
-/// The size of the smallest piece at that attempt, px. The job is one whose wishes are not resolved yet; the file that
-/// it starts from is read where it counts. Throws InputError as open_library_of and add_start_pieces do.
+/// The size of the smallest piece in that attempt, px. The wishes of `job` are not resolved yet; the file that it
+/// starts from is read where it matters. Throws InputError as open_library_of and add_start_pieces do.
 float smallest_size_px(const Canvas& canvas, const LibraryView& library, Job job);
 
 }  // namespace tessera

@@ -24,9 +24,9 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr std::size_t kMostBytes = std::size_t(512) << 20;  // of the file: some 50,000 pieces with their polygons
+constexpr std::size_t kMostBytes = std::size_t(512) << 20;  // of the file: about 50,000 pieces with their polygons
 
-/// As the columns of [[given]] allow.
+/// An allowed range, as in the columns of [[given]].
 struct Range {
   const char* key;
   double min;
@@ -62,7 +62,7 @@ double number(const json& properties, const Range& range) {
   return found;
 }
 
-/// False where the feature does not say.
+/// The property, or false where the feature does not have it.
 bool flag(const json& properties, const char* key) {
   if (!properties.contains(key)) return false;
   const json& value = properties.at(key);
@@ -97,10 +97,10 @@ class Names {
 
  private:
   std::vector<std::string> names_;
-  std::array<std::unordered_map<std::string, std::uint32_t>, 2> index_;  // of the drawings, and of their mirror images
+  std::array<std::unordered_map<std::string, std::uint32_t>, 2> index_;  // of the drawings and of their mirror images
 };
 
-/// Nothing where the feature does not say.
+/// The pose with all its digits; nullopt where the feature does not have it.
 std::optional<Similarity> exact_pose(const json& properties) {
   if (!properties.contains(kPose)) return {};
   const json& value = properties.at(kPose);
@@ -115,7 +115,7 @@ std::optional<Similarity> exact_pose(const json& properties) {
   return Similarity{numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
-/// What people read and change says the same, to its last decimal.
+/// Whether the properties that people read and change say the same as the pose, to their last decimal.
 bool is_written_as(const Similarity& pose, double scale_px, double rotated_deg, double x_px, double y_px) {
   const auto same = [](double a, double b) { return fixed(a, kPixelDecimals) == fixed(b, kPixelDecimals); };
   return same(pose.scale(), scale_px) && same(rotation_deg(pose), rotated_deg) && same(pose.tx, x_px) &&
@@ -148,7 +148,7 @@ std::vector<GivenPiece> pieces_in(JsonFile& file, const Names& names) {
   return pieces;
 }
 
-/// Of a list of the job's, by place.
+/// Marks of the pieces whose indices a list of the job has.
 std::vector<bool> marked(const std::vector<int>& indices, std::size_t pieces, const std::string& key) {
   std::vector<bool> marks(pieces, false);
   for (const int index : indices) {
@@ -161,7 +161,7 @@ std::vector<bool> marked(const std::vector<int>& indices, std::size_t pieces, co
   return marks;
 }
 
-/// What is to be removed goes to `start.removed`; the others are locked or free as the job says.
+/// Moves the pieces to be removed to `start.removed`; the others are locked or free as the job says.
 std::vector<GivenPiece> kept(const std::vector<GivenPiece>& pieces, StartSpec& start) {
   const std::vector<bool> removed = marked(start.remove, pieces.size(), "start.remove");
   const std::vector<bool> locked = marked(start.lock, pieces.size(), "start.lock");
@@ -180,7 +180,7 @@ std::vector<GivenPiece> kept(const std::vector<GivenPiece>& pieces, StartSpec& s
   return left;
 }
 
-/// In the file a pose is rounded to three decimals, px and degrees.
+/// Whether both poses are the same. In the file a pose is rounded to three decimals of px and degrees.
 bool same_as_written(const Similarity& given, const Similarity& read, const Period& period) {
   constexpr float kRounding = 0.001f;
   constexpr float kTurn_rad = 2e-5f;
@@ -191,7 +191,7 @@ bool same_as_written(const Similarity& given, const Similarity& read, const Peri
          near(at.y, read.ty, kRounding);
 }
 
-/// A result holds the pieces of its job's [[given]], too: with that job they are not to stand twice.
+/// Removes pieces that the job gives: a result also holds the pieces of its job's [[given]], which would stand twice.
 void remove_given_again(const std::vector<GivenPiece>& given, const Period& period, std::vector<GivenPiece>& pieces) {
   std::unordered_multimap<std::uint32_t, const GivenPiece*> by_shape;
   for (const GivenPiece& piece : given) by_shape.emplace(index_of(piece.shape), &piece);
@@ -206,14 +206,14 @@ void remove_given_again(const std::vector<GivenPiece>& given, const Period& peri
   });
 }
 
-/// Of a seamless canvas, which is a rectangle.
+/// The period of a seamless canvas, which is a rectangle.
 Period period_of(const CanvasSpec& canvas) {
   const bool both = canvas.seamless == Seamless::both;
   return {both || canvas.seamless == Seamless::x ? canvas.width_px : 0,
           both || canvas.seamless == Seamless::y ? canvas.height_px : 0};
 }
 
-/// What people give instead of a result.
+/// Refuses what is no result, with what is allowed.
 void check_is_there(const std::string& given, const std::string& file) {
   constexpr const char* kAllowed = "; allowed: the folder of a result, or its pieces.geojson";
   std::error_code error;
@@ -249,7 +249,7 @@ void add_start_pieces(const std::vector<NamedShape>& shapes, Job& job) {
     given.insert(given.end(), pieces.begin(), pieces.end());
   } catch (const json::exception& error) {
     throw InputError(where + file + ": no JSON: " + printable(error.what(), 200) +
-                     "; allowed: lines with commas between them, none behind the last");
+                     "; allowed: entries with commas between them and no comma after the last one");
   } catch (const InputError& error) {
     const std::string what = error.what();
     throw InputError(where + (what.starts_with(job.start.pieces) ? what : file + ": " + what));

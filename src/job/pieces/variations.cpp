@@ -17,10 +17,10 @@ namespace {
 struct Axis {
   std::string key;
   std::vector<std::string> values;
-  bool in_name;  // of each variation
+  bool in_name;  // whether the value is part of each variation's name
 };
 
-/// At commas outside brackets and quotes.
+/// Splits at commas outside brackets and quotes.
 std::vector<std::string> split(const std::string& text) {
   const std::vector<std::string_view> parts = split_outside(text, ',');
   return {parts.begin(), parts.end()};
@@ -33,7 +33,7 @@ std::optional<std::uint64_t> whole_number(const std::string& text) {
   return value;
 }
 
-/// "3" or "3-7". Even a single one is in the names: a campaign with more seeds then finds it.
+/// "3" or "3-7". Even a single seed is part of the names: a campaign with more seeds then finds its result.
 Axis seed_axis(const std::string& seeds) {
   Axis axis{"seed", {}, true};
   for (const std::string& part : split(seeds)) {
@@ -98,7 +98,7 @@ std::size_t checked_count(const std::vector<Axis>& axes) {
   return count;
 }
 
-/// "objective.gap_weight" and "0.5" make "gap_weight_0.5".
+/// "objective.gap_weight" and "0.5" become "gap_weight_0.5".
 std::string name_part(const Axis& axis, const std::string& value) {
   std::string text = axis.key.substr(axis.key.find('.') + 1) + "_" + value;
   for (char& c : text) {
@@ -107,7 +107,7 @@ std::string name_part(const Axis& axis, const std::string& value) {
   return text;
 }
 
-/// Values that differ only in signs which no folder should have get numbers.
+/// Numbers names that would be equal: values may differ only in characters that a folder name should not have.
 std::string unique(const std::string& name, std::set<std::string>& taken) {
   constexpr std::size_t kMaxName = 120;
   const std::string stem = name.substr(0, kMaxName);

@@ -23,7 +23,7 @@
 namespace tessera {
 namespace {
 
-/// Null where the row says nothing of it.
+/// The value of the column; null where the row has none.
 const JobValue* cell(const JobRow& row, const std::string& column) {
   const auto at = row.find(column);
   return at == row.end() ? nullptr : &at->second;
@@ -63,13 +63,13 @@ class Resolution {
  private:
   [[noreturn]] void fail(const std::string& what) const { throw InputError(job_.path + ": " + what); }
 
-  /// What is wrong with a row of [[shapes]]; those of the table beside the library come first.
+  /// Reports a mistake in a row of [[shapes]]; rows of the table beside the library come first.
   [[noreturn]] void fail_in_row(std::size_t row, const std::string& what) const {
     const std::vector<std::string>& places = job_.wishes_places;
     throw InputError((row < places.size() ? places[row] : job_.path) + ": [[shapes]] " + what);
   }
 
-  /// The shapes that the table is about.
+  /// The shapes that the row names.
   std::vector<std::uint32_t> chosen_by(std::size_t row) const {
     try {
       return chosen_names(names_, {shape_rows_[row].at("names").texts, {}}, "the library");
@@ -78,7 +78,7 @@ class Resolution {
     }
   }
 
-  /// By name, with their mirror images.
+  /// Shapes of start.not_anew with their mirror images.
   std::vector<std::uint32_t> not_anew() const {
     std::set<std::string> names(job_.start.not_anew.begin(), job_.start.not_anew.end());
     std::set<std::string> known;
@@ -121,21 +121,22 @@ class Resolution {
     if (alike > 1) fail("[[regions]]: two with the name \"" + name + "\" or the colour " + row.at("colour").text);
   }
 
-  /// One size, unless a table says another. Where all are to fit, sizes count against each other alone.
+  /// The drawn size of a shape as the only one. With pieces.fit = "all" any size is allowed: only their proportions
+  /// count.
   Interval as_drawn(std::size_t shape) const {
     const JobKey& range = *find_job_key("pieces", "scale_px");
     const float scale_px = shapes_[shape].drawn_scale_px;
     const std::string sizes = "pieces.sizes: found \"drawn\", but the shape \"" + shapes_[shape].name + "\" ";
     if (scale_px == 0)
-      fail(sizes + "does not say how large it was drawn; tessera library build makes its library anew");
+      fail(sizes + "does not say how large it was drawn; build its library again with tessera library build");
     if (!job_.settings.pieces.fit_all && (scale_px < float(range.min) || scale_px > float(range.max))) {
       fail(sizes + "was drawn at " + fixed(scale_px, 1) + " px, allowed: " + fixed(range.min, 0) + " to " +
-           fixed(range.max, 0) + " px; a scale_px of [[shapes]], or pieces.fit = \"all\"");
+           fixed(range.max, 0) + " px, or a scale_px in [[shapes]], or pieces.fit = \"all\"");
     }
     return {scale_px, scale_px};
   }
 
-  /// By shape; empty where no style is wished for.
+  /// The step of style for each shape; empty where no style is wished for.
   std::vector<int> style_steps() const {
     if (!wishes_style(job_)) return {};
     std::vector<StylePlace> places;
@@ -158,7 +159,7 @@ class Resolution {
     }
   }
 
-  /// Shapes of one size and one nearness in style that the same tables are about are one class.
+  /// Makes the classes: shapes with the same rows, drawn size and step of style are one class.
   void add_classes() {
     WishParts parts(shapes_.size());
     for (std::size_t row = 0; row < shape_rows_.size(); ++row) {
@@ -166,7 +167,7 @@ class Resolution {
     }
     if (!job_.start.not_anew.empty()) parts.add_row(not_anew(), [](ShapeWish& wish) { wish.weight = 0; });
     const std::vector<int> steps = style_steps();
-    std::map<std::tuple<std::uint32_t, float, int>, std::uint32_t> class_of;  // of a part, a size as drawn, a style
+    std::map<std::tuple<std::uint32_t, float, int>, std::uint32_t> class_of;  // by part, drawn size and step of style
     for (std::size_t shape = 0; shape < shapes_.size(); ++shape) {
       const std::uint32_t part = parts.part_of(shape);
       const ShapeWish& wish = parts.wish(part);
@@ -216,7 +217,7 @@ class Resolution {
   Wishes wishes_;
 };
 
-/// Sizes that shapes and regions wish for may lie outside those of [pieces]; as they were drawn, all sizes do.
+/// Sizes of shapes and regions may lie outside [pieces] scale_px; drawn sizes always do.
 void widen_scales(PieceSettings& pieces, const Wishes& wishes, bool drawn_sizes) {
   pieces.several.scale_px = pieces.poses().scale_px;
   const auto has_sizes = [](const ShapeWish& shape) { return !shape.poses.scale_px.empty(); };

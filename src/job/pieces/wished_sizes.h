@@ -1,4 +1,4 @@
-// How large the pieces of a job may be: the range of sizes in which a quality card judges their balance.
+// The range of sizes that a job allows; a quality card judges the balance of sizes within it.
 #pragma once
 
 #include <optional>
@@ -8,9 +8,9 @@
 
 namespace tessera {
 
-/// `pieces.scale_px`, before or after resolve_wishes. Nothing where it does not say how large each piece may be: where
-/// all shapes are to fit, where they are as large as they were drawn, and where some have sizes of their own, or may
-/// have them by a table of wishes that was not read.
+/// `pieces.scale_px`, before or after resolve_wishes. Nullopt where it does not decide the size of each piece. That is
+/// so with pieces.fit = "all", with drawn sizes, and where shapes or regions have sizes of their own. A table of wishes
+/// that was not read may also give such sizes.
 std::optional<SizeRange> wished_sizes(const Job& job);
 
 }  // namespace tessera

@@ -22,7 +22,7 @@ class StoredModels : public ModelSource {
   std::vector<ShapeModel> models(const ShapeRange& range, const ModelParts& parts) const override;
   std::vector<LibraryPad> pads(const ShapeRange& range) const override;
   std::vector<std::uint32_t> pad_order(const ShapeRange& range, std::size_t level) const override;
-  bool reads_singly() const override { return true; }
+  bool supports_random_access() const override { return true; }
   std::vector<ShapeModel> contours(std::span<const ShapeId> shapes) const override;
   std::vector<ModelSample::Step> keypoints(std::span<const PadName> pads) const override;
 

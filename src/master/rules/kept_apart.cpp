@@ -64,7 +64,7 @@ void KeptApart::add(const Placement& placement) {
 bool KeptApart::comes_back(ShapeId shape, const Similarity& canvas_from_shape) const {
   const auto lay = not_back_.find(shapes_.silhouette(shape));
   return lay != not_back_.end() && std::any_of(lay->second.begin(), lay->second.end(), [&](const Similarity& then) {
-           return lies_where_it_lay(then, canvas_from_shape, period_);
+           return is_at_former_place(then, canvas_from_shape, period_);
          });
 }
 
@@ -116,8 +116,9 @@ std::vector<ShapeId> KeptApart::shut_out(std::uint32_t shapes, const AnyPoint& a
   return shut_out;
 }
 
-std::vector<Placement> without_too_near(const std::vector<Placement>& placements, std::size_t given,
-                                        const CollageSettings& settings, ShapeSource& shapes, const Period& period) {
+std::vector<Placement> without_pieces_near_like(const std::vector<Placement>& placements, std::size_t given,
+                                                const CollageSettings& settings, ShapeSource& shapes,
+                                                const Period& period) {
   KeptApart apart(settings, shapes, period);
   if (!apart.matters()) return placements;
   std::vector<Placement> kept;

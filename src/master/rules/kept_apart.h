@@ -79,7 +79,8 @@ class KeptApart {
 
 /// The placements that keep the distances from their like among the placements before them, and do not come back to where
 /// their like lay. The first `given` stand in any case. `period` is that of the canvas.
-std::vector<Placement> without_too_near(const std::vector<Placement>& placements, std::size_t given,
-                                        const CollageSettings& settings, ShapeSource& shapes, const Period& period);
+std::vector<Placement> without_pieces_near_like(const std::vector<Placement>& placements, std::size_t given,
+                                                const CollageSettings& settings, ShapeSource& shapes,
+                                                const Period& period);
 
 }  // namespace tessera::master

@@ -50,7 +50,7 @@ void OpenShapes::begin(std::uint32_t region, std::size_t given) {
   given_ = given;
 }
 
-void OpenShapes::limit(const StandingLimits& limits) {
+void OpenShapes::limit(const StanceLimits& limits) {
   limits_ = limits;
   ++version_;
   tessera::limit(context_, all_stances_, limits);
@@ -60,7 +60,7 @@ bool OpenShapes::update(const std::vector<ShapeId>& shut_out, double free_px2) {
   std::vector<ShapeId> missing = this->missing();
   // Other shapes do not wait for one that has no place now. With fit = "all" they do: it needs smaller sizes.
   if (!fit_all_) missing = without(missing, shut_out);
-  StandingLimits now{.region = limits_.region, .size_factor = limits_.size_factor};
+  StanceLimits now{.region = limits_.region, .size_factor = limits_.size_factor};
   now.used_up = joined(scoring_.closed_shapes(missing), shut_out);
   if (fit_all_ && !missing.empty()) now.most_scale_px = most_scale_for(missing, free_px2);
   if (now == limits_) return false;
@@ -112,7 +112,7 @@ Shortage OpenShapes::shortage() const {
 }
 
 bool OpenShapes::may_go_on() const {
-  StandingLimits by_uses = limits_;
+  StanceLimits by_uses = limits_;
   by_uses.used_up = scoring_.closed_shapes(missing());
   return all_stances_.limited(by_uses).open_shapes() > 0;
 }

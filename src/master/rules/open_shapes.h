@@ -32,7 +32,7 @@ class OpenShapes {
   /// changed.
   bool update(const std::vector<ShapeId>& shut_out, double free_px2);
 
-  const StandingLimits& limits() const { return limits_; }
+  const StanceLimits& limits() const { return limits_; }
   /// A number that changes with limits(), never 0.
   std::uint64_t version() const { return version_; }
   /// The context of matching within the limits.
@@ -52,13 +52,13 @@ class OpenShapes {
   PoseRange poses_of(const Placement& placement) const;
 
  private:
-  void limit(const StandingLimits& limits);
+  void limit(const StanceLimits& limits);
   float most_scale_for(const std::vector<ShapeId>& missing, double free_px2) const;
 
   MatchingContext context_;     // within the limits
   StanceTable all_stances_;     // at size factor 1
   StanceTable region_stances_;  // of the present region
-  StandingLimits limits_;
+  StanceLimits limits_;
   std::uint64_t version_ = 0;
   std::size_t given_ = 0;
   bool fit_all_;

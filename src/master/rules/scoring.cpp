@@ -76,11 +76,11 @@ float Scoring::score(const Candidate& candidate) const {
 }
 
 float Scoring::preference(const Candidate& candidate) const {
-  return of_repetition(candidate) * neighbours_.worth(candidate.shape, candidate.canvas_from_shape);
+  return repetition_factor(candidate) * neighbours_.worth(candidate.shape, candidate.canvas_from_shape);
 }
 
 /// The cost of repetition. Without it one shape that fits everywhere would fill the canvas.
-float Scoring::of_repetition(const Candidate& candidate) const {
+float Scoring::repetition_factor(const Candidate& candidate) const {
   const std::vector<Placed>& placed = placed_[silhouette(candidate.shape)];
   if (placed.empty()) return 1;
   const int same_colours = uses_of(candidate.shape);

@@ -53,7 +53,7 @@ class Scoring {
     ShapeId shape;
     Similarity canvas_from_shape;
   };
-  float of_repetition(const Candidate& candidate) const;
+  float repetition_factor(const Candidate& candidate) const;
   std::uint32_t silhouette(ShapeId shape) const { return index_of(silhouettes_[index_of(shape)]); }
   ShapeId drawing(ShapeId shape) const { return drawings_[index_of(shape)]; }
   bool is_mirror_image(ShapeId shape) const { return drawing(shape) != shape; }

@@ -181,7 +181,7 @@ class Quilt {
   /// How many patches were taken near this place.
   int& uses_near(cv::Point candidate) { return uses_.at<int>(candidate / patch_px_); }
 
-  /// Chooses a patch that fits well. It prefers patches from places near which others were taken before; otherwise smooth
+  /// Chooses a patch that fits well. A patch costs more the more patches were taken near its place before. Otherwise smooth
   /// patches, which fit everywhere, would spread.
   cv::Point chosen_for(cv::Point corner) {
     const std::vector<SharedRun> shared = shared_with(corner);

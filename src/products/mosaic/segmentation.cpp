@@ -52,7 +52,7 @@ void relabel(Labels& labels, const std::vector<int>& names) {
 }
 
 /// New numbers 0, 1, ... for the labels that occur, in their order.
-std::vector<int> names_of_those_there(const Labels& labels) {
+std::vector<int> compact_label_numbers(const Labels& labels) {
   std::vector<int> names(std::size_t(count_of(labels)), -1);
   for (const std::uint8_t label : labels) names[label] = 0;
   int count = 0;
@@ -199,7 +199,7 @@ Segmentation segmentation(const cv::Mat& image_bgr, const MosaicPlan& plan, int 
   for (int round = 0; round < kMajorityRounds; ++round) take_majority(labels, kMajoritySigma * smallest_cells);
   join_islands(labels, kLeastPart * smallest_cells * smallest_cells);
 
-  const std::vector<int> names = names_of_those_there(labels);
+  const std::vector<int> names = compact_label_numbers(labels);
   relabel(labels, names);
   Segmentation result{.labels = labels, .colours = {}};
   for (std::size_t i = 0; i < names.size(); ++i) {

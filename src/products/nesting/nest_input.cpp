@@ -69,7 +69,7 @@ class FileReader {
     }
     if (reading_.px_per_inch && example_.empty())
       throw InputError("--dpi: " + path + " has no SVG with an outline; allowed: with an SVG");
-    units_.tell(path, input_);
+    units_.report(path, input_);
   }
 
  private:
@@ -136,7 +136,7 @@ FolderFiles drawings_in(const fs::path& folder) {
 }
 
 /// Makes a drawing that is alone in its file known by the file's name, too.
-void answer_to_file(const fs::path& file, NestInput& input) {
+void add_file_name(const fs::path& file, NestInput& input) {
   const std::string stem = printable_utf8(file.stem().string());
   if (input.sources.size() == 1 && input.sources.front().drawing.name != stem) input.sources.front().other_name = stem;
 }
@@ -293,7 +293,7 @@ NestInput read_nest_input(const std::string& path, const NestReading& reading) {
     input.unit = "1/96 inch";
   } else if (kind != Kind::other) {
     reader.add(path);
-    answer_to_file(path, input);
+    add_file_name(path, input);
   } else {
     throw InputError(printable_utf8(path) +
                      ": allowed: an instance (.json), .svg, .svgz, .dxf, a library (.h5), or a folder");

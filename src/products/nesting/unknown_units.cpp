@@ -67,7 +67,7 @@ void UnknownUnits::add_dxf(const std::string& path, const DxfDrawings& found) {
   }
 }
 
-void UnknownUnits::tell(const std::string& path, NestInput& input) const {
+void UnknownUnits::report(const std::string& path, NestInput& input) const {
   const auto tell_of = [&](const Files& files, const std::string& unit, const std::string& what_sets_it) {
     if (files.count == 0) return;
     const std::string who = files.count == 1

@@ -19,7 +19,7 @@ class UnknownUnits {
   void add_dxf(const std::string& path, const DxfDrawings& found);
 
   /// Adds one note for each format, which names the first file, and sets NestInput::unit. `path`: the file or folder.
-  void tell(const std::string& path, NestInput& input) const;
+  void report(const std::string& path, NestInput& input) const;
 
  private:
   struct Files {

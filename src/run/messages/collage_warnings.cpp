@@ -30,7 +30,7 @@ double covered_fraction(const Canvas& canvas, const master::CollageResult& resul
 }
 
 /// The text about those places in `found` (ascending) that lie from `begin` to `end`; empty where there are none.
-std::string those_that_lie(const std::vector<std::size_t>& found, std::size_t begin, std::size_t end, const char* where,
+std::string misplaced_text(const std::vector<std::size_t>& found, std::size_t begin, std::size_t end, const char* where,
                            const std::function<std::string(std::size_t)>& name) {
   const auto first = std::lower_bound(found.begin(), found.end(), begin);
   const auto last = std::lower_bound(found.begin(), found.end(), end);
@@ -58,7 +58,7 @@ std::string text_of(master::NoRelaxing reason, const PieceSettings& pieces) {
 /// The warning of a drawing that is only an outline, otherwise empty. `covered`: part of what the drawing encloses. `used`:
 /// what the program does with the lines.
 std::string outline_text(const std::string& key, const std::string& file, double covered, const std::string& used) {
-  if (covered >= kOutlineAlone) return "";
+  if (covered >= kMostCoveredByOutline) return "";
   const std::string percent = covered < 0.01 ? "less than 1" : fixed(100 * covered, 0);
   return key + ": " + file + ": the drawing covers " + percent + " % of what it encloses, so that only its lines are " +
          used +
@@ -132,14 +132,15 @@ std::string standing_warning(const CollageSettings& collage, std::size_t first_o
   const std::vector<GivenPiece>& pieces = collage.wishes.given;
   const auto name = [&](std::size_t piece) { return shape(pieces[piece].shape).name; };
   const PieceSettings& settings = collage.pieces;
-  const StandingCheck found = check_standing(canvas, pieces, settings.padding_px > 0 ? 0 : settings.overlap_px, shape);
+  const GivenPieceCheck found =
+      check_given_pieces(canvas, pieces, settings.padding_px > 0 ? 0 : settings.overlap_px, shape);
   const char* in_a_zone = "in a zone that pieces keep out of";
-  const std::string given = those_that_lie(found.kept_out, 0, first_of_start, in_a_zone, name);
+  const std::string given = misplaced_text(found.kept_out, 0, first_of_start, in_a_zone, name);
   std::string start;
   for (const std::string& part :
-       {those_that_lie(found.kept_out, first_of_start, pieces.size(), in_a_zone, name),
-        those_that_lie(found.outside, first_of_start, pieces.size(), "outside the canvas", name),
-        those_that_lie(found.overlapping, first_of_start, pieces.size(), "on pieces before them", name)}) {
+       {misplaced_text(found.kept_out, first_of_start, pieces.size(), in_a_zone, name),
+        misplaced_text(found.outside, first_of_start, pieces.size(), "outside the canvas", name),
+        misplaced_text(found.overlapping, first_of_start, pieces.size(), "on pieces before them", name)}) {
     if (!part.empty()) start += (start.empty() ? "" : "; ") + part;
   }
   std::string text;
@@ -247,7 +248,7 @@ std::string unable_library_warning(const ColourSpec& colour, std::size_t shapes,
 std::string outline_alone_warning(const CanvasSpec& spec, const Canvas& canvas) {
   std::vector<std::string> warnings;
   if (!spec.file.empty() && spec.region_colours.empty())
-    warnings.push_back(outline_text("canvas.file", spec.file, covered_part_of_enclosed(canvas), "filled"));
+    warnings.push_back(outline_text("canvas.file", spec.file, covered_share(canvas), "filled"));
   if (!spec.keep_out.empty() && spec.keep_out_rectangles.empty())
     warnings.push_back(outline_text("canvas.keep_out", spec.keep_out, zones_part_of_enclosed(canvas), "kept free"));
   return joined_warnings(warnings);
@@ -272,7 +273,7 @@ std::string come_back_warning(const std::vector<GivenPiece>& removed, std::size_
     return std::any_of(result.placements.begin() + std::ptrdiff_t(standing), result.placements.end(),
                        [&](const Placement& p) {
                          return silhouettes[index_of(p.shape)] == silhouettes[index_of(piece.shape)] &&
-                                lies_where_it_lay(piece.canvas_from_shape, p.canvas_from_shape, canvas.period);
+                                is_at_former_place(piece.canvas_from_shape, p.canvas_from_shape, canvas.period);
                        });
   });
   if (back == 0) return "";

@@ -59,9 +59,9 @@ struct Trial {
   std::uint32_t region;
 };
 
-class KeysTried {
+class KeyTrials {
  public:
-  KeysTried(const WrittenKeys& keys, const CanvasSpec& spec, const CollageSettings& sized, const ShapeLibrary& library,
+  KeyTrials(const WrittenKeys& keys, const CanvasSpec& spec, const CollageSettings& sized, const ShapeLibrary& library,
             const Canvas& canvas, const UnplacedShapes& unplaced)
       : keys_(keys),
         spec_(spec),
@@ -183,7 +183,7 @@ class KeysTried {
 std::vector<std::string> keys_that_keep_out(const WrittenKeys& keys, const CanvasSpec& spec,
                                             const CollageSettings& sized, const ShapeLibrary& library,
                                             const Canvas& canvas, const UnplacedShapes& unplaced) {
-  return KeysTried(keys, spec, sized, library, canvas, unplaced).keys_that_help();
+  return KeyTrials(keys, spec, sized, library, canvas, unplaced).keys_that_help();
 }
 
 bool may_fit_all(const WrittenKeys& keys) { return !keys.has_rows("regions"); }

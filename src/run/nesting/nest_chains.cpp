@@ -19,18 +19,18 @@ namespace tessera {
 namespace {
 
 /// The best layout and the progress of this rank's chains. Several threads may call it: a mutex lets one in at a time.
-class Findings {
+class ChainResults {
  public:
   /// `looked` is called for every piece that is moved.
   using Looked = std::function<void(double done, const NestLayout& best)>;
-  Findings(std::size_t chains, Looked looked) : done_(chains, 0), looked_(std::move(looked)) {}
+  ChainResults(std::size_t chains, Looked looked) : done_(chains, 0), looked_(std::move(looked)) {}
 
   void add(const NestLayout& layout) {
     const std::lock_guard lock(mutex_);
     if (best_.pieces.empty() || is_better(layout, best_)) best_ = layout;
   }
 
-  void look(std::size_t chain, double done) {
+  void report_progress(std::size_t chain, double done) {
     const std::lock_guard lock(mutex_);
     done_[chain] = done;
     looked_(std::accumulate(done_.begin(), done_.end(), 0.0) / double(done_.size()), best_);
@@ -52,13 +52,14 @@ std::size_t chains_of(const comm::Communicator& ranks, const NestEffort& effort)
 }
 
 /// Runs this rank's chains, at least one, and returns their best layout.
-NestLayout best_of(const NestSearch& search, const comm::Communicator& ranks, Findings& findings) {
+NestLayout best_of(const NestSearch& search, const comm::Communicator& ranks, ChainResults& findings) {
   std::vector<NestLayout> layouts(chains_of(ranks, search.effort));
-  const PosedItems shapes = posed_items(search.problem, [&] { findings.look(0, 0); });
+  const PosedItems shapes = posed_items(search.problem, [&] { findings.report_progress(0, 0); });
   parallel_for(layouts.size(), [&](std::size_t i) {
     layouts[i] = nest_chain(
         search.problem, shapes, search.effort, search.seed, ranks.rank() + int(i) * ranks.size(),
-        [&](const NestLayout& layout) { findings.add(layout); }, [&](double done) { findings.look(i, done); });
+        [&](const NestLayout& layout) { findings.add(layout); },
+        [&](double done) { findings.report_progress(i, done); });
   });
   return best_layout(layouts);
 }
@@ -79,7 +80,7 @@ NestLayout last_of(comm::Communicator& ranks, int worker) {
 }
 
 /// Adds all layouts that have arrived by now. To be called after a stop was asked for.
-void add_arrived(comm::Communicator& ranks, int worker, Findings& findings) {
+void add_arrived(comm::Communicator& ranks, int worker, ChainResults& findings) {
   try {
     for (;;) {
       const NestLayout layout = receive(ranks, worker).layout;
@@ -97,8 +98,8 @@ void search_and_tell(const NestSearch& search, comm::Communicator& ranks, double
   const double most_pause_s = silence_s * comm::RankWatch::kMostBusy / 6;
   const Stopwatch watch;
   double sent_s = -1;
-  Findings findings(chains_of(ranks, search.effort), [&](double, const NestLayout& best) {
-    ranks.look();
+  ChainResults findings(chains_of(ranks, search.effort), [&](double, const NestLayout& best) {
+    ranks.check_arrivals();
     const double now_s = watch.seconds();
     if (now_s - sent_s < std::clamp(kPausePart * now_s, kLeastPause_s, most_pause_s)) return;
     send(ranks, {best, false});
@@ -119,8 +120,8 @@ NestOutcome best_nesting(comm::Communicator& ranks, const NestProblem& problem, 
   ranks.interrupt_waits_when(shall_stop);
   const StopCheck check_stop = stop_check(shall_stop);
   const int workers = std::min(ranks.size(), effort.chains) - 1;
-  Findings findings(chains_of(ranks, effort), [&](double done, const NestLayout& best) {
-    ranks.look();
+  ChainResults findings(chains_of(ranks, effort), [&](double done, const NestLayout& best) {
+    ranks.check_arrivals();
     progress(done, best);
     check_stop();
   });
@@ -140,7 +141,7 @@ NestOutcome best_nesting(comm::Communicator& ranks, const NestProblem& problem, 
 
 void work_on_nesting(comm::Communicator& ranks, double silence_s) {
   check_program(ranks, program_identity());
-  const comm::Heart heart(ranks, silence_s);
+  const comm::HeartbeatSender heart(ranks, silence_s);
   const auto search = comm::decode<NestSearch>(ranks.broadcast({}));
   if (chains_of(ranks, search.effort) > 0) search_and_tell(search, ranks, silence_s);
   wait_until_job_ends(ranks);

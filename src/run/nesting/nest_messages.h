@@ -27,7 +27,7 @@ namespace tessera::comm {
 
 template <class T>
 requires kIsOneOf<T, NestPoint, NestedPiece>
-inline constexpr bool kSentAsItLies<T> = true;
+inline constexpr bool kSentAsBytes<T> = true;
 
 template <class T>
 requires kIsOneOf<T, NestItem, NestProblem, NestEffort, NestSearch, NestLayout, NestReport>

@@ -175,7 +175,7 @@ int draw(const NestArguments& arguments, const NestRun& run, NestStop& stop, Nes
   try {
     folder.draw(run, [&](std::size_t done, std::size_t all) {
       drawn = int(done);
-      end_if(stop.drawing_over(done));
+      end_if(stop.must_end_drawing(done));
       progress.show(done, all);
     });
     return run.layout.sheets;
@@ -230,7 +230,7 @@ int nest(NestArguments& arguments, comm::Communicator& ranks) {
   run.layout = std::move(found.layout);
   run.stopped_by = found.stopped_by;
   run.seconds = watch.seconds();
-  if (run.stopped_by) ranks.hurry();
+  if (run.stopped_by) ranks.end_soon();
   if (!run.layout.pieces.empty()) return write(arguments, run, stop, folder);
   if (run.stopped_by) throw Interrupted{*run.stopped_by};
   throw std::logic_error("nesting: no piece has a place, though some fit");
@@ -243,7 +243,7 @@ int nest_on_all_ranks(NestArguments arguments, comm::Communicator& ranks) {
   try {
     return nest(arguments, ranks);
   } catch (const Interrupted&) {
-    ranks.hurry();
+    ranks.end_soon();
     print_message("unfinished, nothing was written, and an earlier layout is as it was: the same command starts again");
     return kUnfinishedExitCode;
   }

@@ -32,16 +32,16 @@ void NestStop::leave_time_for(double writing_s, double drawing_s) {
 
 std::optional<StopReason> NestStop::search_over() {
   if (comm::stop_signalled()) return StopReason::signal;
-  return limit_.round_over(leaving_s_ + left_s_) ? std::optional(StopReason::time_limit) : std::nullopt;
+  return limit_.must_end_round(leaving_s_ + left_s_) ? std::optional(StopReason::time_limit) : std::nullopt;
 }
 
 std::optional<StopReason> NestStop::writing_over() {
   return comm::stop_signalled_again() ? std::optional(StopReason::signal) : std::nullopt;
 }
 
-std::optional<StopReason> NestStop::drawing_over(std::size_t drawn) {
+std::optional<StopReason> NestStop::must_end_drawing(std::size_t drawn) {
   if (comm::seconds_since_stop() > kDrawingAfterSignal_s) return StopReason::signal;
-  return drawn > 0 && limit_.drawing_over(leaving_s_) ? std::optional(StopReason::time_limit) : std::nullopt;
+  return drawn > 0 && limit_.must_end_drawing(leaving_s_) ? std::optional(StopReason::time_limit) : std::nullopt;
 }
 
 double NestStop::search_left_s() const {

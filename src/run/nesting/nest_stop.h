@@ -26,7 +26,7 @@ class NestStop {
   std::optional<StopReason> writing_over();
   /// Whether drawing shall end after `drawn` pictures. The limit does not end the first picture, because most layouts have
   /// only one.
-  std::optional<StopReason> drawing_over(std::size_t drawn);
+  std::optional<StopReason> must_end_drawing(std::size_t drawn);
   /// Seconds until the limit ends the search; infinite without a limit.
   double search_left_s() const;
   /// Whether the user gave the limit; reaching it is no interruption then.

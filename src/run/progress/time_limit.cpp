@@ -96,10 +96,10 @@ double parse_time_limit(const std::string& text) {
 }
 
 double time_limit_s(const std::optional<std::string>& argument, const char* slurm_end_time, double now_s,
-                    double leaving_s) {
+                    double shutdown_s) {
   if (argument) {
     const double limit_s = parse_time_limit(*argument);
-    const double kept_s = reserve_s(limit_s) + leaving_s;
+    const double kept_s = reserve_s(limit_s) + shutdown_s;
     if (limit_s > kept_s) return limit_s;
     throw refused(*argument, "more than the " + fixed(kept_s, 1) +
                                  " s that are reserved for the checkpoint, the files and the end of the ranks");
@@ -112,8 +112,8 @@ double time_limit_s(const std::optional<std::string>& argument, const char* slur
   return end_s > now_s ? end_s - now_s : std::numeric_limits<double>::infinity();
 }
 
-std::string short_limit_warning(double limit_s, double leaving_s) {
-  const double kept_s = reserve_s(limit_s) + leaving_s;
+std::string short_limit_warning(double limit_s, double shutdown_s) {
+  const double kept_s = reserve_s(limit_s) + shutdown_s;
   if (limit_s > kept_s) return "";
   return "the Slurm job ends in " + fixed(limit_s, 0) + " s, and " + fixed(kept_s, 0) +
          " s are reserved for the checkpoint, the files and the end of the ranks: nothing will be computed; give the "
@@ -123,8 +123,8 @@ std::string short_limit_warning(double limit_s, double leaving_s) {
 
 double reserve_s(double limit_s) { return std::clamp(kReserveShare * limit_s, kLeastReserve_s, kMostReserve_s); }
 
-bool TimeLimit::round_over(double leaving_s) const {
-  return watch_.seconds() + reserve_s(limit_s_) + leaving_s >= limit_s_;
+bool TimeLimit::must_end_round(double shutdown_s) const {
+  return watch_.seconds() + reserve_s(limit_s_) + shutdown_s >= limit_s_;
 }
 
 bool TimeLimit::near() {
@@ -134,8 +134,8 @@ bool TimeLimit::near() {
   return now_s + longest_wait_s_ + reserve_s(limit_s_) >= limit_s_;
 }
 
-bool TimeLimit::drawing_over(double leaving_s) const {
-  return watch_.seconds() + kDrawingReserve_s + leaving_s >= limit_s_;
+bool TimeLimit::must_end_drawing(double shutdown_s) const {
+  return watch_.seconds() + kDrawingReserve_s + shutdown_s >= limit_s_;
 }
 
 }  // namespace tessera

@@ -15,14 +15,14 @@ namespace tessera {
 double parse_time_limit(const std::string& text);
 
 /// The limit in seconds: `argument`, read by parse_time_limit(), or, without one, the time from `now_s` to `slurm_end_time`
-/// (both in seconds since 1970). An argument that leaves nothing beside the reserve and `leaving_s` is refused
+/// (both in seconds since 1970). An argument that leaves nothing beside the reserve and `shutdown_s` is refused
 /// (InputError). Infinite where `slurm_end_time` is null, no number or in the past.
 double time_limit_s(const std::optional<std::string>& argument, const char* slurm_end_time, double now_s,
-                    double leaving_s);
+                    double shutdown_s);
 
 /// Warns of a limit that leaves nothing beside the reserve. It can only come from a Slurm job, because time_limit_s()
 /// refuses such arguments. Otherwise empty.
-std::string short_limit_warning(double limit_s, double leaving_s);
+std::string short_limit_warning(double limit_s, double shutdown_s);
 
 /// A limit that counts from its constructor.
 class TimeLimit {
@@ -33,11 +33,11 @@ class TimeLimit {
   /// Whether it is time to end; called before every round and while a piece is chosen. True when another wait, as long as
   /// the longest between two calls so far, and the files of the result might not end in time.
   bool near();
-  /// Whether a round must end, because the rest of the time is needed for the files of the result, and `leaving_s` to
+  /// Whether a round must end, because the rest of the time is needed for the files of the result, and `shutdown_s` to
   /// leave. Called within a round.
-  bool round_over(double leaving_s) const;
-  /// Whether drawing must end, with `leaving_s` to leave. Called from any thread while the result is drawn.
-  bool drawing_over(double leaving_s) const;
+  bool must_end_round(double shutdown_s) const;
+  /// Whether drawing must end, with `shutdown_s` to leave. Called from any thread while the result is drawn.
+  bool must_end_drawing(double shutdown_s) const;
 
  private:
   double limit_s_;

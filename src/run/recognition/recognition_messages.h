@@ -37,7 +37,7 @@ namespace tessera::comm {
 
 template <class T>
 requires kIsOneOf<T, Recognition>
-inline constexpr bool kSentAsItLies<T> = true;
+inline constexpr bool kSentAsBytes<T> = true;
 
 template <class T>
 requires kIsOneOf<T, Curve, AskedCurves, RecognitionQuestion>

@@ -62,7 +62,7 @@ Recognitions recognised_by_all_ranks(comm::Communicator& ranks, const Recognitio
   announce_program(ranks, program_identity());
   ranks.broadcast(comm::encode(question));
   Recognitions best = recognised_here(ranks, question, library, [&](std::size_t done, std::size_t all) {
-    ranks.look();
+    ranks.check_arrivals();
     progress(done, all);
   });
   for (int worker = 1; worker < ranks.size(); ++worker) {
@@ -75,14 +75,14 @@ Recognitions recognised_by_all_ranks(comm::Communicator& ranks, const Recognitio
 
 void work_on_recognition(comm::Communicator& ranks, const OpenLibrary& open) {
   check_program(ranks, program_identity());
-  const comm::Heart heart(ranks, kSilence_s);
+  const comm::HeartbeatSender heart(ranks, kSilence_s);
   const auto question = comm::decode<RecognitionQuestion>(ranks.broadcast({}));
   const std::unique_ptr<const ShapeLibrary> library = open(question.library);
   if (library->content_digest() != question.library_digest) {
     throw InputError(question.library + ": is another library than on rank 0; copy the same file to every node");
   }
   const Recognitions found =
-      recognised_here(ranks, question, *library, [&](std::size_t, std::size_t) { ranks.look(); });
+      recognised_here(ranks, question, *library, [&](std::size_t, std::size_t) { ranks.check_arrivals(); });
   ranks.send(0, comm::Tag::recognitions, comm::encode(found));
   for (;;) ranks.receive(0, comm::Tag::recognitions);  // nothing comes: JobEnded
 }

@@ -14,7 +14,7 @@ namespace tessera::worker {
 namespace {
 
 /// Why a job cannot use the device: its compiler fails, or it computes wrongly. Empty where it can.
-std::string hindrance(const cl::Device& device) {
+std::string fault_text(const cl::Device& device) {
   if (!device.getInfo<CL_DEVICE_AVAILABLE>()) return ", NOT AVAILABLE";
   try {
     check_arithmetic(DeviceSession(device, kernel_source, kernel_options(PadParameters().levels, lanes_for(device))));
@@ -29,7 +29,7 @@ std::string device_line(std::size_t number, const cl::Device& device) {
   return "  " + std::to_string(number) + ": " + d.kind + " \"" + d.name + "\", driver " + d.driver + ", " +
          count_text(device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>(), "compute unit") + ", " +
          gigabytes(device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>()) + " of memory, " +
-         gigabytes(device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>()) + " in one buffer" + hindrance(device) + "\n";
+         gigabytes(device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>()) + " in one buffer" + fault_text(device) + "\n";
 }
 
 std::string platform_line(const cl::Platform& platform) {

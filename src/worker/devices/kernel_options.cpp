@@ -80,7 +80,7 @@ std::string kernel_options(int pad_levels, DockingLanes lanes) {
 
   DEFINE(kApproach);
   DEFINE(kApproachRadius);
-  DEFINE(kNestle);
+  DEFINE(kCloseFit);
   DEFINE(kPush);
   DEFINE(kPushSteps);
   DEFINE(kPushShrink);
@@ -89,7 +89,7 @@ std::string kernel_options(int pad_levels, DockingLanes lanes) {
   DEFINE(kDamping);
   DEFINE(kLeastDamping);
   DEFINE(kGrowthDamping);
-  DEFINE(kHopelessDepth_px);
+  DEFINE(kMaxPushDepth_px);
   DEFINE(kInteriorDepth_px);
 
   DEFINE(kMaxColourLevels);

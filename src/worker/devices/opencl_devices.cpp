@@ -75,7 +75,7 @@ std::string why_no_devices(const std::vector<cl::Platform>& found) {
 
 /// Starts as many threads at once as PoCL will for a CPU, and ends them. Throws EnvironmentError where the system gives too
 /// few: PoCL would end the process by abort(3) with a message that names no limit. Our handler for that signal
-/// (files/foreign_end.h) could not help, because LLVM has just replaced it.
+/// (files/library_abort.h) could not help, because LLVM has just replaced it.
 void check_threads_can_start() {
   const char* const most = std::getenv("POCL_MAX_PTHREAD_COUNT");
   const unsigned cores = std::max(1u, std::thread::hardware_concurrency());

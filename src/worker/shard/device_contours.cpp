@@ -70,14 +70,14 @@ void DeviceContours::make_places(std::size_t count) {
   held_.assign(std::max(count, held_.size() + held_.size() / 2), {});
   std::fill(place_of_shape_.begin(), place_of_shape_.end(), kNowhere);
   contours_.reserve(held_.size() * kContourFloats);
-  hand_ = 0;
+  next_place_ = 0;
 }
 
 /// The next place, in circular order, that the present question does not need.
 std::uint32_t DeviceContours::next_place() {
-  std::uint32_t place = hand_;
+  std::uint32_t place = next_place_;
   while (held_[place].needed == question_) place = (place + 1) % std::uint32_t(held_.size());
-  hand_ = (place + 1) % std::uint32_t(held_.size());
+  next_place_ = (place + 1) % std::uint32_t(held_.size());
   return place;
 }
 

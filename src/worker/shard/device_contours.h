@@ -49,8 +49,8 @@ class DeviceContours {
     std::uint64_t needed = 0;        // number of the last question that needed it
   };
   std::vector<std::uint32_t> place_of_shape_;
-  std::vector<Place> held_;  // by place
-  std::uint32_t hand_ = 0;   // the search for a free place goes on here
+  std::vector<Place> held_;       // by place
+  std::uint32_t next_place_ = 0;  // the search for a free place goes on here
   std::uint64_t question_ = 0;
 };
 

@@ -20,7 +20,7 @@ DeviceDeck::DeviceDeck(DeviceLibrary& library)
       open_shapes_(library.session()),
       near_shapes_(library.session()) {}
 
-void DeviceDeck::deal(const std::vector<TargetSample>& samples) {
+void DeviceDeck::draw(const std::vector<TargetSample>& samples) {
   const StanceTable& standing = library_->standing();
   const NearColours& colours = library_->colours().near_colours();
   deck_ =

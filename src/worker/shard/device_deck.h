@@ -15,7 +15,7 @@ class DeviceDeck {
 
   /// Draws the deck for these samples. Where the library reads contours when needed, the contours of all shapes of the deck
   /// are on the device afterwards.
-  void deal(const std::vector<TargetSample>& samples);
+  void draw(const std::vector<TargetSample>& samples);
 
   /// The shapes of the deck, as shapes of the library; empty where all_open().
   const DeviceBuffer<std::uint32_t>& open_shapes() const;

@@ -22,7 +22,7 @@ DeviceLibrary::DeviceLibrary(const cl::Device& device, const MatchingContext& co
                              const HeldShapes& held, std::optional<DockingLanes> lanes)
     : models_(std::move(models)),
       pad_levels_(context.pad.levels),
-      reads_(models_->reads_singly() && !held.holds_all(shapes.size())),
+      reads_(models_->supports_random_access() && !held.holds_all(shapes.size())),
       lanes_(lanes ? *lanes : lanes_for(device)),
       session_(device, kernel_source, kernel_options(context.pad.levels, lanes_), between_launches),
       match_(make_match_record(context, shapes)),
@@ -78,7 +78,7 @@ void DeviceLibrary::add(Loaded loaded, std::uint32_t first) {
   shapes_.write_part(part.shapes, first, models.size(), match_.shapes);
 }
 
-void DeviceLibrary::limit(const StandingLimits& limits) {
+void DeviceLibrary::limit(const StanceLimits& limits) {
   tessera::limit(context_, all_stances_, limits);
   stances_.write(context_.stances, {match_.first_shape, match_.first_shape + match_.shapes});
   colours_.start(context_);

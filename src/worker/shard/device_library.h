@@ -7,12 +7,12 @@
 #include "core/matching/model_source.h"
 #include "worker/devices/kernel_options.h"
 #include "worker/devices/opencl_runtime.h"
-#include "worker/shard/shard.h"
 #include "worker/shard/device_colours.h"
 #include "worker/shard/device_contours.h"
 #include "worker/shard/device_index.h"
 #include "worker/shard/device_stances.h"
 #include "worker/shard/pair_keypoints.h"
+#include "worker/shard/shard.h"
 
 namespace tessera::worker {
 
@@ -24,7 +24,7 @@ class DeviceLibrary {
 
   void start_field(int width, int height, Vec2 origin);
   void update_field(const FieldPatch& patch);
-  void limit(const StandingLimits& limits);
+  void limit(const StanceLimits& limits);
 
   const DeviceSession& session() const { return session_; }
   int pad_levels() const { return pad_levels_; }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# bench_test.sh TESSERA MPIRUN NEW_FOLDER: tessera bench becomes the program tessera-bench beside tessera, which a script
-# plays; what it says where that program is missing; and the true one on several ranks.
+# bench_test.sh TESSERA MPIRUN NEW_FOLDER: tessera bench becomes the program tessera-bench beside tessera, which a script replaces here.
+# Further parts: the message if that program is missing, and the real one on several ranks.
 set -uo pipefail
 tessera=$1
 mpirun=$2
@@ -34,7 +34,7 @@ run 1 bench pairs
 expect_word "cannot start $folder/bin/tessera-bench: Permission denied"
 echo "ok a file that is no program"
 
-# The process is the same, and the arguments are those that were given.
+# The process and the arguments stay the same.
 cat >bin/tessera-bench <<'END'
 #!/bin/bash
 echo "$BASHPID" >process
@@ -42,7 +42,7 @@ printf '<%s>' "$@" >arguments
 exit 75
 END
 chmod +x bin/tessera-bench
-ln -s "$tessera" link  # the true place counts
+ln -s "$tessera" link  # the link's target counts
 strange=(library --time-limit= -- ++ "" 'two words' $'two\nlines' --help bench -h --version)
 ./link bench "${strange[@]}" &
 started=$!

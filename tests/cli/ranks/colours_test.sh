@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# colours_test.sh TESSERA MPIRUN NEW_FOLDER: a job whose pieces show a picture: the same pieces on one rank, on three, and
-# after interruptions; another picture is another job; a result is drawn again without it.
+# colours_test.sh TESSERA MPIRUN NEW_FOLDER: a job whose pieces show a picture. The pieces are the same on one rank, on three, and after
+# interruptions.
+# Another picture makes another job. A result is drawn again without the picture.
 set -uo pipefail
 tessera=$1
 mpirun=$2
@@ -9,7 +10,7 @@ folder=$3
 source "$(dirname "${BASH_SOURCE[0]}")/../restart_fixture.sh"
 
 enter_folder
-# Red drawings and blue ones of other shapes.
+# Red drawings, and blue drawings of other shapes.
 make_drawings many
 for drawing in many/star many/leaf; do sed -i 's/teal/red/' "$drawing.svg"; done
 for drawing in many/bean many/drop many/corner; do sed -i 's/teal/blue/' "$drawing.svg"; done
@@ -40,7 +41,7 @@ cp expected/pieces.geojson expected.geojson
 expect_result expected_on_3
 echo "ok three ranks"
 
-# Parts of the pieces, in percent, that stand in the half of their colour.
+# The percentages of the red and of the blue pieces in the half of their own colour.
 in_place=$(sed -n 's/.*"shape":"\([a-z]*\)".*"x_px":\([0-9.-]*\).*/\1 \2/p' expected.geojson |
   awk '{ red = $1 == "star" || $1 == "leaf"; right += red == ($2 < 120) } END { print int(100 * right / NR) }')
 ((in_place > 80)) || fail "of the pieces $in_place % stand where their colour is wanted"
@@ -66,7 +67,7 @@ expect_end 0 "the same picture again"
 expect_result other
 echo "ok another picture"
 
-# What is seen from afar: the same on three ranks; an SVG does not change it, another background does.
+# The figures from afar are the same on three ranks. An SVG does not change them, another background does.
 afar() { tr -d ' \n' <"$1/card.json" | grep -o '"from_afar":{.*}}' | sed 's/"drawing".*//'; }
 [[ $(afar expected) == *'"at_100_px":{"width_px":100,"height_px":75,"ciede2000":'*'"at_piece_size":{'* ]] ||
   fail "no figures from afar: $(afar expected)"
@@ -83,7 +84,7 @@ run 0 rank expected drawn --weight colour_from_afar=-1 --out ranks
 grep -q '^score = .* - colour_from_afar, in percent$' output || fail "not weighed: $(cat output)"
 echo "ok seen from afar"
 
-# So is a collage whose sizes the job does not say: the picture is read as finely as the run read it.
+# A collage also has these figures if the job gives no sizes: the picture is read as finely as the run read it.
 found_sizes() { # OPTION...
   run 0 collage job.toml --out sized --quiet --set improve.trials=0 "$@"
   [[ $(afar sized) == *'"at_100_px":'* ]] || fail "$*: no figures from afar: $(afar sized)"
@@ -92,7 +93,7 @@ found_sizes --set pieces.fit=all --set pieces.uses=1
 found_sizes --set pieces.sizes=drawn
 echo "ok seen from afar at sizes that are found"
 
-# The picture laid over the pieces: the same on three ranks and after interruptions, seen from afar, without a search.
+# The picture laid over the pieces: the same on three ranks and after interruptions, seen from afar, and without a search.
 for result in expected expected_on_3 parts; do
   cp -r "$result" "laid_over_$result"
   run 0 draw "laid_over_$result" --png --svg --quiet --set colour.overlay=0.25
@@ -122,7 +123,7 @@ expect_silence "a warning, though drawing needs no picture"
 grep -q '"not_measured": "colour.image cannot be read any more"' expected/card.json || fail "figures without the picture"
 echo "ok drawn again without the picture"
 
-# Tones: red drawings on a red that is a little lighter.
+# Tones: red drawings on a slightly lighter red.
 grep -q '"covered":\["#' expected/manifest.json || fail "the manifest does not say what pieces cover"
 run 0 draw expected --png --svg --quiet --set colour.shift=20 --to shifted
 ! cmp -s before.png shifted/collage.png || fail "no tone is shifted"
@@ -139,10 +140,10 @@ cmp -s by_means/collage.png before.png && fail "no tones in a result of an older
 cmp -s by_means/collage.png shifted/collage.png && fail "tones go by the means of pieces, not by the picture"
 run 0 draw expected --pdf --quiet --set colour.shift=0 --to plain
 run 2 draw expected --png --quiet --set colour.weight=2
-grep -q 'colour.weight=2: decides where pieces lie' errors || fail "a key that decides: $(cat errors)"
+grep -q 'colour.weight=2: this key decides where pieces lie' errors || fail "a key that decides: $(cat errors)"
 echo "ok tones"
 
-# Harmony: red drawings and blue ones, both to one hue.
+# Harmony: red drawings and blue drawings are turned to one hue.
 run 0 draw expected --png --quiet --set colour.harmony=none --to plain
 cmp -s before.png plain/collage.png || fail "no harmony, another picture"
 run 0 draw expected --png --svg --quiet --set colour.harmony=i --to one_hue
@@ -165,7 +166,7 @@ cmp -s harmonic/pieces.geojson disharmonic/pieces.geojson || fail "harmony decid
 ! cmp -s harmonic/collage.png disharmonic/collage.png || fail "no hue is turned without colour.image"
 echo "ok harmony"
 
-# Neighbours of other colours decide: the same on three ranks, and after an interruption.
+# A wish for neighbours of other colours gives the same pieces on three ranks and after an interruption.
 neighbours=(--set colour.image= --set colour.neighbours=-2)
 same_on_3_ranks unlike collage job.toml "${neighbours[@]}"
 ! cmp -s unlike/pieces.geojson disharmonic/pieces.geojson || fail "colours of neighbours do not matter"
@@ -177,7 +178,7 @@ expect_end 0 "the rest"
 expect_result in_parts
 echo "ok neighbours"
 
-# A palette: red drawings alone, on three ranks and when drawn without its file.
+# A palette keeps only red drawings, on three ranks and when drawn without its file.
 printf '#ff0000\n' >reds.txt
 same_on_3_ranks red collage job.toml --set colour.image= --set library.colours=reds.txt
 ! grep -qE '"shape":"(bean|drop|corner)"' red/pieces.geojson || fail "a blue drawing in a palette of reds"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# deform_test.sh TESSERA MPIRUN NEW_FOLDER: a job's pieces are deformed, the same on one rank and on three; poses are those of the
-# job without it; a finished result is deformed by tessera refine to the same bytes; pictures show it, and are made again
-# from the files alone; shapes that are not to be deformed are not; and what cannot be meant.
+# deform_test.sh TESSERA MPIRUN NEW_FOLDER: a job's pieces are deformed, the same on one rank and on three.
+# The poses are those of the job without deformation. tessera refine deforms a finished result to the same bytes.
+# Pictures show it, and are made again from the files alone. Some shapes may not be deformed, and impossible requests are refused.
 set -uo pipefail
 tessera=$1
 mpirun=$2
@@ -48,7 +48,8 @@ mv plain-voronoi full
 less "$(value deformed coverage_fraction)" "$(value full coverage_fraction)" || fail "voronoi fills no more"
 run 0 collage plain-deformed/job.toml --out again --quiet
 cmp deformed/pieces.geojson again/pieces.geojson || fail "job.toml of a deformed result makes something else"
-# Nobody asked whether pieces relax, whose sizes differ too much for that; and what was told of the job is not told again.
+# Warnings do not repeat: none about relaxing, which was not asked for though the sizes differ too much; and none about the job that came
+# before.
 run 0 collage plain.toml --set 'pieces.scale_px=[14, 80]' --set improve.trials=0 --set output.dpi=600 --out told --quiet
 expect_word 'output.dpi (now 600) means nothing'
 run 0 refine told --deform --quiet
@@ -58,7 +59,7 @@ run 0 refine told --relax --quiet
   fail "relaxing warns: $(cat errors)"
 echo "ok refine"
 
-# An interrupted run is not deformed, and goes on to the same bytes.
+# An interrupted run is not deformed; it goes on to the same bytes.
 long=(collage job.toml --set improve.trials=120 --set checkpoint.every_s=0.01 --quiet)
 run 0 "${long[@]}" --out whole
 "$tessera" "${long[@]}" --out broken >output 2>errors &
@@ -73,14 +74,14 @@ run 0 "${long[@]}" --out broken --resume
 cmp whole/pieces.geojson broken/pieces.geojson || fail "other pieces after an interruption"
 echo "ok interrupted"
 
-# Across seams, mirrored, and with the distance that is wished.
+# Deformation across seams, of mirrored pieces, and with the wished distance.
 run 0 collage job.toml --set canvas.seamless=both --set pieces.mirrored=also --set pieces.padding_px=2 --out pattern --quiet
 grep -q '"mirrored":true' pattern/pieces.geojson || fail "no mirrored pieces in this test"
 less 1.95 "$(value pattern between_pieces_px)" || fail "pieces lie $(value pattern between_pieces_px) px apart, not 2"
 less "$(value pattern coverage_before_fraction)" "$(value pattern coverage_fraction)" || fail "a pattern gains nothing"
 echo "ok pattern"
 
-# Pictures from the files alone, to the same bytes; other ones than without it.
+# The files alone give the same bytes of the pictures, which differ from those without deformation.
 sha256sum deformed/collage.png deformed/collage.svg >sums
 cmp -s plain/collage.png deformed/collage.png && fail "the picture does not show it"
 run 0 draw deformed --png --svg --pdf --quiet
@@ -99,7 +100,7 @@ rows() { grep '"type":"Feature",' "$1/pieces.geojson" | sed 's/,$//' | grep -E '
 cmp <(rows plain) <(rows named) || fail "shapes are deformed that were not to be"
 echo "ok shapes"
 
-# A polygon that is none of its shape's.
+# A polygon that does not belong to its shape.
 cp -r deformed forged
 sed -i '0,/"coordinates":\[\[\[[^]]*\],/s//"coordinates":[[/' forged/pieces.geojson
 run 2 draw forged --png

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# erase_test.sh TESSERA MPIRUN NEW_FOLDER: pieces of a finished result that go by number, in a rectangle or under a
-# scribble, or are swapped; all others stay byte for byte, new ones lie where the old ones lay; the same on one rank and
-# on three, and after an interruption; and what cannot be meant.
+# erase_test.sh TESSERA MPIRUN NEW_FOLDER: pieces of a finished result are removed by number, by rectangle or by scribble, or are swapped.
+# All others stay byte for byte, and new pieces fill their places.
+# The result is the same on one rank, on three, and after an interruption. Impossible requests are refused.
 set -uo pipefail
 tessera=$1
 mpirun=$2
@@ -30,11 +30,11 @@ width_px = 120
 END
 features() { grep '"type":"Feature",' "$1/pieces.geojson" | sed 's/,$//'; }
 count() { features "$1" | wc -l; }
-nameless() { sed 's/"index":[0-9]*,//; s/"locked":true,//'; } # its number in the file apart, and what is locked
+nameless() { sed 's/"index":[0-9]*,//; s/"locked":true,//'; } # without its number in the file and its lock
 names_of() { sed -n 's/.*"shape":"\([^"]*\)".*/\1/p'; }
 digest() { (cd "$1" && find . -type f -exec sha256sum {} + | sort); }
 
-# all_but BEFORE AFTER INDEX...: AFTER begins with BEFORE's other pieces, as they were.
+# expect_all_but BEFORE AFTER INDEX...: AFTER begins with the other pieces of BEFORE, unchanged.
 expect_all_but() {
   local before=$1 after=$2 removed
   removed=$(printf '"index":%s,|' "${@:3}")
@@ -50,7 +50,7 @@ expect_all_but() {
   done || exit 1
   expect_not_back "$before" "${@:3}"
 }
-# expect_not_back BEFORE INDEX...: none of the new pieces is one of these, nearer to where it lay than half its size.
+# expect_not_back BEFORE INDEX...: no new piece is one of these shapes within half its size of its old place.
 places() {
   sed -n 's/.*"shape":"\([^"]*\)".*"scale":\([0-9.]*\),.*"x_px":\([-0-9.]*\),"y_px":\([-0-9.]*\),.*/\1 \2 \3 \4/p'
 }
@@ -63,13 +63,13 @@ expect_not_back() {
       '$1 == shape && ($3 - x) ^ 2 + ($4 - y) ^ 2 < (s / 2) ^ 2 {exit 1}' || fail "$1: $index, $shape, came back"
   done
 }
-# Of each piece's polygon, a line each: lowest and highest x and y.
+# Prints a line for each piece's polygon: lowest and highest x and y.
 boxes() {
   sed 's/.*"coordinates"://; s/\],\[/ /g; s/[][}]//g' |
     awk '{for (i = 1; i <= NF; ++i) {split($i, p, ","); if (i == 1 || p[1] < a) a = p[1]; if (i == 1 || p[2] < b) b = p[2]
       if (i == 1 || p[1] > c) c = p[1]; if (i == 1 || p[2] > d) d = p[2]} print a, b, c, d}'
 }
-# Of these, that of all.
+# Prints the box around all boxes.
 boxed() {
   awk '{if (NR == 1 || $1 < a) a = $1; if (NR == 1 || $2 < b) b = $2; if (NR == 1 || $3 > c) c = $3
     if (NR == 1 || $4 > d) d = $4} END {print a, b, c, d}'
@@ -110,7 +110,7 @@ run 0 "${long[@]}" --out broken --resume
 cmp whole/pieces.geojson broken/pieces.geojson || fail "other pieces after an interruption"
 echo "ok interrupted"
 
-# The job of a refinement makes it again, and the next one starts from it.
+# The job of a refinement makes the same result again, and the next refinement starts from it.
 run 0 collage erased/job.toml --out again --quiet
 cmp erased/pieces.geojson again/pieces.geojson || fail "job.toml makes something else"
 run 0 refine erased --pieces 4 --lock 1,2 --out chain --quiet
@@ -123,13 +123,13 @@ for shape in $(features chain | grep '"locked":true' | nameless | sha256sum | cu
 done
 echo "ok chain"
 
-# index_near X Y: of the piece whose centre is the nearest.
+# index_near X Y: prints the index of the piece with the nearest centre.
 index_near() {
   features first | sed -n 's/.*"index":\([0-9]*\),.*"x_px":\([-0-9.]*\),"y_px":\([-0-9.]*\),.*/\1 \2 \3/p' |
     awk -v x="$1" -v y="$2" '{d = ($2 - x) ^ 2 + ($3 - y) ^ 2; if (NR == 1 || d < least) {least = d; i = $1}}
       END {print i}'
 }
-in_box() { # X Y W H: all of them that are not locked
+in_box() { # X Y W H: prints all of them that are not locked
   features first | grep -v '"locked":true' |
     sed -n 's/.*"index":\([0-9]*\),.*"x_px":\([-0-9.]*\),"y_px":\([-0-9.]*\),.*/\1 \2 \3/p' |
     awk -v x="$1" -v y="$2" -v w="$3" -v h="$4" '$2 >= x && $2 <= x + w && $3 >= y && $3 <= y + h {print $1}'
@@ -162,14 +162,14 @@ run 0 refine swapped --box 0,0,240,180 --out all_anew --quiet
 features all_anew | names_of | grep -qxF "${shapes[3]}" || fail "${shapes[3]} never comes in again"
 echo "ok swap"
 
-# What fits a hole best is what lay in it: each of the pieces alone, with two seeds.
+# The erased shape would fit its hole best, but must not return: each piece alone, with two seeds.
 for ((i = 1; i < 5; ++i)); do
   for seed in 1 2; do
     run 0 refine first --pieces "$i" --set "seed=$seed" --out one --restart --quiet
     expect_all_but first one "$i"
   done
 done
-# Unless it is all that there is.
+# It may return if the library has no other shape.
 mkdir alone
 draw_svg alone/bean "M10 50 C10 10 90 10 90 50 C90 80 60 60 50 60 C40 60 10 90 10 50Z"
 run 0 library build alone -o alone.h5
@@ -179,7 +179,7 @@ same_on_3_ranks beans_erased refine beans --pieces 0 --quiet
 expect_word 'warning: 1 of 1 piece of start.remove came back to where they lay: the library, [[shapes]] and pieces.uses allow no other drawing there'
 echo "ok not back"
 
-# Each knows the bytes of what it began from.
+# Each result names the digest of the pieces that it began from.
 pieces_digest() { grep -o '"pieces":{"digest":"[0-9a-f]*"' "$1/manifest.json" | grep -o '[0-9a-f]\{16\}'; }
 start_digest() { grep -o '"start":{[^}]*}' "$1/manifest.json" | grep -o '[0-9a-f]\{16\}'; }
 [[ $(start_digest chain) == "$(pieces_digest erased)" && $(start_digest erased) == "$(pieces_digest first)" ]] ||
@@ -197,7 +197,7 @@ run_on_ranks 3 2 refine first --box 0,0,120,90 --variants 2 --out variants_on_3
 expect_word '--variants: found 3 ranks, allowed: 1'
 echo "ok variants"
 
-# refused MESSAGE ARGUMENT...: in one line
+# refused MESSAGE ARGUMENT...: the message is one line
 refused() {
   run 2 refine first "${@:2}"
   expect_word "$1"

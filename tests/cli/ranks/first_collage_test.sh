@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# first_collage_test.sh TESSERA MPIRUN NEW_FOLDER: tessera collage FOLDER, from drawings to a library, a job and a picture;
-# and what is said of a path that is no job.
+# first_collage_test.sh TESSERA MPIRUN NEW_FOLDER: tessera collage FOLDER, from drawings to a library, a job and a picture.
+# It also checks the message for a path that is no job.
 set -uo pipefail
 tessera=$1
 # shellcheck disable=SC2034 # support/ranks.sh
@@ -30,7 +30,7 @@ cmp out/drawings/pieces.geojson first.geojson || fail "another collage on three 
 draw_svg drawings/house "M10 50 L50 10 L90 50 V90 H10Z"
 run 0 collage drawings "${quick[@]}"
 grep -q '^out/drawings.h5, .* of 6 files: 6 shapes' output || fail "does not see the new drawing"
-# Another folder of the same name, and older: it is its drawings that count.
+# Another, older folder of the same name: the drawings decide, not the name.
 mkdir -p other/drawings && cp -p drawings/star.svg drawings/leaf.svg other/drawings
 touch -d '2001-01-01' other/drawings other/drawings/*
 run 0 collage other/drawings "${quick[@]}"
@@ -76,11 +76,11 @@ run 2 collage empty
 expect_word 'no artwork in empty'
 [[ ! -e empty.toml && ! -e out/empty.h5 && ! -e out/empty ]] || fail "an empty folder leaves files"
 run 2 collage first.toml --size 400,300
-expect_word "--size: allowed with a folder of drawings or a library; of a job --set 'canvas.size_px=[W, H]' says it"
+expect_word "--size: allowed with a folder of drawings or a library; for a job use --set 'canvas.size_px=[W, H]'"
 run 2 collage first.toml --job other.toml
 expect_word '--job: allowed with a folder of drawings or a library'
 run 2 collage first.toml --canvas disc.svg
-expect_word '--canvas: allowed with a folder of drawings or a library; of a job --set canvas.file=FILE says it'
+expect_word '--canvas: allowed with a folder of drawings or a library; for a job use --set canvas.file=FILE'
 echo "ok mistakes"
 
 run 2 collage out/drawings

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# fit_test.sh TESSERA MPIRUN NEW_FOLDER: collages in which every shape is to find a place, and what is said, written and
-# returned where some find none, or where there is no piece at all.
+# fit_test.sh TESSERA MPIRUN NEW_FOLDER: collages in which every shape must find a place.
+# The messages, files and exit codes if some shapes find none, or if there is no piece at all.
 set -uo pipefail
 tessera=$1
 mpirun=$2
@@ -10,7 +10,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../restart_fixture.sh"
 
 enter_folder
 
-# job NAME LIBRARY PIECES_LINES: a draft on 400 x 300 px
+# job NAME LIBRARY PIECES_LINES: writes a draft job on 400 x 300 px
 job() {
   printf 'quality = "draft"\n[library]\nfile = "%s"\n[canvas]\nsize_px = [400, 300]\n[output]\nwidth_px = 200\n[pieces]\n%s\n' \
     "$2" "$3" >"$1.toml"
@@ -23,7 +23,7 @@ expect_pieces() { # OUT COUNT
 }
 in_card() { grep -qF -- "$2" "$1/card.json" || fail "$1/card.json lacks $2"; }
 
-# Three bars of about 17:1: the first sizes, by area, make them longer than the canvas.
+# Three bars of about 17:1: the first sizes, chosen by area, make them longer than the canvas.
 mkdir bars phrases
 for i in 1 2 3; do
   echo "<svg xmlns='http://www.w3.org/2000/svg' width='720' height='80'><path d='M20 20 H700 V60 H$((18 + i)) Z'/></svg>" \
@@ -37,7 +37,7 @@ expect_pieces bars 3
 if grep -q '"missing"' bars/card.json bars/manifest.json; then fail "a complete collage lacks something"; fi
 echo "ok bars"
 
-# Trials by a word go by the sizes that were found; a campaign knows such a result again.
+# A quality word sets the trials by the sizes that were found; a campaign recognises such a result.
 run 0 campaign bars.toml --seeds 1 --set quality=good --out good
 grep -q '^trials = [1-9]' good/seed_1/job.toml || fail "the trials: $(grep trials good/seed_1/job.toml)"
 run 0 campaign bars.toml --seeds 1 --set quality=good --out good
@@ -48,7 +48,7 @@ grep -q '^finished' output || fail "a finished result is not known where its lib
 mv moved.h5 bars.h5
 echo "ok quality"
 
-# Lines of letters with a halo, 24 times as long as high, in their drawn sizes, with padding: none fits at first.
+# Lines of letters with a halo, 24 times as long as high, in their drawn sizes, with padding: at first none fits.
 for i in 1 2; do
   comb=""
   for ((x = 20; x < 20 + 40 * (43 + i); x += 40)); do comb+="V20 H$((x + 24)) V60 H$((x + 40)) "; done
@@ -61,7 +61,7 @@ run 0 collage phrases.toml --out phrases_out --quiet
 expect_pieces phrases_out 2
 echo "ok phrases with a halo"
 
-# Each four times, upright; interrupted at any moment and continued on other ranks it is the same.
+# Each drawing four times, upright. If the run is interrupted at any moment and continued on other ranks, the result is the same.
 job often own.h5 $'fit = "all"\nuses = [4, 4]\nrotation_deg = 0\nscale_px = 40'
 run 0 collage often.toml --out often --quiet
 expect_pieces often 20
@@ -75,7 +75,7 @@ for ranks in 1 3; do
 done
 echo "ok each four times"
 
-# Two of a shape are to be farther apart than the canvas is wide.
+# Two pieces of a shape must be farther apart than the canvas is wide, which is impossible.
 cannot=$'fit = "all"\nuses = [2, 2]\napart_px = 900'
 job cannot own.h5 "$cannot"
 run 3 collage cannot.toml --out cannot --quiet
@@ -106,7 +106,7 @@ run 3 campaign cannot.toml --seeds 1-2 --set pieces.apart_px=0,900 --out campaig
 run 0 campaign cannot.toml --seeds 1-2 --set pieces.apart_px=0 --out near
 echo "ok what cannot be met"
 
-# The least size of the job, a limit of [stop], and least uses without fit = "all".
+# The job's least size, a limit of [stop], and least uses without fit = "all".
 run 3 collage bars.toml --out least --quiet --set pieces.least_scale_px=200
 expect_word 'least: the collage is empty: nothing fits; try smaller pieces, pieces.least_scale_px (now 200); a larger canvas'
 run 3 collage cannot.toml --out stopped --quiet --set pieces.apart_px=0 --set stop.pieces=7
@@ -118,20 +118,20 @@ expect_word 'pieces are missing: bean ('
 expect_word 'they found no place; try smaller pieces, pieces.scale_px (now [60, 60]); pieces.fit = "all", which finds their sizes;'
 echo "ok least sizes, limits and least uses"
 
-# Nothing counts a shape that fits nowhere: it is told all the same, and what is advised helps.
+# A shape without a required count fits nowhere: the program warns all the same, and its advice helps.
 job disc own.h5 'scale_px = [15, 40]'
 printf '[[shapes]]\nnames = "bean"\nscale_px = [900, 1000]\nweight = 50\n' >>disc.toml
 run 0 collage disc.toml --out disc --quiet
 expect_word 'warning: "bean" fits nowhere on the canvas; try pieces of '
 
-# No piece at all: exit code 3, and which key keeps them out.
+# Without any piece the exit code is 3, and the message names the key that keeps the pieces out.
 empty() { # WORDS OPTION...
   run 3 collage empty.toml --out empty --quiet "${@:2}"
   expect_word 'tessera: warning: empty: the collage is empty: '
   expect_word "$1"
   [[ -s empty/collage.png ]] || fail "no picture of an empty collage"
 }
-# advised_size_helps JOB: what the last warning says is true.
+# advised_size_helps JOB: the size that the last warning advises works.
 advised_size_helps() {
   local px
   px=$(sed -n 's/.* pieces of \([0-9.]*\) px or less.*/\1/p' errors)
@@ -162,7 +162,7 @@ printf '[[keep_out]]\nat_px = [200, 150]\nsize_px = [390, 290]\n' >>empty.toml
 empty 'smaller zones that pieces keep out of (canvas.keep_out, [[keep_out]])' --set pieces.scale_px=80
 echo "ok empty collages"
 
-# The plan goes by the sizes that are found, not by those that only compare.
+# The plan uses the sizes that the run will find. The job's sizes only compare shapes.
 job plan own.h5 $'fit = "all"\nuses = 1\nscale_px = [2, 4]'
 run 0 plan plan.toml --ranks 2
 grep -qE '^  pieces +about [1-9]$' output || fail "the plan goes by other sizes: $(cat output)"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# late_signal_test.sh TESSERA MPIRUN NEW_FOLDER: signals and limits that hit a run while its result is drawn. The result
-# stays, no half-written or worse picture is left, and drawing goes on to the same bytes.
+# late_signal_test.sh TESSERA MPIRUN NEW_FOLDER: signals and limits that hit a run while it draws its result.
+# The result stays, no half-written or worse picture is left, and drawing goes on to the same bytes.
 set -uo pipefail
 tessera=$1
 mpirun=$2
@@ -41,13 +41,13 @@ expect_end 0 "--resume of a drawn collage"
 expect_drawn TERM
 echo "ok signals"
 
-# What mpirun does to its ranks: SIGKILL two seconds later.
+# mpirun sends its ranks SIGKILL two seconds after TERM.
 end_while_drawing TERM 3 by_mpirun
 "$tessera" draw by_mpirun >output 2>errors || fail "tessera draw after mpirun's end"
 expect_drawn by_mpirun
 echo "ok mpirun"
 
-# tessera draw itself: the first picture may be there, the second is not.
+# tessera draw itself is stopped: the first picture may be there, the second is not.
 rm -f USR2/collage.*
 "$tessera" draw USR2 --width 20000 --png >output 2>errors &
 started=$!
@@ -62,7 +62,7 @@ grep -q 'drawing interrupted: the same command goes on' errors || fail "draw: do
 expect_drawn USR2
 echo "ok draw"
 
-# Other sizes and kinds, a library that moved, and what is refused.
+# Other sizes and formats, a library that moved, and refused options.
 "$tessera" draw USR2 --width 500 --background '#102030' --pdf --png >output 2>errors || fail "another size"
 [[ $(od -An -tu1 -j16 -N8 USR2/collage.png | xargs) == "0 0 1 244 0 0 1 119" ]] || fail "not 500 x 375"
 [[ $(head -c 5 USR2/collage.pdf) == %PDF- ]] || fail "no PDF"
@@ -110,7 +110,7 @@ for ((i = 0; i < 25; ++i)); do
 done
 echo "ok several signals at once"
 
-# Originals that are gone: thumbnails, counted on stderr and in the card.
+# If the originals are gone, thumbnails are drawn, and counted on stderr and in the card.
 mv drawings gone
 start 1 gone_artwork
 expect_end 0 "without originals"

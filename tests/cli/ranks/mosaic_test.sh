@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# mosaic_test.sh TESSERA MPIRUN NEW_FOLDER: tessera mosaic, from an image to the job and from it to the picture.
+# mosaic_test.sh TESSERA MPIRUN NEW_FOLDER: tessera mosaic, from an image to the job, and from the job to the picture.
 set -uo pipefail
 tessera=$1
 # shellcheck disable=SC2034 # support/ranks.sh
@@ -103,7 +103,7 @@ echo "ok mosaic"
 same_on_3_ranks out/parted mosaic sun.png own.h5 --pieces 100 --job parted.toml --set output.width_px=400
 [[ -s parted_regions.png ]] || fail "no picture of the regions"
 [[ $(grep -c '^\[\[regions\]\]$' parted.toml) == 2 ]] || fail "not a region for the sky and one for the sun"
-# The sky is a whole rectangle without regions; with them pieces keep off the sun's edge.
+# Without regions the sky is a whole rectangle; with regions, pieces stay off the sun's edge.
 cmp -s out/small/pieces.geojson out/parted/pieces.geojson && fail "regions change nothing"
 echo "ok regions"
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# nest_stop_test.sh TESSERA MPIRUN NEW_FOLDER SLOW_DISK: tessera nest stopped by signals and limits, while it searches,
-# writes and draws: the best layout so far is there as a whole. SLOW_DISK: the library of slow_disk.cpp.
+# nest_stop_test.sh TESSERA MPIRUN NEW_FOLDER SLOW_DISK: signals and limits stop tessera nest while it searches, writes and draws. The best
+# layout so far is then there as a whole. SLOW_DISK: the library of slow_disk.cpp.
 set -uo pipefail
 tessera=$1
 # shellcheck disable=SC2034 # support/ranks.sh
@@ -11,7 +11,7 @@ slow_disk=$4
 source "$(dirname "${BASH_SOURCE[0]}")/../command_fixture.sh"
 export ASAN_OPTIONS=${ASAN_OPTIONS:-}:verify_asan_link_order=0 # slow_disk comes first
 
-# expect_whole FOLDER PIECES: all files of one layout, whose pieces lie somewhere, and nothing else
+# expect_whole FOLDER PIECES: expects all files of one layout, with a place for each piece, and nothing else
 expect_whole() {
   python3 - "$1" "$2" <<'PYTHON' || fail "$1 does not hold a whole layout"
 import json, os, re, sys
@@ -27,7 +27,7 @@ assert sum(open(folder + "/" + n + ".svg").read().count("<path") for n in names)
 PYTHON
 }
 
-# wait_for SECONDS COMMAND...: until it succeeds
+# wait_for SECONDS COMMAND...: waits until COMMAND succeeds
 wait_for() {
   local tries=$(($1 * 50))
   until "${@:2}" 2>/dev/null; do
@@ -43,7 +43,7 @@ cat >parts.json <<'JSON'
   {"id": 1, "demand": 40, "allowed_orientations": [0, 90], "shape": {"type": "simple_polygon", "data": [[0,0],[12,0],[12,4],[4,4],[4,12],[0,12]]}}]}
 JSON
 
-# A signal is an interruption, and the best so far is written all the same.
+# A signal is an interruption; the best layout so far is written all the same.
 for ranks in 1 2; do
   launch=()
   [[ $ranks -eq 1 ]] || launch=("${on_ranks[@]}" "$ranks")
@@ -66,7 +66,7 @@ for ranks in 1 2; do
 done
 echo "ok signals"
 
-# A rank that is stopped holds up nobody: it is named, and the best so far is written.
+# A stopped rank does not block the others: the program names it, and writes the best layout so far.
 # stop_rank CODE RANK OPTION...
 stop_rank() {
   local stopped=$2 rank process
@@ -92,12 +92,12 @@ grep -qE 'warning: rank 1 on .* has not been heard of for 1 s \(--silence-s\): t
 expect_word 'stopped by a lost rank: the best layout so far was written'
 grep -q '^ "stopped_by": "lost_rank",$' out/lost/layout.json || fail "layout.json does not tell of the lost rank"
 grep -q '^  stopped         by a lost rank' out/lost/card.txt || fail "nor the card"
-stop_rank 0 2 --effort draft --silence-s 1 --quiet # there are two searches: it has none
+stop_rank 0 2 --effort draft --silence-s 1 --quiet # there are only two searches, and this rank has none
 expect_silence "a rank without a search is missed"
 ! grep -q stopped_by out/lost/layout.json || fail "the search was whole"
 echo "ok lost ranks"
 
-# The limit that the user gave is none: that is what was asked for.
+# A limit that the user gave is no failure: the user asked for it.
 run_on_ranks 2 0 nest parts.json --effort best --out out/limited --time-limit 7 --quiet
 expect_whole out/limited 80
 run '0 75' nest parts.json --effort best --sheet 45,40 --spacing 1 --out out/sheets --time-limit 3 --quiet
@@ -136,7 +136,7 @@ expect_whole out/shown 80
 [[ -s out/shown/layout.png ]] || fail "no picture"
 echo "ok progress"
 
-# Two runs do not mix their files, and a folder that cannot be written is found before a search.
+# Two runs do not mix their files. A folder that cannot be written is found before the search.
 "$tessera" nest parts.json --effort best --time-limit 30 --out out/locked >first_output 2>first_errors &
 nesting=$!
 wait_for 60 test -e out/locked/run.lock
@@ -163,24 +163,24 @@ run 0 nest parts.json --effort draft --out stuck --quiet
 expect_whole stuck 80
 echo "ok folder"
 
-# Plates of which a sheet holds one, and a slow disk: many files, and one wait for the disk for many of them.
+# Each sheet holds one plate, and the disk is slow: there are many files, and one wait for the disk covers many of them.
 cat >plates.json <<'JSON'
 {"items": [{"id": "plate", "demand": 2, "allowed_orientations": [0], "shape": {"type": "simple_polygon", "data": [[0,0],[20,0],[20,15],[0,15]]}}]}
 JSON
-plates() { # DEMAND: the words of the command
+plates() { # DEMAND: prints the words of the command
   echo "$tessera nest plates.json --sheet 21,16 --effort draft --out out/plates --quiet --demand plate=$1"
 }
 on_slow_disk() { # FLUSH_MS RENAME_MS COMMAND...
   SLOW_FLUSH_MS=$1 SLOW_RENAME_MS=$2 LD_PRELOAD=$slow_disk exec "${@:3}" >output 2>errors
 }
-# start_plates DEMAND FLUSH_MS RENAME_MS: in the background, until its files have temporary names
+# start_plates DEMAND FLUSH_MS RENAME_MS: starts in the background, and waits until the files have temporary names
 start_plates() {
   # shellcheck disable=SC2046
   on_slow_disk "$2" "$3" $(plates "$1") &
   nesting=$!
   wait_for 60 test -e "out/plates/layout_$1.svg.tmp"
 }
-# end_plates CODE MOST_MS: waits until it is over
+# end_plates CODE MOST_MS: waits until the run is over
 end_plates() {
   local before code
   before=$(date +%s%N)
@@ -201,7 +201,7 @@ end_plates 137 4000
 rm -f out/plates/run.lock out/plates/*.tmp
 [[ $(sums) == "$before" ]] || fail "a run that was killed while it wrote has changed the layout that was there"
 
-# A second signal ends it without the layout, and the one before is as it was.
+# A second signal ends the run without the layout, and leaves the earlier layout as it was.
 start_plates 100 700 0
 kill -TERM $nesting
 sleep 1.3
@@ -210,8 +210,8 @@ end_plates 75 5000
 expect_word 'unfinished, nothing was written, and an earlier layout is as it was'
 [[ $(sums) == "$before" ]] || fail "a second signal leaves something behind"
 
-# What ends a process where there is nothing to save, and several signals at once, end it when all files are there: with
-# a wait for each file they would take 40 s.
+# Signals that end an idle process at once, and several signals together, end the run when all files are there. With one wait for each file
+# it would take 40 s.
 for signal in HUP XCPU TERM; do
   start_plates 80 250 0
   kill -s $signal $nesting
@@ -221,7 +221,7 @@ for signal in HUP XCPU TERM; do
 done
 ! grep -q stopped_by out/plates/layout.json || fail "the search was not stopped"
 
-# The limit has room for the files.
+# The time limit leaves time to write the files.
 SECONDS=0
 most_s=20 on_slow_disk 200 0 "$tessera" nest plates.json --sheet 21,16 --effort best --out out/slow --quiet --demand plate=120 \
   --time-limit 6 &
@@ -231,9 +231,9 @@ code=$?
 ((SECONDS <= 7)) || fail "a limit of 6 s took $SECONDS s on a slow disk"
 expect_whole out/slow 120
 
-# Pictures appear some at a time, and a signal ends drawing.
+# Pictures appear a few at a time, and a signal ends drawing.
 start_plates 40 1300 0
-wait_for 60 test -e out/plates/layout_3.png # the layout is whole, and drawn
+wait_for 60 test -e out/plates/layout_3.png # the layout is whole, and pictures are being drawn
 kill -TERM $nesting
 end_plates 75 4000
 grep -q 'out/plates: drew 32 of 40 layout pictures (.png); all other files are there' errors ||
@@ -252,7 +252,7 @@ before=$(sums)
 expect_word 'cannot write out/plates/layout.json: File too large'
 [[ $(sums) == "$before" ]] || fail "a full disk has changed the layout that was there"
 
-# Killed while the old layout goes and the new one comes: then layout.json is missing, and the next run puts it right.
+# The run is killed while the new layout replaces the old one. Then layout.json is missing, and the next run repairs it.
 start_plates 40 0 20
 wait_for 60 test -e out/plates/layout_20.svg
 kill -KILL $nesting

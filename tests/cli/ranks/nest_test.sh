@@ -45,7 +45,7 @@ run 0 nest parts.json --effort draft --seed 2 --out out/other --quiet
 ! cmp -s first/layout.json out/other/layout.json || fail "the same layout of another seed"
 run 0 nest parts.json --demand 0=0 --effort draft --out out/second --quiet
 [[ $(grep -o '"item_id": [0-9]*' out/second/layout.json | sort -u) == '"item_id": 1' ]] || fail "another number than the instance's"
-# A bin of jagua-rs is the sheet, as often as it is in stock; the command may say another material.
+# A bin of jagua-rs gives the sheet and its number in stock; the command line may give another material.
 cat >bins.json <<'JSON'
 {"bins": [{"id": 0, "cost": 1, "stock": 1, "shape": {"type": "rectangle", "data": {"x_min": 0, "y_min": 0, "width": 30, "height": 12}}}],
  "items": [{"id": 0, "demand": 4, "shape": {"type": "rectangle", "data": {"x_min": 0, "y_min": 0, "width": 20, "height": 5}}}]}
@@ -97,7 +97,7 @@ for name, contour, want in ("plate", 0, [10, 20]), ("disc", 0, [16, 16]), ("ring
     assert all(abs(a - b) < 0.02 for a, b in zip(size(name, contour), want)), (name, size(name, contour))
 PYTHON
 rsvg-convert out/plates/layout.svg -o plates.png || fail "an SVG that cannot be drawn"
-# What was written is read again: the same pieces, in mm.
+# The written layout is read again: the same pieces, in mm.
 run 0 nest out/plates/layout.dxf --strip 40 --spacing 1 --effort draft --out out/again
 grep -q '^  pieces          6 of 6$' output || fail "the DXF does not hold the six pieces"
 run 0 nest plates.svg --sheet 30,22 --angles 0,90 --effort draft --out out/many
@@ -113,7 +113,7 @@ mkdir both && cp plates.svg out/plates/layout.dxf both
 run 0 nest both --strip 60 --effort draft
 grep -q '^  pieces          9 of 9$' output || fail "not all of a folder"
 mkfifo both/a.svg both/b.DXF
-ln -s c.svg both/c.svg # leads to itself
+ln -s c.svg both/c.svg # a link to itself
 mkdir both/d.svg
 touch both/notes.txt
 run 0 nest both --strip 60 --effort draft
@@ -126,7 +126,7 @@ SVG
 run 0 nest spike.svg --strip 100 --demand p=2 --effort draft
 expect_word 'spike.svg: p: left out sides that go out and straight back: they enclose nothing'
 grep -q '^  length          200.000 mm$' output || fail "a spike takes room"
-# Inkscape up to 0.91 took 90 px for an inch; a bed is no part; curves stay curves.
+# Inkscape up to 0.91 used 90 px per inch. A bed is not a part, and curves stay curves.
 cat >bed.svg <<'SVG'
 <svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" inkscape:version="0.91 r13725"
   width="900" height="900"><rect id="bed" width="900" height="900" fill="none" stroke="#000"/>
@@ -168,7 +168,7 @@ run 0 nest two.h5 --sheet 420,297 --effort draft --quiet --out out/a3
   fail "the job has not the size of the sheet"
 echo "ok library"
 
-# What an input without a unit is taken for is told, with the size that comes of it.
+# For an input without a unit the program reports the assumed unit and the resulting size.
 echo '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 300"><path d="M0 0h80v40z"/></svg>' >moon.svg
 run 0 nest moon.svg --strip 40 --effort draft --quiet
 [[ $(cat errors) == 'tessera: warning: moon.svg says no unit: 1 unit is taken as 1/96 inch, its page is 105.8 x 79.4 mm; width and height in mm in the SVG set it, --dpi says how many px an inch has' ]] ||
@@ -197,7 +197,7 @@ run 0 nest parts.json --effort draft --out out/parts
 grep -q '^  unit            mm; 1 unit of the input is taken as 1 mm$' output || fail "the card does not name an instance's unit"
 echo "ok units"
 
-# A piece that is alone in its file is found by the file's name and by its own, in a folder or not.
+# A file with a single piece: the piece is found by the file's name and by its own, in a folder or alone.
 sed 's/<path/<path id="crescent"/' moon.svg >named.svg
 mkdir alone && cp moon.svg named.svg alone
 for demand in 'moon.svg moon' 'moon.svg path1' 'moon.svg mo*' 'named.svg named' 'named.svg crescent' 'alone named' 'alone crescent'; do
@@ -245,7 +245,7 @@ expect_word '--out mine: exists, and its layout.json was not made by tessera nes
 [[ $(ls mine) == $'layout.json\nprecious' ]] || fail "a foreign folder is not as it was"
 cp -r out/plates ours
 touch ours/layout_notes.txt ours/layout.db ours/layout_x.svg ours/layout_2.svg ours/layout_12_pieces.geojson
-rm ours/layout.json # as an unfinished run leaves it
+rm ours/layout.json # as an unfinished run leaves the folder
 run 0 nest plates.svg --strip 50 --effort draft --out ours
 [[ $(ls ours | tr '\n' ' ') == 'card.txt layout.db layout.dxf layout.json layout.png layout.svg layout_notes.txt layout_x.svg ' ]] ||
   fail "another file is there, or a foreign one is gone"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# print_test.sh TESSERA MPIRUN NEW_FOLDER: for those who print: sizes in mm, pieces that do not overlap, backgrounds of
-# regions, and the same collage in other colours, beside the result or in its place.
+# print_test.sh TESSERA MPIRUN NEW_FOLDER: output for printing: sizes in mm, pieces without overlap, and backgrounds of regions. Also the
+# same collage in other colours, beside the result or in its place.
 set -uo pipefail
 tessera=$1
 mpirun=$2
@@ -8,7 +8,7 @@ folder=$3
 # shellcheck source=tests/cli/command_fixture.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../command_fixture.sh"
 
-# digest FOLDER: of all that a result holds
+# digest FOLDER: a digest of all files of a result
 digest() { find "$1" -type f -print0 | sort -z | xargs -0 sha256sum | sha256sum; }
 
 enter_folder
@@ -45,7 +45,7 @@ run 0 draw in_mm --svg --set output.dpi=600 --quiet
 run 2 collage in_px.toml --out none --set 'canvas.size_mm=[0, 0]' --set pieces.scale_mm=3
 grep -q 'pieces.scale_mm: found 3; needed: canvas.size_mm' errors || fail "another message without size_mm"
 grep -q '"overlap_fraction": *\(0.000000\|0.0[,}]\|0[,}]\)' in_mm/card.json || fail "pieces overlap"
-# expect_paper FOLDER WIDTH_MM HEIGHT_MM: its pictures are as large on paper, to 0.001 mm where the format can say it.
+# expect_paper FOLDER WIDTH_MM HEIGHT_MM: the pictures have this size on paper, to 0.001 mm if the format can say it.
 expect_paper() {
   local size
   size="width=\"$2mm\" height=\"$3mm\""
@@ -73,12 +73,12 @@ for px, tag, want in zip(size, (282, 283), (width_mm, height_mm)):
 PYTHON
 }
 
-# 141 px would be 20.94 mm.
+# At this scale 141 px alone would be only 20.94 mm.
 run 0 collage in_px.toml --out a4 --quiet --set 'canvas.size_mm=[21, 29.7]' --set 'canvas.size_px=[141, 200]' --set output.dpi=300
 run 0 draw a4 --svg --pdf --png --tiff --quiet
 grep -q 'viewBox="0 0 141.414 200"' a4/collage.svg || fail "collage.svg is not A4 by ten"
 expect_paper a4 21.000 29.700
-# A page of the box' own aspect fills it, and one of another aspect has the mm of the side that fits.
+# A page of the box' own aspect fills the box. A page of another aspect has the mm of the side that fits.
 echo '<svg xmlns="http://www.w3.org/2000/svg" width="420mm" height="297mm" viewBox="0 0 420 297">' \
   '<ellipse cx="210" cy="148" rx="208" ry="146"/></svg>' >page.svg
 printf "quality = 'draft'\n[library]\nfile = 'own.h5'\n[canvas]\nfile = 'page.svg'\nsize_px = [200, 141]\n" >page.toml
@@ -153,7 +153,7 @@ run 0 draw drawn --to elsewhere --quiet
 [[ ! -e drawn/run.lock && ! -e elsewhere/run.lock ]] || fail "a lock is left"
 run 2 draw drawn --set pieces.uses=1
 run 1 draw drawn --to /proc/none
-# A stranger, who may read the result.
+# Another user may read the result.
 if as_stranger=$(command -v setpriv) && [[ $(id -u) == 0 ]]; then
   as_stranger+=' --reuid=65534 --regid=65534 --clear-groups'
   mkdir -m 777 strangers

@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# puzzle_test.sh TESSERA MPIRUN NEW_FOLDER SAWN_PIECES: tessera puzzle, from a picture to its pieces and from them to
-# the picture.
+# puzzle_test.sh TESSERA MPIRUN NEW_FOLDER SAWN_PIECES: tessera puzzle, from a picture to its pieces, and from them back to the picture.
 set -uo pipefail
 tessera=$1
 # shellcheck disable=SC2034 # support/ranks.sh
@@ -11,7 +10,7 @@ sawn_pieces=$4
 source "$(dirname "${BASH_SOURCE[0]}")/../command_fixture.sh"
 photo=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../../jobs/photos" && pwd)/chelsea.png
 
-# Where it takes long there is progress beside warnings.
+# A slow run also prints progress, so only warnings count.
 expect_no_warning() { ! grep -q warning errors || fail "$1"; }
 
 enter_folder
@@ -30,7 +29,7 @@ diff -r jigsaw again || fail "another cut of the same seed"
 run 0 puzzle make sun.png --pieces 12 --seed 2 --out other
 ! cmp -s jigsaw/truth/pieces.geojson other/truth/pieces.geojson || fail "the same cut of another seed"
 run 2 puzzle make sun.png --pieces 12 --out jigsaw
-expect_word 'jigsaw: is there already, and holds something; allowed: a new folder'
+expect_word 'jigsaw: exists already and is not empty; allowed: a new or an empty folder'
 run 2 puzzle make sun.png --pieces 1 --out one
 expect_word '--pieces: found 1, allowed: from 2 to 2000'
 run 2 puzzle make sun.png --pieces 400 --out dust
@@ -38,12 +37,12 @@ expect_word 'sun.png: found 640 x 480 px, which gives pieces of 27 px; allowed: 
 run 2 puzzle make none.png
 expect_word 'none.png: '
 [[ ! -e one && ! -e dust && ! -e none_puzzle ]] || fail "left something behind"
-# What cannot be written is found before the picture is read.
+# An output that cannot be written is found before the picture is read.
 run 2 puzzle make none.png --out sun.png/jigsaw
 expect_word 'cannot write into the folder sun.png/jigsaw: sun.png is a file; give another output'
 echo "ok make"
 
-# end_of SIGNAL SECONDS COMMAND...: how tessera ends after that signal: within 2 s, by the signal, nothing behind.
+# end_of SIGNAL SECONDS COMMAND...: sends SIGNAL after SECONDS. tessera ends within 2 s, by that signal, and leaves nothing behind.
 end_of() {
   timeout -s "$1" -k 2 "$2" "$tessera" "${@:3}" >output 2>errors
   code=$?
@@ -55,7 +54,7 @@ for seconds in 0.7 1.5; do
   end_of TERM $seconds puzzle make large.png --pieces 200 --out made/large
   [[ ! -e made ]] || fail "puzzle make: left something behind after $seconds s"
 done
-# Two runs into one folder: one is refused.
+# Two runs write into one folder: one is refused.
 "$tessera" puzzle make large.png --pieces 200 --out made >/dev/null 2>&1 &
 making=$!
 until [[ -e made/run.lock ]] || ! kill -0 $making 2>/dev/null; do sleep 0.02; done
@@ -66,7 +65,7 @@ kill $making && wait $making
 echo "ok make alone"
 
 run 0 library build jigsaw/pieces -o jigsaw.h5 --puzzle
-# Larger than the pieces are: their scale is not known.
+# The frame is larger than the cut picture: the scale of the pieces is unknown.
 run 0 puzzle solve jigsaw.h5 --size 960,720 --truth jigsaw/truth
 expect_no_warning "a warning of a puzzle that was solved"
 grep -q '^jigsaw.toml: 12 of 12 pieces on 960 x 720 px, ' output || fail "does not say what it laid"
@@ -119,7 +118,7 @@ run 1 puzzle solve jigsaw.h5 --job nowhere/huge.toml --job-only
 expect_word 'cannot write nowhere/huge.toml: the folder nowhere: No such file or directory'
 echo "ok without a frame"
 
-# within_frame JOB WIDTH HEIGHT PX PIECES: of what lies, nothing reaches farther beyond the frame.
+# within_frame JOB WIDTH HEIGHT PX PIECES: PIECES pieces are laid, and none reaches more than PX beyond the frame.
 within_frame() {
   python3 - "$@" <<'PYTHON'
 import json, sys
@@ -132,7 +131,7 @@ assert beyond <= most, "%.2f px beyond the frame" % beyond
 PYTHON
 }
 
-# Sawn and scanned: a px smaller all round, at three quarters of the size. They are grown, and all fit.
+# Sawn and scanned pieces: a px smaller all round, at three quarters of the size. The program grows them, and all fit.
 "$sawn_pieces" jigsaw/pieces sawn 1 0.75 || fail "no sawn pieces"
 run 0 library build sawn -o sawn.h5 --puzzle
 for scale in '--scale 1.33333' ''; do
@@ -145,7 +144,7 @@ for scale in '--scale 1.33333' ''; do
 done
 echo "ok sawn pieces"
 
-# Polygons, whose straight sides do not tell by how much they must grow: eroded, or traced at three quarters of the size.
+# The straight sides of polygons do not show by how much they must grow. The pieces are eroded, or traced at three quarters of the size.
 run 0 puzzle make sun.png --pieces 12 --cut polygons --seed 3 --out shards
 "$sawn_pieces" shards/pieces eroded 1 1 || fail "no eroded pieces"
 "$sawn_pieces" shards/pieces smaller 0 0.75 || fail "no smaller pieces"
@@ -177,7 +176,7 @@ grep -q '^by jigsaw/truth: 11 of 11 right' output || fail "a missing piece hides
 within_frame unknown 640 480 1 11 || fail "they leave the frame"
 cp other/pieces/piece_001.png jigsaw/pieces/stranger.png
 run 0 library build jigsaw/pieces -o stranger.h5 --puzzle
-# What finds no place is named, and the advice is for what was given; the collage is made, and exit code 3 says it.
+# A piece without a place is named, and the advice suits the given options. The collage is made, and the exit code is 3.
 run 3 puzzle solve stranger.h5 --size 640,480 --scale 1 --truth jigsaw/truth
 expect_word '1 of 12 pieces found no place in the frame: stranger; the frame may have another shape than the puzzle: without --size and --frame all that fits together is laid'
 ! grep -q -- '--scale' errors || fail "advises --scale, which was given"
@@ -185,15 +184,15 @@ grep -q '^by jigsaw/truth: 11 of 12 right' output || fail "a stranger spoils wha
 [[ -s out/stranger/collage.png ]] || fail "no picture"
 run 3 puzzle solve stranger.h5 --size 640,480 --job unscaled.toml --job-only
 expect_word '1 of 12 pieces found no place in the frame: stranger; the frame may have another shape than the puzzle: '
-expect_word '; where pieces are missing or foreign, --scale says'
+expect_word '; if pieces are missing or foreign, give the size of the others with --scale'
 within_frame unscaled 640 480 1 11 || fail "they leave the frame"
 run_on_ranks 2 3 puzzle solve stranger.h5 --job ranks.toml --quiet
 expect_word '1 of 12 pieces found no place: stranger'
 ! grep -q 'in the frame' errors || fail "speaks of a frame that was not given"
-# A frame that is too small for them, and known to be so.
+# A frame that is too small for pieces of known scale.
 run 3 puzzle solve jigsaw.h5 --size 420,480 --scale 1 --job small.toml --job-only
 expect_word ' pieces found no place in the frame: piece_'
-# All pieces fit each other: it is the frame that has another shape.
+# All pieces fit each other: the frame has another shape.
 expect_word '; without a frame all of them fit each other: the frame of 420 x 480 px has another shape or size than the puzzle, which takes '
 grep -qE 'takes (639|640|641) x (479|480|481) px|takes (479|480|481) x (639|640|641) px' errors || fail "not the puzzle's size"
 placed=$(sed -n 's/^small.toml: \([0-9]*\) of 12 pieces on 420 x 480 px.*/\1/p' output)
@@ -204,7 +203,7 @@ expect_word 'the frame of 640 x 640 px has another shape or size than the puzzle
 ! grep -q -- '--scale' errors || fail "advises --scale where the frame has another shape"
 echo "ok pieces missing or foreign"
 
-# A shape is cut along its outline, in its colours; it is the frame, too, at any size.
+# A shape is cut along its outline, in its colours. It is also the frame, at any size.
 echo "<svg xmlns='http://www.w3.org/2000/svg' width='400' height='300'><path fill='#3a4'
   d='M200 10C 290 10 390 80 390 170C 390 250 300 290 200 290C 100 290 10 250 10 190C 10 90 90 10 200 10Z'/>
   <circle cx='150' cy='120' r='70' fill='#fc4'/></svg>" >island.svg
@@ -233,7 +232,7 @@ expect_word 'two.svg: found 2 outlines'
 [[ ! -e two_puzzle && ! -e two.toml ]] || fail "left something behind"
 echo "ok shapes"
 
-# Pieces that are alike: a tangram, whose seven pieces fill many frames, each in several ways.
+# Pieces that look alike: a tangram, whose seven pieces fill many frames, each in several ways.
 mkdir tangram
 python3 - <<'PYTHON'
 import math
@@ -268,18 +267,18 @@ run 0 puzzle solve fewer.h5 --size 400,400 --scale 1 --job-only
 expect_word 'tessera: warning: the frame is not full: pieces are missing'
 echo "ok pieces that are alike"
 
-# Rectangles of one size: what is on them says where they belong.
+# Rectangles of one size: only their pictures show their places.
 run 0 puzzle make "$photo" --pieces 20 --cut rectangles --out grid
 run 0 library build grid/pieces -o grid.h5 --puzzle
 run 0 puzzle solve grid.h5 --size 902,600 --truth grid/truth --job-only
 expect_no_warning "a warning of a picture that was solved"
 grep -q '^by grid/truth: 20 of 20 right' output || fail "not as their pictures say"
-# Cloth round coins says little: pieces change places until all agrees.
+# The cloth around the coins shows little: pieces change places until all agree.
 run 0 puzzle make "$(dirname "$photo")/coins.png" --pieces 12 --cut rectangles --out coins
 run 0 library build coins/pieces -o coins.h5 --puzzle
 run 0 puzzle solve coins.h5 --size 768,606 --truth coins/truth --job-only
 grep -q '^by coins/truth: 12 of 12 right' output || fail "coins are not as their pictures say"
-# Half of this picture is one grey: nothing says where these pieces belong, and that is told.
+# Half of this picture is one grey: nothing shows the places of these pieces, and the program says so.
 python3 - <<'PYTHON'
 import math, struct, zlib
 def chunk(kind, data): return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
@@ -293,11 +292,11 @@ PYTHON
 run 0 puzzle make grey.png --pieces 15 --cut rectangles --out grey
 run 0 library build grey/pieces -o grey.h5 --puzzle
 run 0 puzzle solve grey.h5 --size 400,240 --job-only
-grep -qE 'warning: [0-9]+ of 15 pieces have the outline of others, and what is on them does not say for sure' errors ||
+grep -qE 'warning: [0-9]+ of 15 pieces have the same outline as others, and their pictures do not decide' errors ||
   fail "no doubt of pieces without a picture"
 echo "ok pictures on the pieces"
 
-# Without them, in a frame that they do not fill, there is much to try: signals and the limit end it, and nothing is written.
+# Without pictures, in a frame that they do not fill, the search takes long. Signals and the limit end it, and nothing is written.
 for ranks in 1 2; do
   launch=()
   [[ $ranks -eq 1 ]] || launch=("$mpirun" --oversubscribe -n "$ranks")

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# random_signals_test.sh TESSERA MPIRUN NEW_FOLDER MOMENTS [SEED]: ends runs by Ctrl-C, TERM, USR2 and the time limit at
-# random moments, drawing included, on 1 and 3 ranks. Each ends in time, and goes on to the bytes of an undisturbed run.
-# PATIENCE=3 allows three times as long, for busy machines.
+# random_signals_test.sh TESSERA MPIRUN NEW_FOLDER MOMENTS [SEED]: ends runs by Ctrl-C, TERM, USR2 and the time limit.
+# The ends come at random moments, also while drawing, on 1 and 3 ranks.
+# Each run ends in time, and goes on to the bytes of an undisturbed run. PATIENCE=3 allows three times as long, for busy machines.
 set -uo pipefail
 tessera=$1
 mpirun=$2
@@ -18,8 +18,8 @@ source "$(dirname "${BASH_SOURCE[0]}")/../drawing_fixture.sh"
 make_drawn_job 20 2000
 seconds() { echo "$(($1 / 1000)).$(printf %03d $(($1 % 1000)))"; }
 
-# What is there tells how to go on; every other finished collage is drawn by tessera draw.
-go_on() { # HOW MANY ENDS SO FAR
+# The files in the folder decide how to go on. tessera draw draws every other finished collage.
+go_on() { # NUMBER OF ENDS SO FAR
   if [[ ! -e out/checkpoint.h5 && -e out/manifest.json ]] && (($1 % 2)); then
     "$tessera" draw out >output 2>errors || fail "end $1: tessera draw"
     return
@@ -30,8 +30,9 @@ go_on() { # HOW MANY ENDS SO FAR
   expect_end 0 "end $1: going on"
 }
 
-# Waits for $started; its exit $code. Debian 12's mpirun may lock up in PMIx_server_finalize where a rank was ended while
-# it connected: the ranks are gone, as they should be, and mpirun waits for itself. Then it is ended, and counted.
+# Waits for $started and sets its exit $code.
+# mpirun of Debian 12 may hang in PMIx_server_finalize if a rank was ended while it connected. The ranks are then gone, and mpirun waits for
+# itself. The test ends mpirun and counts the case.
 locked_up=0
 await_end() { # RANKS
   local alone=0
@@ -58,9 +59,9 @@ for ((n = 0; n < moments; ++n)); do
   how=$((n % 4))
   most_ms=$(((ranks == 1 ? 2000 : 5000) * patience))
   if ((how == 3)); then
-    moment_ms=$((moment_ms + (ranks == 1 ? 2100 : 6100))) # less than what is kept for the end is refused
+    moment_ms=$((moment_ms + (ranks == 1 ? 2100 : 6100))) # a limit below the time kept for the end is refused
     start "$ranks" out --time-limit "$(seconds "$moment_ms")"
-    most_ms=$(((ranks == 1 ? 500 : 3000) * patience)) # mpirun starts before the limit counts, and ends after
+    most_ms=$(((ranks == 1 ? 500 : 3000) * patience)) # mpirun starts before the limit counts, and ends after it
   else
     start "$ranks" out
   fi

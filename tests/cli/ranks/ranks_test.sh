@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# ranks_test.sh TESSERA MPIRUN NEW_FOLDER: ranks that disagree, ranks that hang, launchers that start several masters,
-# and two runs in one folder.
+# ranks_test.sh TESSERA MPIRUN NEW_FOLDER: ranks that disagree, ranks that hang, launchers that start several masters, and two runs in one
+# folder.
 set -uo pipefail
 tessera=$1
 mpirun=$2
@@ -14,13 +14,13 @@ expect_error_line() { # TEXT WHAT
   grep -qE -- "$1" errors || fail "$2: another error than: $1"
 }
 
-# Ranks that read different files under one name: each looks into its own working directory.
+# The ranks read different files under one name, each in its own working directory.
 mkdir -p theirs mine
 cp own.h5 theirs/lib.h5
 cp -r drawings others
 draw_svg others/leaf "M10 90 C10 30 50 10 90 10 C90 75 50 90 10 90Z"
 "$tessera" library build others -o mine/lib.h5 >output 2>errors || fail "the other library"
-# other_library MASTERS_FOLDER WORKERS_FOLDER: rank 2's worker reads another library of the same size
+# other_library MASTERS_FOLDER WORKERS_FOLDER: the worker on rank 2 reads another library of the same size
 other_library() {
   local command=("$tessera" collage "$folder/job.toml" --set library.file=/proc/self/cwd/lib.h5 --out "$folder/other")
   command+=(--quiet)
@@ -96,7 +96,7 @@ expect_end 0 "the same Slurm job, queued again"
 expect_result shared
 echo "ok two runs in one folder"
 
-# Three processes that do not find each other.
+# Three processes that cannot find each other.
 for launcher in PMI_SIZE=3,PMI_RANK=0 SLURM_STEP_NUM_TASKS=3,SLURM_PROCID=0,SLURM_NTASKS=3; do
   rm -rf alone
   # shellcheck disable=SC2086
@@ -109,7 +109,7 @@ SLURM_JOB_ID=3 SLURM_NTASKS=3 SLURM_PROCID=0 start 1 alone
 expect_end 0 "one process in a batch script of three tasks"
 echo "ok launchers"
 
-# What rank 0 prints is lost; a rank that never starts: the time limit holds for MPI, too, but for 10 s at least.
+# The output of rank 0 is lost. Another rank never starts: the time limit also holds for MPI, but for at least 10 s.
 "${on_ranks[@]}" 2 bash -c "exec '$tessera' library info own.h5 >/dev/full" >output 2>errors
 [[ $? == 1 ]] || fail "lost output of rank 0: another exit code"
 expect_error_line '^tessera: standard output cannot be written: No space left on device' "lost output of rank 0"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# recognize_test.sh TESSERA MPIRUN NEW_FOLDER: a clipped and turned drawing is found, by one rank and by three alike; what is
-# not in the library is told by the exit code; files that are no queries are named.
+# recognize_test.sh TESSERA MPIRUN NEW_FOLDER: finds a clipped and turned drawing, the same on one rank and on three.
+# The exit code says that a drawing is not in the library. Files that are no queries are named.
 set -uo pipefail
 tessera=$1
 mpirun=$2
@@ -9,14 +9,14 @@ folder=$3
 source "$(dirname "${BASH_SOURCE[0]}")/../command_fixture.sh"
 enter_folder
 
-# Half of the bean, turned and enlarged; a hand that is in no library.
+# Half of the bean, turned and enlarged; and a hand that is not in the library.
 cat >torn.svg <<'END'
 <svg xmlns='http://www.w3.org/2000/svg' width='300' height='300'><clipPath id='c'><rect x='0' y='0' width='60' height='100'/></clipPath>
 <g transform='rotate(40 150 150) scale(2) translate(20 20)'><path clip-path='url(#c)' d='M10 50 C10 10 90 10 90 50 C90 90 70 60 50 60 C30 60 10 90 10 50Z'/></g></svg>
 END
 comb="M5 40 H15 V10 H20 V40 H30 V10 H35 V40 H45 V10 H50 V40 H60 V10 H65 V40 H75 V10 H80 V40 H95 V50 H5Z"
 draw_svg comb "$comb"
-# A whole star beside two combs: a small part of all outlines, and all of the star's.
+# A whole star beside two combs: it is a small part of all outlines, but all of the star's outline.
 cat >beside.svg <<END
 <svg xmlns='http://www.w3.org/2000/svg' width='300' height='160'>
 <path d='M50 5 L61 38 L95 38 L67 59 L78 93 L50 72 L22 93 L33 59 L5 38 L39 38Z'/>

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# refine_test.sh TESSERA MPIRUN NEW_FOLDER: finished results whose pieces relax: more is covered, what is locked stays
-# where it is, the result stays as it is; the same on one rank and on three; and what is no result to refine.
+# refine_test.sh TESSERA MPIRUN NEW_FOLDER: the pieces of finished results relax. They cover more, locked pieces stay, and the earlier
+# result is unchanged.
+# The new result is the same on one rank and on three. Folders without a result to refine are refused.
 set -uo pipefail
 tessera=$1
 mpirun=$2
@@ -47,7 +48,7 @@ cmp <(locked first) <(locked relaxed) || fail "the given piece has moved"
 grep -q '"mirrored":true' relaxed/pieces.geojson || fail "nothing is mirrored"
 echo "ok relaxed"
 
-# What start.pieces locked stays, too, and what had a limit of [stop] gets no more pieces.
+# Pieces that start.pieces locked stay, too. A result with a limit of [stop] gets no more pieces.
 sed -n '1p;3,6p' first/pieces.geojson | sed '$s/,$/]}/' >some.geojson
 run 0 collage job.toml --set start.pieces=some.geojson --set stop.pieces=8 --out few --quiet
 run 0 refine few/ --relax --quiet
@@ -88,7 +89,7 @@ expect_more_covered parts parts-relaxed
   fail "pieces of a region have not moved"
 echo "ok regions"
 
-# refused MESSAGE ARGUMENT...: in one line
+# refused MESSAGE ARGUMENT...: the message is one line
 refused() {
   run 2 refine "${@:2}"
   expect_word "$1"

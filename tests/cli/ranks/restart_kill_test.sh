@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# restart_kill_test.sh TESSERA MPIRUN NEW_FOLDER KILLS [SEED]: kills a random rank at a random moment, goes on, and so
-# forth. Every run that comes to its end has the same pieces, and no checkpoint is ever lost.
+# restart_kill_test.sh TESSERA MPIRUN NEW_FOLDER KILLS [SEED]: kills a random rank at a random moment and restarts the run, again and again.
+# Every run that ends has the same pieces, and no checkpoint is ever lost.
 set -uo pipefail
 tessera=$1
 mpirun=$2
@@ -17,7 +17,7 @@ killed=0
 finished=0
 resumed=0
 until ((killed >= kills && finished >= 1)); do
-  options=(--set checkpoint.every_s=0.001) # after every round, so that many a kill hits the writing
+  options=(--set checkpoint.every_s=0.001) # after every round, so that many kills hit the writing
   if [[ -e out/checkpoint.h5 || -e out/manifest.json ]]; then
     options+=(--resume)
     resumed=$((resumed + 1))
@@ -27,7 +27,7 @@ until ((killed >= kills && finished >= 1)); do
   ranks=$((RANDOM % 2 ? 3 : 1))
   start "$ranks" out "${options[@]}"
   if ((killed < kills)); then
-    # Any moment; every other kill, one after the first round, whatever the machine is busy with.
+    # Kills at any moment. Every other kill comes after the first round, however busy the machine is.
     ((killed % 2)) && wait_for_checkpoint out
     pause_ms=$((RANDOM % run_ms))
     sleep "$((pause_ms / 1000)).$(printf %03d $((pause_ms % 1000)))"

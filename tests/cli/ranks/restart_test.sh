@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# restart_test.sh TESSERA MPIRUN NEW_FOLDER: runs that are interrupted and go on, and everything that can be wrong with
-# a checkpoint.
+# restart_test.sh TESSERA MPIRUN NEW_FOLDER: runs that are interrupted and go on, and all faults that a checkpoint can have.
 set -uo pipefail
 tessera=$1
 mpirun=$2
@@ -8,7 +7,7 @@ folder=$3
 # shellcheck source=tests/cli/restart_fixture.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../restart_fixture.sh"
 
-# expect_error TEXT OUT OPTION...: bad input, in one line that has this in it
+# expect_error TEXT OUT OPTION...: the input is refused in one line that contains TEXT
 expect_error() {
   local text=$1 out=$2
   shift 2
@@ -18,7 +17,7 @@ expect_error() {
   grep -qF -- "$text" errors || fail "another error than: $text"
 }
 
-# A copy of a folder with unfinished work.
+# Copies a folder with unfinished work.
 unfinished() { # NEW_OUT
   rm -rf "$1"
   cp -r kept "$1"
@@ -26,7 +25,7 @@ unfinished() { # NEW_OUT
 
 make_job 40
 
-# Interrupted again and again, on other numbers of ranks: the same pieces.
+# A run interrupted again and again, on other numbers of ranks, gives the same pieces.
 sessions=0
 greedy=0
 options=(--set checkpoint.every_s=0.01)
@@ -34,7 +33,7 @@ while :; do
   interrupt USR2 $((sessions % 3 == 1 ? 3 : 1)) often "${options[@]}"
   [[ $code == 0 ]] && break
   expect_code 75 "often"
-  if grep -qF '"state":"finished"' often/manifest.json; then # the signal came while it was drawn
+  if grep -qF '"state":"finished"' often/manifest.json; then # the signal came while the result was drawn
     start 1 often --resume
     expect_end 0 "often: drawing"
     break
@@ -67,7 +66,7 @@ mv signal_TERM kept
 cp -r kept kept_once
 [[ -f kept/checkpoint.previous.h5 ]] || fail "no previous checkpoint"
 
-interrupt TERM 3 by_mpirun # which ends with exit code 1 then, whatever the ranks say
+interrupt TERM 3 by_mpirun # mpirun then ends with exit code 1, whatever the ranks return
 start 1 by_mpirun --resume
 expect_end 0 "after SIGTERM to mpirun"
 expect_result by_mpirun
@@ -106,7 +105,7 @@ expect_end 0 "--restart"
 expect_result start
 echo "ok ways to start"
 
-# --resume=auto: what a batch script says each time.
+# --resume=auto: the option that a batch script gives each time.
 unfinished auto
 start 1 auto --resume=auto
 expect_end 0 "--resume=auto with a checkpoint"
@@ -147,7 +146,7 @@ expect_end 0 "what may differ"
 expect_result other
 echo "ok other jobs"
 
-# change_byte FILE AT: to another one
+# change_byte FILE AT: changes one byte
 change_byte() {
   local byte
   byte=$(od -An -tu1 -j "$2" -N 1 "$1")
@@ -181,7 +180,7 @@ grep -q 'is good' errors && fail "offers a damaged checkpoint"
 expect_error 'damaged/checkpoint.previous.h5: damaged' damaged --resume=previous
 echo "ok damaged checkpoints"
 
-# Where no checkpoint can be written any more the run goes on, and says so once.
+# If no more checkpoints can be written, the run goes on and warns once.
 start 1 blocked --set checkpoint.every_s=0.01
 wait_for_checkpoint blocked
 until mkdir -p blocked/checkpoint.h5.tmp/in_the_way 2>/dev/null; do :; done
@@ -195,7 +194,7 @@ until grep -qs 'rank 0 of 1' blocked/run.log || ! kill -0 "$started" 2>/dev/null
 mkdir -p blocked/checkpoint.h5.tmp/in_the_way
 expect_end 1 "unfinished without a checkpoint"
 grep -q 'unfinished, and without a checkpoint' errors || fail "does not say that there is no checkpoint"
-# What stands in the way from the first is found before anything is computed.
+# An obstacle that is there from the start is found before the computation.
 rm -r blocked
 mkdir -p blocked/checkpoint.h5.tmp/in_the_way
 start 1 blocked
@@ -203,8 +202,8 @@ expect_end 1 "blocked from the first"
 grep -q 'cannot write blocked/checkpoint.h5: checkpoint.h5.tmp is in the way' errors || fail "blocked from the first"
 echo "ok no checkpoint can be written"
 
-# break_disk HOW REASON: the disk breaks after the first checkpoint; what is there is enough to go on with. It cannot be
-# made read-only itself while the run holds its lock: another one hides it.
+# break_disk HOW REASON: the disk breaks after the first checkpoint, which is enough to go on with.
+# The disk cannot be made read-only while the run holds its lock, so a read-only disk is mounted over it.
 break_disk() {
   start 1 disk
   wait_for_checkpoint disk

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# start_test.sh TESSERA MPIRUN NEW_FOLDER: a collage that goes on from an earlier one's pieces, grows outward and keeps
-# out of letters, which are drawn: the same on one rank and on three, and what is wrong is told.
+# start_test.sh TESSERA MPIRUN NEW_FOLDER: a collage that goes on from an earlier one's pieces, grows outward, and keeps out of drawn
+# letters.
+# It is the same on one rank and on three. Wrong inputs are reported.
 set -uo pipefail
 tessera=$1
 mpirun=$2
@@ -33,7 +34,7 @@ grep -q 'layer-keep-out' first/collage.svg && fail "letters are drawn unasked"
 run 0 draw first --quiet --set output.keep_out=artwork
 grep -q '<g id="layer-keep-out"' first/collage.svg || fail "letters are not drawn"
 
-# Some pieces deleted, as the manual says.
+# Deletes some pieces, as the manual describes.
 sed '3d;5d;6d' first/pieces.geojson >edited.geojson
 kept=$(grep -c '"type":"Feature",' edited.geojson)
 again=(collage job.toml --set start.pieces=edited.geojson --set start.keep=free --set start.grow=outward --quiet)
@@ -41,7 +42,7 @@ same_on_3_ranks one "${again[@]}"
 expect_silence "pieces that a run placed stand well"
 [[ $(grep -c '"type":"Feature",' one/pieces.geojson) -gt $kept ]] || fail "nothing was filled"
 
-# Without improving all that was kept is there still, first and in its order.
+# Without improving, all kept pieces are still there, first and in their order.
 run 0 collage job.toml --set start.pieces=edited.geojson --set improve.trials=0 --quiet --out locked
 places() { grep -o '"shape":"[^"]*"\|"x_px":[^,]*\|"y_px":[^,]*' "$1" | head -$((3 * kept)); }
 cmp <(places edited.geojson) <(places locked/pieces.geojson) || fail "the pieces that were kept"
@@ -52,7 +53,7 @@ expect_word "pieces.geojson lies in the folder that the run writes; give another
 sed 's/"shape":"[a-z]*/&_of_no_library/' edited.geojson >unknown.geojson
 run 2 collage job.toml --set start.pieces=unknown.geojson --out none
 expect_word 'unknown.geojson: feature 0: shape: found "'
-# What the run would refuse, the plan does.
+# The plan refuses what the run would refuse.
 run 2 plan job.toml --set start.pieces=unknown.geojson
 expect_word 'unknown.geojson: feature 0: shape: found "'
 run 2 collage job.toml --set canvas.seamless=both --set start.grow=outward --out none

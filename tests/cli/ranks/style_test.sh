@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# style_test.sh TESSERA MPIRUN NEW_FOLDER: drawings sorted by style, chosen by it, and a collage in one style: the same
-# pieces on one rank, on three, and after an interruption; without weight as if there were no such wish.
+# style_test.sh TESSERA MPIRUN NEW_FOLDER: drawings sorted and chosen by style, and a collage in one style.
+# The pieces are the same on one rank, on three, and after an interruption. A wish of weight 0 changes nothing.
 set -uo pipefail
 tessera=$1
 mpirun=$2
@@ -10,7 +10,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../restart_fixture.sh"
 
 most_s=600
 enter_folder
-# Three flat drawings, two of lines on white.
+# Three flat drawings, and two of lines on white.
 make_drawings many
 for drawing in many/star many/bean; do
   sed -i "s/fill='teal'/fill='white' stroke='black' stroke-width='2'/" "$drawing.svg"
@@ -35,7 +35,7 @@ run 0 library info lined.h5 --names
 run 0 library subset many.h5 --style-like 'l*f' --style-within 0.5 -o flat.h5
 run 0 library info flat.h5 --names
 [[ $(tr '\n' , <output) == 'corner,drop,leaf,' ]] || fail "others than the three flat ones"
-run 0 library styles flat.h5 # knows styles, too
+run 0 library styles flat.h5 # this library knows styles, too
 run 2 library subset many.h5 --style-like startle --closest 2 -o none.h5
 expect_word 'style-like: no shape of the library has a name like "startle"; near it are: star'
 run 2 library subset many.h5 --style-like star -o none.h5
@@ -67,7 +67,7 @@ cp expected/pieces.geojson expected.geojson
 expect_result expected_on_3
 echo "ok three ranks"
 
-share() { # RESULT: part of the pieces' area that is drawn with lines, percent
+share() { # RESULT: prints the percentage of the pieces' area that is drawn with lines
   sed -n 's/.*"shape":"\([a-z]*\)".*"scale":\([0-9.]*\).*/\1 \2/p' "$1/pieces.geojson" |
     awk '{ area = $2 * $2; all += area; if ($1 == "star" || $1 == "bean") lined += area }
       END { print int(100 * lined / all) }'

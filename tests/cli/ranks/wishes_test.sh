@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# wishes_test.sh TESSERA MPIRUN NEW_FOLDER: a job with mirror images, distances, groups and a table of wishes: the same
-# pieces on one rank, on three, and after interruptions; its result needs the table no more; another table is another
+# wishes_test.sh TESSERA MPIRUN NEW_FOLDER: a job with mirror images, distances, groups and a table of wishes.
+# The pieces are the same on one rank, on three, and after interruptions. The result no longer needs the table. Another table makes another
 # job.
 set -uo pipefail
 tessera=$1
@@ -54,7 +54,7 @@ expect_end 0 "the rest"
 expect_result parts
 echo "ok interruptions"
 
-# The result holds what the table said.
+# The result holds the content of the table.
 mv wishes.csv elsewhere.csv
 cp expected/collage.png before.png
 run 0 draw expected --png --quiet

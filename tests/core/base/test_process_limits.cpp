@@ -1,4 +1,4 @@
-// What messages say of the limits of this process.
+// The limits of this process, as messages name them.
 #include "core/base/process_limits.h"
 
 #include <gtest/gtest.h>

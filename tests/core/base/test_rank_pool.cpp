@@ -1,4 +1,4 @@
-// The cores of a rank are those of its process, and a part of them where ranks share them.
+// A rank computes on the cores of its process, or on a part of them if ranks share them.
 #include "core/base/rank_pool.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ int cores_of_process() {
 TEST(RankPool, HasTheCoresOfTheProcess) { EXPECT_EQ(rank_cores(), cores_of_process()); }
 
 TEST(RankPool, RanksThatShareCoresHaveAPartEach) {
-  const test::RankBreadth before(1);  // and afterwards as it was
+  const test::RankBreadth before(1);  // restores the breadth afterwards
   share_cores(1);
   EXPECT_EQ(rank_cores(), cores_of_process());
   share_cores(2);

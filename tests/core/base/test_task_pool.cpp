@@ -1,4 +1,4 @@
-// Tasks that threads share: each is done once, whoever does it and whatever it throws; fewer threads do the same.
+// Threads share tasks. Each task runs once, whichever thread takes it and whatever it throws; fewer threads give the same.
 #include "core/base/task_pool.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ TEST(TaskPool, EachTaskIsDoneOnceBeforeRunReturns) {
 TEST(TaskPool, AnotherThreadTakesTheSecondTask) {
   TaskPool pool(2);
   std::atomic<bool> second{false};
-  // The first ends when another thread has begun the second.
+  // The first task ends when another thread has begun the second.
   pool.run(2, [&](std::size_t i) {
     if (i == 1) second = true;
     while (!second) std::this_thread::yield();
@@ -49,7 +49,7 @@ TEST(TaskPool, WhoCallsTakesTheFirstTask) {
   }
 }
 
-/// How many tasks are done at a time, where each waits a little for others.
+/// The largest number of tasks that run at a time. Each task waits a little for others.
 int most_at_a_time(TaskPool& pool) {
   std::atomic<int> now{0};
   std::atomic<int> most{0};
@@ -93,7 +93,7 @@ TEST(TaskPool, OfSeveralThreadsAndWithinEachOther) {
 TEST(TaskPool, WhoeverWaitsHelpsWithTheTasksOfItsTasks) {
   TaskPool pool(2);
   std::atomic<bool> third{false};
-  // The second task, on the other thread, ends when the third has begun: only the first thread is left to do it.
+  // The second task runs on the other thread and ends when the third has begun. Only the first thread is left for the third.
   pool.run(2, [&](std::size_t i) {
     if (i == 0) return;
     pool.run(2, [&](std::size_t k) {

@@ -1,4 +1,4 @@
-// Whether a shape has a place on an empty canvas.
+// The search for a place of a shape on an empty canvas.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace test_any_place {
 
 constexpr DirectionRange kAnyRotation;
 
-/// A bar so many times as long as wide, of area 1.
+/// A bar of area 1, `aspect` times as long as wide.
 Outline bar(float aspect) {
   const float width = 1 / std::sqrt(aspect);
   const Vec2 half{0.5f * aspect * width, 0.5f * width};
@@ -26,7 +26,7 @@ Outline bar(float aspect) {
   return outline;
 }
 
-/// `length_px` long.
+/// Returns whether a bar `length_px` long has a place.
 bool fits(const Canvas& canvas, float length_px, const DirectionRange& rotations, float kept_px = 0) {
   constexpr float kAspect = 16;
   return has_any_place(bar(kAspect), length_px / std::sqrt(kAspect), rotations,

@@ -1,4 +1,4 @@
-// How relaxed pieces become ones that may stand.
+// The clearing that makes relaxed pieces stand without conflicts.
 #include "core/collage/clearing.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace test_clearing {
 
 using namespace relaxed_pieces;
 
-/// By the rule that the master asks before it places a piece, with all others in the free field.
+/// The number of conflicts by the rule that the master applies before it places a piece, with all others in the free field.
 std::size_t conflicts_among(const std::vector<RelaxedPiece>& pieces, const std::vector<std::size_t>& dropped,
                             const Canvas& canvas, const PieceSettings& settings) {
   const auto is_dropped = [&](std::size_t i) { return std::count(dropped.begin(), dropped.end(), i) > 0; };
@@ -74,7 +74,7 @@ TEST(Clearing, APieceWithoutRoomBetweenFixedOnesIsReported) {
   EXPECT_EQ(pieces[0].canvas_from_shape, pose(40, 0, {80, 100}));
 }
 
-/// A bar with vertices all along.
+/// A bar with vertices all along its sides.
 Outline bar(float length, float width) {
   std::vector<Vec2> curve;
   for (float x = 0; x < length; ++x) curve.push_back({x, 0});
@@ -82,7 +82,7 @@ Outline bar(float length, float width) {
   return {{curve}};
 }
 
-/// No push parts them, and both would lose a third of their size until they are apart.
+/// A push cannot part these two pieces, and both would lose a third of their size until they are apart.
 TEST(Clearing, OfLimbsThatCrossTheSmallerPieceGoesBeforeTheOtherHasShrunk) {
   const ContactShape shape = make_contact_shape(test::make_test_shape("bar", bar(100, 8)));
   std::vector<RelaxedPiece> pieces;
@@ -94,7 +94,7 @@ TEST(Clearing, OfLimbsThatCrossTheSmallerPieceGoesBeforeTheOtherHasShrunk) {
   EXPECT_GT(pieces[0].canvas_from_shape.scale(), 0.98f * 60);
 }
 
-/// Who was given up hinders nobody any more, and stays where it was; a third piece, a little too near, is pushed clear.
+/// A piece that was given up does not affect the others, and stays where it was. A third piece, slightly too near, is pushed clear.
 TEST(Clearing, WhoWasGivenUpIsNotFelt) {
   const ContactShape shape = make_contact_shape(test::make_test_shape("bar", bar(100, 8)));
   std::vector<RelaxedPiece> pieces{{&shape, pose(60, 0, {150, 150}), {10, 500, {}}},
@@ -105,7 +105,7 @@ TEST(Clearing, WhoWasGivenUpIsNotFelt) {
   for (const std::size_t i : {0u, 2u, 3u}) EXPECT_GT(pieces[i].canvas_from_shape.scale(), 58.9f);
 }
 
-/// With padding pieces that are too near are far from crossing: two that fill a slit shrink until they have their distance.
+/// With padding, pieces that are too near are far from crossing. Two that fill a slit shrink until they have their distance.
 TEST(Clearing, PiecesThatAreOnlyTooNearAreNotGivenUp) {
   PieceSettings settings;
   settings.padding_px = 6;
@@ -118,7 +118,7 @@ TEST(Clearing, PiecesThatAreOnlyTooNearAreNotGivenUp) {
   EXPECT_EQ(make_clear(pieces, {0, 1}, {slit, settings}, settings, do_not_look), std::vector<std::size_t>{});
 }
 
-/// A piece that is alone, and too large for the canvas, has only to shrink.
+/// A single piece that is too large for the canvas only has to shrink.
 TEST(Clearing, NobodyIsGivenUpForTheCanvasEdge) {
   const PieceSettings settings;
   const float largest_px = (50 + settings.overlap_px) / kDiscRadius;
@@ -126,7 +126,7 @@ TEST(Clearing, NobodyIsGivenUpForTheCanvasEdge) {
   EXPECT_EQ(make_clear(pieces, {0}, rectangle(100), settings, do_not_look), std::vector<std::size_t>{});
 }
 
-/// Steps of shrinking are coarse, and of several that made way for each other the last did so for nothing.
+/// The steps of shrinking are coarse, so clearing lets pieces grow again as far as the outlines allow.
 TEST(Clearing, APieceIsAsLargeAsTheOutlinesAllow) {
   const PieceSettings settings;
   const FreeField square = rectangle(100);
@@ -136,7 +136,7 @@ TEST(Clearing, APieceIsAsLargeAsTheOutlinesAllow) {
   EXPECT_GT(pieces[0].canvas_from_shape.scale(), 0.998f * largest_px);
 }
 
-/// Growing is not its task: nobody would hold a piece back that lies alone.
+/// Clearing does not enlarge pieces, though a single piece has room to grow.
 TEST(Clearing, APieceBecomesHardlyLargerThanItWas) {
   std::vector<RelaxedPiece> pieces{piece(kDisc, pose(30, 0, {50, 50}), {10, 500, {}})};
   make_clear(pieces, {0}, rectangle(100), {}, do_not_look);

@@ -1,4 +1,4 @@
-// Who may come in for pieces that were taken out of a collage, and what is the same place.
+// The shapes that may replace pieces taken out of a collage, and the places that count as the same.
 #include "core/collage/former_pieces.h"
 
 #include <gtest/gtest.h>
@@ -11,10 +11,10 @@ const std::vector<std::uint32_t> kOwn = {0, 1, 2};
 
 bool others(const CollageSettings& settings, const TakenOut& piece = kFirst,
             const std::vector<std::uint32_t>& silhouettes = kOwn, const std::vector<std::uint32_t>& drawings = kOwn) {
-  return others_may_come_in({piece}, settings, silhouettes, drawings).front();
+  return may_be_replaced({piece}, settings, silhouettes, drawings).front();
 }
 
-/// Two classes: the first shape's, and that of the two others.
+/// Settings with two classes: the first shape's, and that of the two others.
 CollageSettings with_classes(const ShapeWish& first, const ShapeWish& others) {
   CollageSettings s;
   s.wishes.classes = {first, others};
@@ -24,15 +24,15 @@ CollageSettings with_classes(const ShapeWish& first, const ShapeWish& others) {
 
 TEST(FormerPieces, LieWithinHalfTheSizeWhereTheyLay) {
   const Similarity then{0, 40, 100, 50};
-  EXPECT_TRUE(lies_where_it_lay(then, {3, 0, 119, 50}, {}));
-  EXPECT_FALSE(lies_where_it_lay(then, {3, 0, 121, 50}, {}));
-  EXPECT_FALSE(lies_where_it_lay(then, {60, 0, 100, 71}, {}));
+  EXPECT_TRUE(is_at_former_place(then, {3, 0, 119, 50}, {}));
+  EXPECT_FALSE(is_at_former_place(then, {3, 0, 121, 50}, {}));
+  EXPECT_FALSE(is_at_former_place(then, {60, 0, 100, 71}, {}));
 }
 
 TEST(FormerPieces, LieWhereTheyLayAcrossASeam) {
   const Period period{200, 0};
-  EXPECT_TRUE(lies_where_it_lay({40, 0, 195, 50}, {40, 0, 4, 50}, period));
-  EXPECT_FALSE(lies_where_it_lay({40, 0, 195, 50}, {40, 0, 4, 50}, {}));
+  EXPECT_TRUE(is_at_former_place({40, 0, 195, 50}, {40, 0, 4, 50}, period));
+  EXPECT_FALSE(is_at_former_place({40, 0, 195, 50}, {40, 0, 4, 50}, {}));
 }
 
 TEST(FormerPieces, OthersComeInFromALibraryOfSeveral) { EXPECT_TRUE(others({})); }
@@ -56,10 +56,10 @@ TEST(FormerPieces, NoOthersComeInThatAreUsedUp) {
   EXPECT_TRUE(others(s));
   s.wishes.given.push_back({ShapeId{2}, {}});
   EXPECT_FALSE(others(s));
-  EXPECT_TRUE(others_may_come_in({{ShapeId{1}, 0}}, s, kOwn, kOwn).front()) << "the first one may";
+  EXPECT_TRUE(may_be_replaced({{ShapeId{1}, 0}}, s, kOwn, kOwn).front()) << "the first one may";
 }
 
-/// Its mirror image counts for it.
+/// A piece of the shape's mirror image counts as one of the shape.
 TEST(FormerPieces, NoOthersComeInForWhatMustStandAgain) {
   CollageSettings s;
   s.pieces.least_uses = 1;

@@ -1,4 +1,4 @@
-// Which pieces are missing in a finished collage.
+// The pieces that a finished collage lacks.
 #include <gtest/gtest.h>
 
 #include "core/collage/missing_pieces.h"
@@ -14,7 +14,7 @@ std::vector<Placement> placed(const std::vector<std::uint32_t>& shapes) {
 
 std::vector<std::uint32_t> no_mirror_images() { return {0, 1, 2, 3}; }
 
-/// "shape: standing of wanted" of each, one after the other.
+/// Returns "shape: standing of wanted" for each missing shape, one after the other.
 std::string missing(const CollageSettings& settings, const std::vector<std::uint32_t>& shapes,
                     const std::vector<std::uint32_t>& drawings = no_mirror_images()) {
   std::string text;
@@ -55,7 +55,7 @@ TEST(MissingPieces, AShapesOwnWishCountsAndWhatMayNotStandDoesNot) {
   EXPECT_EQ(missing(s, {0}), "1: 0 of 3; ");
 }
 
-/// A shape that may stand in one of two regions is wanted; one that may stand in none is not.
+/// A shape is required if it may stand in one of two regions, but not if it may stand in none.
 TEST(MissingPieces, OneRegionIsEnough) {
   CollageSettings s;
   s.pieces.least_uses = 1;

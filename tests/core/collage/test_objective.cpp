@@ -51,7 +51,7 @@ TEST(Objective, ScaleAwareHasItsFormula) {
   EXPECT_NEAR(objective(terms, kPiece, settings), expected, 1e-6f);
 }
 
-/// At either end of the scale a poor fit of a large piece and a good one of a piece half as large change places.
+/// A poor fit of a large piece and a good fit of a piece half as large change their order from one end of the scale to the other.
 TEST(Objective, BalanceWeighsContactAgainstSize) {
   const DockingTerms large{80, 0, 0, 0, 0};
   const DockingTerms middle{90, 0, 0, 0, 0};
@@ -64,7 +64,7 @@ TEST(Objective, BalanceWeighsContactAgainstSize) {
   EXPECT_LT(objective(large, large_piece, settings), objective(middle, middle_piece, settings));
 }
 
-/// Along all of its boundary a dwarf fits into its gap: that must not make it worth more than a large piece.
+/// A dwarf fits into its gap along its whole boundary. It must not score higher than a large piece for that.
 TEST(Objective, BalanceCostsDwarfsMore) {
   const DockingTerms whole{200, 0, 0, 0, 0};
   ObjectiveSettings settings;
@@ -77,7 +77,7 @@ TEST(Objective, BalanceCostsDwarfsMore) {
   }
 }
 
-/// What it is worth grows with contact and with size, whatever the balance, and is never more than 1.
+/// The score grows with contact and with size, whatever the balance, and never exceeds 1.
 RC_GTEST_PROP(ObjectiveProperty, balanced_or_not_contact_and_size_are_welcome, ()) {
   ObjectiveSettings settings;
   settings.balance = 0.01f * float(*rc::gen::inRange(0, 101));
@@ -113,7 +113,7 @@ TEST(Objective, OfThePaperKnowsNoBalance) {
   EXPECT_EQ(objective(terms, kPiece, settings), before);
 }
 
-/// The paper's Z has squares of single areas: they change with the areas.
+/// The paper's Z contains squares of single areas, which change with the areas.
 TEST(ExactAreas, CountForEveryObjective) {
   const DockingTerms estimated{150, 10, 20, 60, 300};
   const DockingTerms exact = with_exact_areas(estimated, {20, 60});

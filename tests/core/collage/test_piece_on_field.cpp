@@ -1,4 +1,4 @@
-// What a piece does to the free field, against one node after the other: shortcuts may leave nothing out.
+// The effect of a piece on the free field, against a computation node by node: the shortcuts leave out no node.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -45,7 +45,7 @@ Grid<float> stamped_node_by_node(const FreeField& free, const Shape& shape, cons
   return value;
 }
 
-/// The nodes at which two fields differ.
+/// The window of nodes at which two fields differ.
 Window difference(const Grid<float>& a, const Grid<float>& b) {
   Window window;
   for (int y = 0; y < a.height(); ++y) {
@@ -103,7 +103,7 @@ ExactAreas areas_node_by_node(const Shape& shape, const Similarity& pose, const 
   return areas;
 }
 
-/// Of all points of the outline, 1 px apart or less, the least distance to the canvas' edge.
+/// The least distance to the canvas' edge, over points of the outline at most 1 px apart.
 float least_distance_to_edge_px(const Outline& placed, const FreeField& free) {
   float least = INFINITY;
   for (const std::vector<Vec2>& curve : placed.curves) {

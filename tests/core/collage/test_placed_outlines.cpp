@@ -1,4 +1,4 @@
-// Which pieces may stand beside those that are placed: against brute force over all segments and all vertices.
+// The rule that decides which pieces may stand beside placed pieces, against brute force over all segments and all vertices.
 #include "core/collage/placed_outlines.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace test_placed_outlines {
 constexpr float kPadding_px = 6;
 constexpr double kNeeded_px = kPadding_px + 0.002;  // for the three decimals of pieces.geojson
 constexpr double kRounding_px = 2e-3;
-constexpr double kByFields_px = 0.1;  // the vertices that are looked at are chosen by fields
+constexpr double kByFields_px = 0.1;  // the tested vertices are chosen by fields
 
 const std::vector<Shape>& shapes() {
   static const std::vector<Shape> all = [] {
@@ -27,7 +27,7 @@ const std::vector<Shape>& shapes() {
     for (std::uint32_t seed = 1; seed < 4; ++seed)
       made.push_back(test::make_test_shape("blob", test::blob_outline(seed)));
     made.push_back(test::make_test_shape("spikes", test::star_outline(7, 0.25f)));
-    for (Shape& shape : made) {  // brute force takes its time
+    for (Shape& shape : made) {  // brute force takes long
       for (std::vector<Vec2>& curve : shape.outline.curves) curve = test::resampled(curve, 80);
     }
     return made;
@@ -35,14 +35,14 @@ const std::vector<Shape>& shapes() {
   return all;
 }
 
-/// Four vertices and long sides.
+/// A shape with four vertices and long sides.
 Shape square() {
   Shape shape = test::make_test_shape("square", test::rectangle_outline(1, 1));
   shape.outline.curves = {{{-0.5f, -0.5f}, {0.5f, -0.5f}, {0.5f, 0.5f}, {-0.5f, 0.5f}}};
   return shape;
 }
 
-constexpr double kWritten_px = 0.002;  // of the decimals of positions
+constexpr double kWritten_px = 0.002;  // the error of positions with three decimals
 const float kOverlap_px = PieceSettings().overlap_px;
 
 PieceSettings padded_by(float padding_px) {
@@ -57,7 +57,7 @@ PieceSettings overlapping_by(float overlap_px) {
   return pieces;
 }
 
-/// Pieces on a canvas whose edge is far from them.
+/// Pieces on a canvas whose edge is far away.
 struct Scene {
   explicit Scene(const PieceSettings& pieces, float canvas_px = 400)
       : free(make_rectangle_canvas(int(canvas_px), int(canvas_px)), pieces),
@@ -90,7 +90,7 @@ Similarity any_pose(float centre_px, int apart_px) {
   return pose(scale, angle, {x, centre_px + any_number(-apart_px, apart_px)});
 }
 
-/// Comes from the left towards the outline until it is about `distance_px` away from it, or so deep in it.
+/// Moves the piece from the left towards the outline until it is about `distance_px` away, or that deep in it.
 Similarity pose_beside(const Outline& other, std::uint32_t shape, float distance_px) {
   Similarity at = any_pose(200, 10);
   at.tx = 130;
@@ -127,7 +127,7 @@ TEST(PlacedOutlines, WithPaddingEachNeighbourThatIsTooNearIsAConflict) {
   }));
 }
 
-/// Beside the images of pieces, too: the scene repeats every 200 px.
+/// Images of pieces count, too: the scene repeats every 200 px.
 TEST(PlacedOutlines, NeighboursAcrossASeamAreConflicts) {
   const Canvas canvas = make_seamless_canvas(200, 200, true, true);
   EXPECT_TRUE(rc::check([&] {
@@ -187,7 +187,7 @@ TEST(PlacedOutlines, AShapeThatLiesInAnotherIsAConflictHoweverFarTheBoundariesAr
   EXPECT_TRUE(in_the_hole.outlines.conflicts(shapes()[3], pose(10, 0, {200, 200})).empty());
 }
 
-/// How deep a point lies in the outline; 0 outside.
+/// The depth of a point in the outline; 0 outside.
 double depth(Vec2 p, const Outline& outline) {
   return test::lies_in(outline, p) ? test::boundary_distance({{{p}}}, outline) : 0;
 }
@@ -208,9 +208,9 @@ Deepest deepest_vertex(const Outline& inner, const Outline& outer) {
   return deepest;
 }
 
-/// A piece beside another, or in it, and how deep vertices of each lie in the other.
+/// A piece beside another or in it, and the depths of each one's vertices in the other.
 struct Meeting {
-  /// Between so many px apart, which may be negative.
+  /// The pieces are `least_px` to `most_px` apart; negative numbers mean overlap.
   Meeting(const PieceSettings& pieces, int least_px, int most_px) : scene(pieces) {
     scene.add(any_shape(), any_pose(200, 5));
     shape = any_shape();
@@ -230,7 +230,7 @@ struct Meeting {
   Deepest of_piece, of_other;
 };
 
-/// Between which no depth is allowed, neither a corner nor a side may reach into the other.
+/// If no depth is allowed, neither a corner nor a side may reach into the other piece.
 TEST(PlacedOutlines, WithoutOverlapOutlinesThatMeetAreAConflict) {
   EXPECT_TRUE(rc::check([] {
     const Meeting meeting(overlapping_by(0), -1, 1);
@@ -254,7 +254,7 @@ TEST(PlacedOutlines, WithoutPaddingEachVertexThatLiesTooDeepIsAConflict) {
     const std::vector<Vec2> ways = meeting.ways();
     RC_ASSERT(ways.size() == std::size_t(piece_too_deep) + std::size_t(other_too_deep));
     const auto is_way_out = [allowed_px](Vec2 way, const Deepest& d, const Outline& outer) {
-      if (d.depth_px >= kHopelessDepth_px) return true;  // there is no short one
+      if (d.depth_px >= kMaxPushDepth_px) return true;  // there is no short way out
       return std::abs(double(norm(way)) - (d.depth_px - allowed_px)) < kRounding_px &&
              std::abs(depth(d.vertex + way, outer) - allowed_px) < kRounding_px;
     };
@@ -284,7 +284,7 @@ TEST(PlacedOutlines, TheWayOutOfALargeOverlapLeadsAwayFromTheNeighbour) {
   }
 }
 
-/// As long as the deepest vertex lies deep, and what is needed: less would have to be repeated, step by step.
+/// The way out is as long as the depth of the deepest vertex plus the distance needed. A shorter way would need several steps.
 TEST(PlacedOutlines, TheWayOutOfACrossingLeadsTheDeepestVertexOut) {
   EXPECT_TRUE(rc::check([] {
     const float padding_px = *rc::gen::element(0.f, kPadding_px);
@@ -296,7 +296,7 @@ TEST(PlacedOutlines, TheWayOutOfACrossingLeadsTheDeepestVertexOut) {
     const bool by_own = own_px > others_px;
     const Deepest& deepest = by_own ? meeting.of_piece : meeting.of_other;
     RC_PRE(deepest.depth_px > 0.1 && std::abs(own_px - others_px) > kRounding_px);
-    RC_PRE(deepest.depth_px < kHopelessDepth_px);
+    RC_PRE(deepest.depth_px < kMaxPushDepth_px);
     const std::vector<Vec2> ways = meeting.ways();
     RC_ASSERT(ways.size() == 1u);
     const double needed_px = padding_px + kWritten_px;
@@ -307,7 +307,7 @@ TEST(PlacedOutlines, TheWayOutOfACrossingLeadsTheDeepestVertexOut) {
   }));
 }
 
-/// It may reach into a long side and touch no vertex.
+/// The canvas' edge may reach into a long side without touching a vertex.
 TEST(PlacedOutlines, TheCanvasEdgeIsLookedForAlongTheSides) {
   Grid<float> coverage(800, 800, 1.f);  // two cells a px
   for (int y = 340; y < 366; ++y) {
@@ -359,7 +359,7 @@ TEST(PlacedOutlines, ReplacedOnesAreAsIfPlacedAfresh) {
   EXPECT_FALSE(conflict_at(gone));
 }
 
-/// A placed piece is asked about as one that comes to the others would be, wherever it moved and whoever went.
+/// A placed piece has the same conflicts as a new piece in its pose, after any moves and removals.
 TEST(PlacedOutlines, ConflictsOfAPlacedPieceAreThoseOfOneThatComes) {
   EXPECT_TRUE(rc::check([] {
     const PieceSettings pieces = *rc::gen::element(padded_by(kPadding_px), overlapping_by(kOverlap_px));
@@ -376,7 +376,7 @@ TEST(PlacedOutlines, ConflictsOfAPlacedPieceAreThoseOfOneThatComes) {
     const Similarity where = any_pose(200, 40);
     all.outlines.move(3, where, shape.outline);
     all.outlines.take_out(4);
-    // By outlines alone: whoever lies deep is suspect.
+    // Decides by outlines alone: the field makes every vertex suspect.
     const auto always = [](std::size_t, Vec2) { return -1.f; };
     const std::size_t found = all.outlines.conflicts_of(3, always).size();
     RC_TAG(found);
@@ -384,7 +384,7 @@ TEST(PlacedOutlines, ConflictsOfAPlacedPieceAreThoseOfOneThatComes) {
   }));
 }
 
-/// Processor time of asking for every place of a square grid of pieces, each just far enough from the others.
+/// Processor time of the conflict queries for all places of a square grid of pieces, each just far enough from the others.
 double time_for_all_s(int across) {
   constexpr float kWide_px = 40;
   constexpr float kSpacing_px = 60;
@@ -403,7 +403,7 @@ double time_for_all_s(int across) {
   return least_s;
 }
 
-/// Padding that is wider than the pieces: a piece is held against its neighbours, not against all.
+/// The padding is wider than the pieces. Even then a piece is compared with its neighbours, not with all pieces.
 TEST(PlacedOutlines, FourTimesThePiecesAreNotSixteenTimesTheWork) {
   const double hundred_s = time_for_all_s(10);
   EXPECT_LT(time_for_all_s(20), 9 * hundred_s);

@@ -1,4 +1,4 @@
-// The pool's order and its spatial index, against looking at every candidate.
+// The pool's order and its spatial index, against a look at every candidate.
 #include "core/collage/pool.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ TEST(Pool, KeepsTheBestInATotalOrder) {
   EXPECT_EQ(entry.candidates[3].shape, ShapeId{7});
 }
 
-/// Few different scores, so that ties occur.
+/// Candidates with few different scores, so that ties occur.
 Candidate any_candidate() {
   Candidate c;
   c.shape = ShapeId{*rc::gen::inRange(0u, 5u)};
@@ -53,7 +53,7 @@ void put_any(Pool& pool, std::uint32_t samples) {
   pool.put(any_sample(samples), candidates, false);
 }
 
-/// Of each shape a factor that falls, as preferences do.
+/// A factor for each shape; it can only fall, like preferences.
 using Factors = std::vector<float>;
 
 std::vector<Pool::Ranked> sorted(const Pool& pool, const Factors& factor) {
@@ -103,7 +103,7 @@ TEST(Pool, BestFirstIsTheSortedOrderWhateverHappenedBefore) {
   }));
 }
 
-/// What a restart relies on: scores changed since the candidates were put, ties are broken by their places then.
+/// A restart relies on this: scores have changed since the candidates were put, and ties are broken by their places then.
 TEST(Pool, PutBackElsewhereKeepsTheOrder) {
   EXPECT_TRUE(rc::check([] {
     Pool pool;
@@ -147,7 +147,7 @@ TEST(Pool, ForgetsOutdatedRankings) {
   EXPECT_EQ(best(), (std::vector{SampleId{1}, SampleId{0}, SampleId{2}}));
 }
 
-/// Enough of them that what is outdated is swept out.
+/// Puts enough candidates to cause a sweep of the outdated ones.
 TEST(Pool, IsInOrderAfterASweep) {
   Pool pool;
   std::uint32_t state = 1;

@@ -1,4 +1,4 @@
-// In which region a piece lies.
+// The region in which a piece lies.
 #include "core/collage/region_below.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace tessera {
 namespace test_region_below {
 
-/// 200 x 100 px, halved in the middle.
+/// A canvas of 200 x 100 px with two regions that meet in the middle.
 Canvas halves() {
   Canvas canvas = make_rectangle_canvas(200, 100);
   for (const bool right : {false, true}) {

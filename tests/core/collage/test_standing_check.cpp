@@ -1,4 +1,4 @@
-// Pieces that somebody put somewhere: which lie outside, in a zone, or on each other.
+// Pieces with given poses: which lie outside, in a zone, or on each other.
 #include "core/collage/standing_check.h"
 
 #include <gtest/gtest.h>
@@ -16,35 +16,35 @@ const Shape& square() {
 
 GivenPiece piece(float scale_px, Vec2 at_px) { return {ShapeId{0}, {scale_px, 0, at_px.x, at_px.y}}; }
 
-StandingCheck check(const Canvas& canvas, const std::vector<GivenPiece>& pieces, float overlap_px = 0) {
-  return check_standing(canvas, pieces, overlap_px, [](ShapeId) -> const Shape& { return square(); });
+GivenPieceCheck check(const Canvas& canvas, const std::vector<GivenPiece>& pieces, float overlap_px = 0) {
+  return check_given_pieces(canvas, pieces, overlap_px, [](ShapeId) -> const Shape& { return square(); });
 }
 
 using Places = std::vector<std::size_t>;
 
-TEST(StandingCheck, PiecesThatLieWellAreNotTold) {
-  const StandingCheck found = check(make_rectangle_canvas(200, 100), {piece(40, {20, 50}), piece(40, {60, 50})});
+TEST(GivenPieceCheck, PiecesThatLieWellAreNotTold) {
+  const GivenPieceCheck found = check(make_rectangle_canvas(200, 100), {piece(40, {20, 50}), piece(40, {60, 50})});
   EXPECT_EQ(found.outside, Places{});
   EXPECT_EQ(found.kept_out, Places{});
   EXPECT_EQ(found.overlapping, Places{});
 }
 
-TEST(StandingCheck, TellsWhatLiesOutsideAndOnOthers) {
-  const StandingCheck found = check(
+TEST(GivenPieceCheck, TellsWhatLiesOutsideAndOnOthers) {
+  const GivenPieceCheck found = check(
       make_rectangle_canvas(200, 100),
       {piece(40, {100, 50}), piece(40, {4, 50}), piece(40, {120, 50}), piece(40, {900, 50}), piece(40, {138, 50})});
   EXPECT_EQ(found.outside, (Places{1, 3}));
   EXPECT_EQ(found.overlapping, (Places{2, 4})) << "the later one is told";
 }
 
-TEST(StandingCheck, AlittleBesideTheEdgeOrOnOthersIsAsPiecesLie) {
-  const StandingCheck found = check(make_rectangle_canvas(200, 100), {piece(40, {19, 50}), piece(40, {58, 50})});
+TEST(GivenPieceCheck, AlittleBesideTheEdgeOrOnOthersIsAsPiecesLie) {
+  const GivenPieceCheck found = check(make_rectangle_canvas(200, 100), {piece(40, {19, 50}), piece(40, {58, 50})});
   EXPECT_EQ(found.outside, Places{});
   EXPECT_EQ(found.overlapping, Places{});
 }
 
-/// Of a small piece that is more than a twentieth: 2 of 20 px.
-TEST(StandingCheck, TheOverlapThatTheJobAllowsIsNotTold) {
+/// For a small piece the allowed overlap is more than a twentieth: 2 of 20 px.
+TEST(GivenPieceCheck, TheOverlapThatTheJobAllowsIsNotTold) {
   const Canvas canvas = make_rectangle_canvas(200, 100);
   const std::vector<GivenPiece> pieces = {piece(20, {8, 50}), piece(20, {26, 50}), piece(20, {-4, 20})};
   EXPECT_EQ(check(canvas, pieces).outside, (Places{0, 2}));
@@ -53,16 +53,16 @@ TEST(StandingCheck, TheOverlapThatTheJobAllowsIsNotTold) {
   EXPECT_EQ(check(canvas, pieces, 2).overlapping, Places{});
 }
 
-TEST(StandingCheck, AZoneIsNoOutside) {
+TEST(GivenPieceCheck, AZoneIsNoOutside) {
   Canvas canvas = make_rectangle_canvas(200, 100);
   take_out(distance_to({KeepOutRectangle{{100, 50}, {30, 30}}}, canvas), canvas);
-  const StandingCheck found = check(canvas, {piece(40, {30, 50}), piece(40, {80, 50}), piece(40, {100, 50})});
+  const GivenPieceCheck found = check(canvas, {piece(40, {30, 50}), piece(40, {80, 50}), piece(40, {100, 50})});
   EXPECT_EQ(found.kept_out, (Places{1, 2}));
   EXPECT_EQ(found.outside, Places{});
 }
 
-TEST(StandingCheck, AcrossASeamNothingIsOutside) {
-  const StandingCheck found =
+TEST(GivenPieceCheck, AcrossASeamNothingIsOutside) {
+  const GivenPieceCheck found =
       check(make_seamless_canvas(200, 100, true, false), {piece(40, {0, 50}), piece(40, {190, 50})});
   EXPECT_EQ(found.outside, Places{});
   EXPECT_EQ(found.overlapping, Places{1});

@@ -11,7 +11,7 @@ namespace test_ciede2000 {
 
 constexpr double kRad = std::numbers::pi / 180;
 
-/// As it is published, with angles.
+/// The published formula, with angles.
 double with_angles(const Lab& x, const Lab& y) {
   const auto seventh = [](double c) { return std::sqrt(std::pow(c, 7) / (std::pow(c, 7) + std::pow(25., 7))); };
   const double c_mean = (std::hypot(double(x.a), double(x.b)) + std::hypot(double(y.a), double(y.b))) / 2;
@@ -53,8 +53,8 @@ struct Published {
   float difference;
 };
 
-/// The 34 pairs of Sharma, Wu and Dalal's table but for two (10 and 14): where hues are exactly opposite either of two
-/// hues is their middle, and ours is another one.
+/// The 34 pairs of the table by Sharma, Wu and Dalal, except pairs 10 and 14. Their hues are exactly opposite, so either of two hues is
+/// their middle, and ours is the other one.
 TEST(Ciede2000, GivesPublishedDifferences) {
   const Published table[] = {{{50, 2.6772f, -79.7751f}, {50, 0, -82.7485f}, 2.0425f},
                              {{50, 3.1571f, -77.2803f}, {50, 0, -82.7485f}, 2.8615f},
@@ -103,7 +103,7 @@ TEST(Ciede2000, IsNothingBetweenEquals) {
 RC_GTEST_PROP(Ciede2000Property, IsThatOfTheAngles, ()) {
   const Lab x = *colours(), y = *colours();
   const double expected = with_angles(x, y);
-  // Beside opposite hues the middle jumps by half a turn.
+  // Near opposite hues the middle jumps by half a turn.
   const double along = double(x.a) * y.a + double(x.b) * y.b;
   const double product = std::hypot(double(x.a), double(x.b)) * std::hypot(double(y.a), double(y.b));
   RC_PRE(along > -0.999 * product || product < 1e-3);

@@ -13,7 +13,7 @@ namespace test_colour_grid {
 const Lab kRed{53, 80, 67};
 const Lab kBlue{32, 79, -108};
 
-/// Red on the left, blue on the right, nothing in the lowest quarter.
+/// A raster that is red on the left, blue on the right, and empty in the lowest quarter.
 ColourRaster flag(int width, int height) {
   ColourRaster raster{Grid<Lab>(width, height), Grid<float>(width, height, 1.f), {0, 0}, {1, 1}};
   for (int y = 0; y < height; ++y) {
@@ -76,12 +76,12 @@ TEST(ColourGrid, IsOfTheBoxAlone) {
   ColourRaster raster = flag(40, 16);
   raster.origin_px = {100, 50};
   raster.pixel_px = {2, 3};
-  const ColourGrid grid = make_colour_grid(raster, {100, 50}, {140, 86});  // the left half, without what is empty
+  const ColourGrid grid = make_colour_grid(raster, {100, 50}, {140, 86});  // the left half, without its empty part
   const ColourModel model = make_colour_model(grid, {0, 0}, {1, 1});
   for (int cell = 0; cell < kColourCells; ++cell) expect_colour(model.colour[cell], kRed);
 }
 
-/// What is half transparent counts half.
+/// A half-transparent pixel has half the weight.
 TEST(ColourGrid, WeighsByAlpha) {
   ColourRaster raster{Grid<Lab>(8, 8, kRed), Grid<float>(8, 8, 1.f), {0, 0}, {1, 1}};
   for (int y = 0; y < 8; ++y) {

@@ -15,7 +15,7 @@ using test::opaque;
 const Lab kDark{20, 0, 0};
 const Lab kLight{90, 0, 0};
 
-/// Dark to the left of the middle.
+/// A picture that is dark to the left of the middle.
 std::shared_ptr<const ColourTarget> halves() {
   return test::picture(256, 256, [](Vec2 p) { return opaque(p.x < 128 ? kDark : kLight); });
 }
@@ -31,7 +31,7 @@ TEST(ColourTarget, LevelsAreMeansOfEachOther) {
 }
 
 TEST(ColourTarget, LevelGoesByLength) {
-  const auto target = halves();  // 2 px a texel
+  const auto target = halves();  // 2 px per texel
   EXPECT_EQ(target->level_for(0.1f), 0);
   EXPECT_EQ(target->level_for(3.9f), 0);
   EXPECT_EQ(target->level_for(4), 1);
@@ -49,7 +49,7 @@ TEST(ColourTarget, OddSizesLoseNothing) {
   EXPECT_EQ(target.levels()[1].height, 2u);
 }
 
-/// A tile that is half dark lies along the edge in one of two ways.
+/// A half-dark tile fits along the edge in only one of two directions.
 TEST(ColourFit, PartsOfAPieceAreComparedWhereTheyLie) {
   const ColourModel tile = make_colour_model(test::two_toned_grid(kDark, kLight), {-0.5f, -0.5f}, {0.5f, 0.5f});
   const Similarity along{40, 0, 128, 100};
@@ -61,7 +61,7 @@ TEST(ColourFit, PartsOfAPieceAreComparedWhereTheyLie) {
   EXPECT_GT(mean_colour_difference(tile, aside, *halves()), 15);
 }
 
-/// Both tiles are as far off in the mean of their cells.
+/// The cells of both tiles have the same mean difference.
 TEST(ColourFit, APartOfQuiteAnotherColourCostsMoreThanAllALittleOff) {
   const auto smooth = test::picture(256, 256, [](Vec2) { return opaque({50, 0, 0}); });
   const Similarity pose{40, 0, 128, 128};
@@ -125,7 +125,7 @@ TEST(NearColours, ListTheNearestOnTheInside) {
   for (std::uint32_t shape = 0; shape < 1001; ++shape) held += near.holds(dark, ShapeId(shape));
   EXPECT_EQ(held, near.length());
   const auto& shapes = near.shapes(light);
-  const Lab wanted{88, 0, 0};  // of the lattice
+  const Lab wanted{88, 0, 0};  // a colour of the lattice
   for (std::size_t i = 1; i < shapes.size(); ++i) {
     EXPECT_LE(ciede2000(wanted, greys(1001)[shapes[i - 1]]), ciede2000(wanted, greys(1001)[shapes[i]]));
   }
@@ -148,7 +148,7 @@ TEST(NearColours, AreOfShapesThatMayStand) {
   near.start(all);
   EXPECT_EQ(near.length(), kLeastNearColours);
   const NearColours::List before = near.list_for(sample_at({60, 100}));
-  StandingLimits limits;
+  StanceLimits limits;
   for (std::uint32_t shape = 20; shape < 60; ++shape) limits.used_up.push_back(ShapeId(shape));
   near.start(all.limited(limits));
   const NearColours::List list = near.list_for(sample_at({60, 100}));

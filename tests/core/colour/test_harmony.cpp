@@ -1,4 +1,4 @@
-// Harmonic templates: which one fits hues, at which angle, and where hues go.
+// Harmonic templates: the template that fits hues, its angle, and the new hues.
 #include "core/colour/harmony.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ HueHistogram turned(const HueHistogram& weights, int turn_deg) {
   return result;
 }
 
-/// To the nearest sector of the template, as the paper has its sectors.
+/// The distance to the nearest sector of the template, with the paper's sectors.
 double outside_deg(double hue, const Harmony& harmony) {
   const auto from = [&](double centre, double width) {
     return std::max(0., std::abs(std::remainder(hue - harmony.angle_deg - centre, 360)) - width / 2);
@@ -99,7 +99,7 @@ TEST(Harmony, OfTemplatesThatFitAlikeTheNarrowestIsTaken) {
   EXPECT_EQ(best_harmony(histogram_of({{0, 1}, {92, 1}, {180, 1}, {272, 1}})).form, X);
 }
 
-/// Hues that leave a template one angle alone, the middle one of them in degrees.
+/// These hues allow the template only one angle: the middle one, in degrees.
 RC_GTEST_PROP(Harmony, TheAngleFollowsTheHues, ()) {
   const int turn = *rc::gen::inRange(0, kHues);
   const HueHistogram weights = turned(histogram_of({{0, 3}, {46, 1}, {92, 3}}), turn);
@@ -129,7 +129,7 @@ RC_GTEST_PROP(Harmony, EveryHueEndsInTheNearestSector, ()) {
     RC_ASSERT(there >= 0 && there < kHues);
     RC_ASSERT(outside_deg(there, harmony) < 1e-9);
     const double way = std::abs(std::remainder(there - hue, 360));
-    RC_ASSERT(way <= outside_deg(hue, harmony) + 93.6);  // one sector of T apart, which is its own nearest
+    RC_ASSERT(way <= outside_deg(hue, harmony) + 93.6);  // this hue is one sector of T away, which is its own nearest
   }
 }
 

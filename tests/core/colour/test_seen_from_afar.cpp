@@ -1,4 +1,4 @@
-// Measures of a mosaic as it is seen from afar: means of areas, CIELAB, SSIM and both figures.
+// Measures of a mosaic seen from afar: means of areas, CIELAB, SSIM and both figures.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -17,7 +17,7 @@ Grid<WeightedColour> cells_of(const Grid<WeightedColour>& pixels, int width, int
   return means.cells();
 }
 
-/// Colours from formulas, without a pattern that a grid of cells could meet.
+/// A picture of computed colours, without a pattern that could match a grid of cells.
 Grid<Srgb> patterned(int width, int height, int seed) {
   Grid<Srgb> picture(width, height);
   for (int y = 0; y < height; ++y) {
@@ -73,7 +73,7 @@ RC_GTEST_PROP(AreaMeansProperty, TheMeanOfAllStaysWhateverTheGrid, ()) {
   RC_ASSERT(std::abs(mean.blue - again.blue) < 1e-3f);
 }
 
-/// By scikit-image's rgb2lab.
+/// The values are those of scikit-image's rgb2lab.
 TEST(Srgb, LabIsThePublishedOne) {
   const auto expect = [](const Srgb& colour, const Lab& wanted) {
     const Lab lab = lab_from_srgb(colour);
@@ -101,7 +101,7 @@ float first(int x, int y) { return float((x * 23 + y * 41 + x * y * 7) % 256); }
 float second(int x, int y) { return float((x * 31 + y * 29 + x * y * 5 + 40) % 256); }
 float waved(int x, int y) { return std::clamp(first(x, y) + 20 * std::sin(float(x + 2 * y)), 0.f, 255.f); }
 
-/// structural_similarity of scikit-image 0.19, data_range 255.
+/// The values are those of structural_similarity in scikit-image 0.19 with data_range 255.
 TEST(Ssim, IsThatOfScikitImage) {
   const auto a = greys(11, 9, first);
   EXPECT_NEAR(ssim(a, greys(11, 9, second), ones(11, 9)), 0.36005149818766313, 1e-6);
@@ -156,7 +156,7 @@ TEST(SeenFromAfar, EqualPicturesAreEqual) {
   EXPECT_EQ(seen->at_piece_size.value().height_px, 20);
 }
 
-/// A chequered mosaic of black and white is grey from afar; and one of other greys where its cells are seen.
+/// A chequered mosaic of black and white is grey from afar. Where its cells are seen, it differs from grey.
 TEST(SeenFromAfar, PiecesMelt) {
   Grid<Srgb> mosaic(400, 200), picture(400, 200, Srgb{127.5f, 127.5f, 127.5f});
   for (int y = 0; y < 200; ++y) {

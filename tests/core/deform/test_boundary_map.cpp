@@ -1,4 +1,4 @@
-// Distances, rays and crossings against all sides one by one.
+// Distances, rays and crossings, against a look at every side.
 #include "core/deform/boundary_map.h"
 
 #include <gtest/gtest.h>
@@ -67,7 +67,7 @@ TEST(BoundaryMap, KnowsTheNearestOtherBoundaryAndItsSide) {
     }
     const float found = map.distance_to_others_px(p, 0, kReach_px);
     RC_ASSERT(std::abs(std::abs(found) - best) < 1e-3f);
-    RC_PRE(best > 1e-2f);  // on the boundary it is on both sides
+    RC_PRE(best > 1e-2f);  // a point on the boundary is on both sides
     RC_TAG(nearest == 0 ? "far" : found < 0 ? "inside" : "outside");
     if (nearest > 0) RC_ASSERT((found < 0) == covers(pieces[nearest], p));
   }));
@@ -80,7 +80,7 @@ TEST(BoundaryMap, ARayMeetsWhatIsNearestOnIt) {
     const Vec2 from = any_point();
     const float angle = float(*rc::gen::inRange(0, 628)) / 100.f;
     const Vec2 direction{std::cos(angle), std::sin(angle)};
-    const auto first = [&](const Outline& outline) {  // by steps
+    const auto first = [&](const Outline& outline) {  // finds the first hit by small steps
       const bool before = covers(outline, from);
       for (float at = 0; at < kReach_px; at += 0.01f) {
         if (covers(outline, from + direction * at) != before) return at;
@@ -90,7 +90,7 @@ TEST(BoundaryMap, ARayMeetsWhatIsNearestOnIt) {
     float other = kReach_px;
     for (std::size_t i = 1; i < pieces.size(); ++i) other = std::min(other, first(pieces[i]));
     const RayHits hits = map.hits(from, direction, kReach_px, 0);
-    RC_ASSERT(hits.other_px <= other + 0.02f);  // steps may pass over a tip
+    RC_ASSERT(hits.other_px <= other + 0.02f);  // the steps may pass over a tip
     RC_ASSERT(hits.own_px <= std::max(first(pieces[0]), 0.2f) + 0.02f);
     for (const float at : {hits.own_px, hits.other_px}) {
       if (at >= kReach_px) continue;

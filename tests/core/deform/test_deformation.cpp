@@ -1,4 +1,4 @@
-// Pieces that are deformed to meet: how far, and what stays.
+// Deformation of pieces until they meet: how far they move, and what stays.
 #include "core/deform/deformation.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ namespace test_deformation {
 using test::make_test_shape;
 
 constexpr int kCanvas_px = 200;
-constexpr float kMostLost_px = 0.003f;  // of a gap that is kept: as cards show it
+constexpr float kMostLost_px = 0.003f;  // of a gap that must stay: one unit of the last decimal on cards
 
 const std::vector<Shape>& shapes() {
   static const std::vector<Shape> all = {
@@ -87,7 +87,7 @@ float left_end(const Outline& outline) {
   return least;
 }
 
-/// Two squares side by side, the right edge of one `gap_px` from the left edge of the other.
+/// Two squares side by side, with `gap_px` between them.
 std::vector<DeformablePiece> two_squares(const Shape& square, float gap_px) {
   const float scale_px = 60;
   return {{&square, pose(scale_px, 0, {60, 100})}, {&square, pose(scale_px, 0, {60 + scale_px + gap_px, 100})}};
@@ -149,7 +149,7 @@ TEST(Deformation, AWishedGapIsKeptInAnyPileThatHadIt) {
   }));
 }
 
-/// The smallest distance of a point of one piece from another piece.
+/// The smallest distance between a point of one piece and another piece.
 float smallest_gap_px(const std::vector<Outline>& outlines, float reach_px) {
   const BoundaryMap map(outlines, {});
   float least = reach_px;
@@ -161,7 +161,7 @@ float smallest_gap_px(const std::vector<Outline>& outlines, float reach_px) {
   return least;
 }
 
-Canvas halves() {  // that meet at x = 100
+Canvas halves() {  // two regions that meet at x = 100
   Canvas canvas = make_rectangle_canvas(kCanvas_px, kCanvas_px);
   for (const bool right : {false, true}) {
     Grid<float> half(2 * kCanvas_px, 2 * kCanvas_px, 0.f);
@@ -173,7 +173,7 @@ Canvas halves() {  // that meet at x = 100
   return canvas;
 }
 
-/// Nine pieces about a lattice, each as large as the gap to those before it allows.
+/// Nine pieces around a lattice. Each is as large as the gap to the earlier ones allows.
 std::vector<DeformablePiece> pile(std::mt19937& random, float gap_px) {
   const auto any_of = [&](std::uint32_t count) { return random() % count; };
   std::vector<DeformablePiece> pieces;
@@ -237,7 +237,7 @@ TEST(Deformation, APieceThatStaysIsMetByItsNeighbour) {
   auto pieces = two_squares(square, 3);
   pieces[0].stays = true;
   DeformSettings settings = capped();
-  settings.most_pad = settings.most_area = 1;  // its other sides have the room to use them up
+  settings.most_pad = settings.most_area = 1;  // its other sides have the room to use these limits up
   const auto results = deformed(pieces, settings);
   EXPECT_EQ(results[0].farthest_px, 0);
   EXPECT_EQ(results[0].outline, square.outline);
@@ -247,7 +247,7 @@ TEST(Deformation, APieceThatStaysIsMetByItsNeighbour) {
 TEST(Deformation, AMouthStaysOpenUnlessCellsAreToBeFull) {
   const Shape mouth = make_test_shape("mouth", mouth_outline());
   const std::vector<DeformablePiece> pieces = {{&mouth, pose(60, 0, {100, 100})}};
-  const auto lips = [&](const DeformSettings& settings) {  // how far the inside of the mouth moved, px
+  const auto lips = [&](const DeformSettings& settings) {  // px that the inside of the mouth moved
     const DeformedPiece after = deformed(pieces, settings)[0];
     float most = 0;
     const auto& before = mouth.outline.curves[0];
@@ -337,7 +337,7 @@ TEST(ShapeIdentity, IsKeptByWhatPadsDoNotSeeAndLostByWhatTheyDo) {
       .origin = {-2, -2}, .step = 0.05f, .displacement = Grid<Vec2>(81, 81), .active = Grid<std::uint8_t>(80, 80, 1)};
   EXPECT_EQ(identity.pad_distance(warp), 0);
   for (int j = 0; j < 81; ++j) {
-    for (int i = 0; i < 81; ++i) warp.displacement(i, j) = warp.node(i, j) * 0.1f;  // larger by a tenth
+    for (int i = 0; i < 81; ++i) warp.displacement(i, j) = warp.node(i, j) * 0.1f;  // enlarged by a tenth
   }
   const float larger = identity.pad_distance(warp);
   EXPECT_LT(larger, 0.02);

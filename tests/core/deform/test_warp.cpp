@@ -1,4 +1,4 @@
-// The map by which a piece's drawing is deformed: weights, continuity, folds, other frames.
+// The map that deforms a piece's drawing: weights, continuity, folds, other frames.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -37,7 +37,7 @@ Warp any_warp() {
   return warp;
 }
 
-/// Displaces each node so that p becomes m p + shift.
+/// Displaces each node so that p becomes m p + shift, where m has the two columns.
 Warp affine_warp(bool falling, Vec2 column_x, Vec2 column_y, Vec2 shift) {
   Warp warp = still_warp(falling);
   for (int j = 0; j < kRows; ++j) {
@@ -83,13 +83,13 @@ RC_GTEST_PROP(Warp, IsContinuous, ()) {
   const Warp warp = any_warp();
   const Vec2 p = any_point(-30, 30);
   const float tiny = 1e-3f;
-  // Displacements of neighbours differ by at most 2 in x and in y.
+  // Displacements of neighbouring nodes differ by at most 2 in x and in y.
   const float most = tiny * (1 + 4 * std::sqrt(2.f) / warp.step) + 1e-5f;
   expect_near(warp.apply(p + Vec2{tiny, 0}), warp.apply(p), most);
   expect_near(warp.apply(p + Vec2{0, tiny}), warp.apply(p), most);
 }
 
-/// On both diagonals, on sides and at nodes, from all of the triangles that meet there.
+/// Checks points on both diagonals, on sides and at nodes, from all triangles that meet there.
 TEST(Warp, AgreesWhereTrianglesMeet) {
   for (const bool falling : {true, false}) {
     Warp warp = still_warp(falling);

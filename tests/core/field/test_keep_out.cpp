@@ -1,4 +1,4 @@
-// Zones that pieces keep out of: how far they are, and what they leave of a canvas.
+// Keep-out zones: the distance to them, and the canvas that they leave.
 #include "core/field/keep_out.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ KeepOutRectangle rectangle(Vec2 middle_px, Vec2 half_size_px, float turned_rad =
   return {middle_px, half_size_px, {std::cos(turned_rad), std::sin(turned_rad)}, corner_px};
 }
 
-/// 1 in the cells (half px) of the window, over a canvas.
+/// A coverage map of the canvas in cells of half a px: 1 inside the window `cells`.
 Grid<float> coverage(const Canvas& canvas, const Window& cells) {
   Grid<float> covered(2 * canvas.width_px, 2 * canvas.height_px, 0.f);
   for (int y = cells.y0; y < cells.y1; ++y) {

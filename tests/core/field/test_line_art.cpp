@@ -1,4 +1,4 @@
-// Shapes that consist of lines: how deep something may lie in them, and how wide a gap they need.
+// Shapes made of lines: the depth allowed in them, and the width of the gap that they need.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ const Shape& bar() {
 float radius_of_lines(const Shape& shape) { return line_radius(shape.field, shape.perimeter); }
 
 TEST(LineRadius, IsHalfTheMeanWidthOfTheLines) {
-  const float unit = std::sqrt(3.14159265f * (1 - 0.88f * 0.88f));  // of the ring's outer radius
+  const float unit = std::sqrt(3.14159265f * (1 - 0.88f * 0.88f));  // in units of the ring's outer radius
   EXPECT_NEAR(radius_of_lines(thin_ring()), 0.06f / unit, 0.001f);
   EXPECT_NEAR(radius_of_lines(bar()), 0.2f / std::sqrt(3.6f), 0.006f) << "its ends count, too";
 }
@@ -44,18 +44,18 @@ TEST(MostDepth, IsWhatIsAllowedInGeneralButInLines) {
   EXPECT_FLOAT_EQ(most_depth_px(1.4f, 1.2f), 0.84f);
 }
 
-TEST(HeldDepth, ReachesWhatIsAllowedInGeneralWhereALineMayBeEnteredNoDeeper) {
-  const HeldDepth in_ordinary_pieces(1.4f, INFINITY);
+TEST(StoredDepth, ReachesWhatIsAllowedInGeneralWhereALineMayBeEnteredNoDeeper) {
+  const StoredDepth in_ordinary_pieces(1.4f, INFINITY);
   for (const float d : {3.f, 0.f, -0.4f, -1.f, -30.f}) EXPECT_EQ(in_ordinary_pieces(d), d);
-  const HeldDepth in_lines(1.4f, 1.2f);
+  const StoredDepth in_lines(1.4f, 1.2f);
   for (const float d : {3.f, 0.f, -0.5f}) EXPECT_EQ(in_lines(d), d) << "areas are counted by it";
   EXPECT_NEAR(in_lines(-0.84f), -1.4f, 1e-5f);
   EXPECT_LT(in_lines(-1.2f), -2.3f);
-  const HeldDepth in_hairs(1.4f, 0.3f);
+  const StoredDepth in_hairs(1.4f, 0.3f);
   EXPECT_NEAR(in_hairs(-0.6f), -1.4f, 1e-5f);
 }
 
-/// Two rings whose lines, 2.4 px wide, cross, or touch from inside or outside.
+/// Two rings with lines 2.4 px wide, which cross, or touch from inside or outside.
 TEST(LineArt, MayTouchButNotCross) {
   const PieceSettings pieces;
   const float scale_px = 1.2f / radius_of_lines(thin_ring());
@@ -93,7 +93,7 @@ TEST(WideGap, IsAsWideAsTheShapeIsAtItsNarrowestWithAllThatItEncloses) {
   EXPECT_LT(norm(room.middle - (box.low + box.high) * 0.5f), 0.02f);
 }
 
-/// Others may lie in what lines enclose.
+/// Other pieces may lie in the area that the lines enclose.
 TEST(WideGap, IsOneOfItsAreaWhereAShapeConsistsOfLines) {
   EXPECT_EQ(hull_room(thin_ring()).radius, kLeastWideGap);
   EXPECT_TRUE(hull_room(thin_ring()).hardly_docks());
@@ -113,7 +113,7 @@ TEST(WideGap, TheWidestOnesRadiusIsFoundInTheWindow) {
   EXPECT_EQ(widest_gap_px(free, {margin - 3, margin - 3, margin, margin}), 0) << "outside";
 }
 
-/// Into a hole that is hardly wider and longer than the shape, which stands askew in it.
+/// The hole is hardly wider and longer than the shape, and the shape stands in it at an angle.
 TEST(WideGap, APoseIsFoundWhereOneFits) {
   const PieceSettings pieces;
   const Shape shape = test::make_test_shape("spectacles", test::spectacles_outline(0.2f));
@@ -123,7 +123,7 @@ TEST(WideGap, APoseIsFoundWhereOneFits) {
   const Vec2 askew{std::cos(0.42f), std::sin(0.42f)};
   const auto found_in = [&](float hole_px, const PoseRange& poses) {
     FreeField free(make_rectangle_canvas(200, 200), pieces);
-    const float scale_px = hole_px / room.radius;  // of spectacles' hull, round which a frame lies
+    const float scale_px = hole_px / room.radius;  // the hull of the spectacles, with a frame around it
     const Outline hull = {{convex_hull(shape.outline.curves.front())}};
     std::vector<Vec2> inside = hull.curves.front();
     std::reverse(inside.begin(), inside.end());
@@ -150,7 +150,7 @@ TEST(WideGap, APoseIsFoundWhereOneFits) {
   EXPECT_EQ(found_in(20 * room.radius + 1.5f, {20, 60, direction_range(0.41f, 0.43f)}).size(), 1u) << "a narrow range";
 }
 
-/// Where nothing is found, too.
+/// A search that finds nothing can be stopped, too.
 TEST(WideGap, ASearchCanBeStopped) {
   const PieceSettings pieces;
   const Shape shape = test::make_test_shape("spectacles", test::spectacles_outline(0.2f));

@@ -1,4 +1,4 @@
-// Free field and target curve of a canvas without edges: they go on across the seam as if there were none.
+// Free field and target curve of a repeating canvas: both cross the seam as if it were not there.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -13,8 +13,7 @@ using test::four_shapes;
 using test::Piece;
 using test::Target;
 
-// Half a period is a whole number of sample spacings (6 px), so that shifted curves have their samples at the same
-// places.
+// Half a period is a whole number of sample spacings (6 px). So shifted curves have their samples at the same places.
 constexpr int kWidth_px = 192;
 constexpr int kHeight_px = 168;
 const PieceSettings kPieces{.min_scale_px = 14, .max_scale_px = 60};
@@ -55,7 +54,7 @@ TEST(SeamlessField, ReachesAsFarAsPiecesDoAndNoMoreThanAPeriod) {
   EXPECT_LE(free_field_grid(make_seamless_canvas(50, 100, true, true), large).one_period().x0, 50 + kCanvasMargin);
 }
 
-/// Each node is as far from the nearest image of each piece as that is, by one look-up a node and image.
+/// Each node has the distance to the nearest image of each piece, looked up once per node and image.
 TEST(SeamlessField, TakesTheNearestImageEverywhere) {
   EXPECT_TRUE(rc::check([] {
     const Canvas canvas = any_canvas();
@@ -125,7 +124,7 @@ TEST(SeamlessField, IsReachableInAllImagesAlike) {
   EXPECT_FALSE(reachable({5, kHeight_px + 5}));
 }
 
-/// Curves that are smoothed a lot depend on what lies on the other side of a seam, even where they end at this one.
+/// Strongly smoothed curves depend on the other side of a seam, even if they end at this side.
 TEST(SeamlessCurve, UpdatingEqualsTracingAfresh) {
   EXPECT_TRUE(rc::check([] {
     const Canvas canvas = any_canvas();
@@ -148,7 +147,7 @@ TEST(SeamlessCurve, HasItsSamplesInOnePeriod) {
   }));
 }
 
-/// The sample that lies half a period further on, both ways; null: there is none.
+/// The sample half a period further on, both ways; null if there is none.
 const TargetSample* shifted_sample(const Target& target, const TargetSample& sample, const Period& period) {
   const int width = target.free.field().value.width();
   GridEdge edge = GridEdge::of(edge_number(sample.id), width);
@@ -167,7 +166,7 @@ bool alike(const ArclengthPyramid& a, const ArclengthPyramid& b) {
   return a.convexity == b.convexity;
 }
 
-/// Rounding of positions differs, and with it now and then where a level ends.
+/// Positions are rounded differently, which sometimes moves the end of a level.
 TEST(SeamlessCurve, IsTheSameWhereverTheSeamLies) {
   int samples = 0;
   int found = 0;

@@ -1,4 +1,4 @@
-// Cut and paste: a curve kept up to date placement by placement equals one traced afresh, to the bit.
+// A curve that is updated placement by placement equals one traced afresh, to the bit.
 #include "core/field/target_curve.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ using test::Target;
 
 const PieceSettings kPieces{.min_scale_px = 14, .max_scale_px = 90};
 
-/// With a slit whose loop is too short for samples until a piece at one end of it joins it to another.
+/// A canvas with a slit. The slit's loop is too short for samples until the piece `joining` connects it to another loop.
 Canvas slit_canvas(const PieceSettings& pieces, Similarity& joining) {
   const int length = int(kShortestLoop * pieces.min_scale_px / 2) - *rc::gen::inRange(3, 25);
   const int x0 = *rc::gen::inRange(240, 260);
@@ -27,7 +27,7 @@ Canvas slit_canvas(const PieceSettings& pieces, Similarity& joining) {
   return make_mask_canvas(coverage);
 }
 
-/// Some values are 0, which is not above 0.
+/// Fills the window with -1, 0 and 1. The value 0 does not count as above 0.
 void scatter(Grid<float>& field, const Window& window) {
   for (int y = window.y0; y < window.y1; ++y) {
     for (int x = window.x0; x < window.x1; ++x) field(x, y) = float(*rc::gen::inRange(-1, 2));
@@ -63,7 +63,7 @@ TEST(TargetCurve, UpdatingEqualsTracingAfresh) {
   }));
 }
 
-/// Sides are walked 16 x 8 px far alone.
+/// Updating walks along a side for only 16 x 8 px.
 TEST(TargetCurve, UpdatingEqualsTracingAfreshWhereSidesAreLong) {
   EXPECT_TRUE(rc::check([] {
     std::vector<test::Piece> pieces;
@@ -103,7 +103,7 @@ TEST(TargetCurve, ReportsOnlyWhatTheChangeReaches) {
   Target target(make_rectangle_canvas(600, 200), kPieces);
   const std::size_t before = target.curve.sample_count();
   const TargetCurve::Change change = target.place({0, {40, 0, 80, 100}});
-  // Straight sides see as far as the next corners, but a good part of the canvas' edge sees nothing of the piece.
+  // Samples of straight sides see as far as the next corners, but a good part of the canvas' edge does not see the piece.
   EXPECT_GT(change.renewed.size(), 0u);
   EXPECT_LT(change.renewed.size(), before);
   EXPECT_LT(change.removed.size(), before / 4);

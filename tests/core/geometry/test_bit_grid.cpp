@@ -1,4 +1,4 @@
-// The bits against one node after the other.
+// The grid of bits, against a look at every node.
 #include "core/geometry/bit_grid.h"
 
 #include <gtest/gtest.h>

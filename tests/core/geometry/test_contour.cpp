@@ -1,4 +1,4 @@
-// Contours close, keep the larger values on their left, and lie where the interpolation says.
+// Contours close, keep the larger values on their left, and lie where the interpolation puts them.
 #include "core/geometry/contour.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace tessera {
 namespace test_contour {
 
-/// Antialiased disc: coverage falls from 1 to 0 within a node's width.
+/// An antialiased disc: coverage falls from 1 to 0 within a node's width.
 Grid<float> disc(int size, Vec2 centre, float radius) {
   Grid<float> value(size, size);
   for (int y = 0; y < size; ++y) {
@@ -57,7 +57,7 @@ TEST(Contour, HoleTurnsTheOtherWay) {
 TEST(Contour, ClosesAtTheGridsEdge) {
   const auto curves = contours(Grid<float>(4, 3, 1.f), 0.5f);
   ASSERT_EQ(curves.size(), 1u);
-  EXPECT_NEAR(signed_area(curves[0]), 4 * 3 - 4 * 0.125, 1e-4);  // half a node around, less the corners
+  EXPECT_NEAR(signed_area(curves[0]), 4 * 3 - 4 * 0.125, 1e-4);  // half a node around, without the corners
 }
 
 TEST(Contour, MeanOfASaddleDecides) {

@@ -54,7 +54,7 @@ TEST(ConvexHull, LeastWidthIsThatOfTheNarrowestStrip) {
       RC_ASSERT(high - low >= width - 1e-6);
       narrowest = std::min(narrowest, high - low);
     }
-    RC_ASSERT(narrowest - width < 0.05);  // 20 wide, 0.05 degrees beside it
+    RC_ASSERT(narrowest - width < 0.05);  // the hull is 20 wide, and the angle errs by up to 0.05 degrees
   }));
 }
 

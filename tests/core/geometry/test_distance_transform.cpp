@@ -1,4 +1,4 @@
-// The transform against brute force.
+// The distance transform against brute force.
 #include "core/geometry/distance_transform.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Images across the seams of a plane that repeats, against one node after the other.
+// Images across the seams of a repeating plane, against a look at every node.
 #include "core/geometry/periodic_grid.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ TEST(Period, OffersTheImagesAround) {
 
 using Node = std::pair<int, int>;
 
-/// One period of 7 to 12 nodes both ways, or without repetition one way or both, and up to a period of images.
+/// A grid of 7 to 11 nodes each way that repeats in both directions, in one or in none. It holds up to a period of images.
 PeriodicGrid any_grid() {
   const bool in_x = *rc::gen::inRange(0, 2) == 1;
   const bool in_y = *rc::gen::inRange(0, 2) == 1;

@@ -1,4 +1,4 @@
-// Distances between polygons against brute force, bounds of distances against the truth, and boxes.
+// Distances between polygons against brute force, bounds of distances against true ones, and boxes.
 #include "core/geometry/polygon_index.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ Outline placed(Outline outline) {
   return outline;
 }
 
-/// Of a piece in several parts the first is no more than one of them.
+/// The first part of a piece in several parts is only one of them.
 TEST(BoundingBox, OfAnOutlineHoldsAllCurves) {
   const Outline parts{{{{0, 0}, {2, 0}, {2, 1}}, {{5, -3}, {6, -3}, {6, -2}}, {{-1, 4}, {1, 4}, {1, 7}}}};
   const Box box = bounding_box(parts);
@@ -96,7 +96,7 @@ TEST(PolygonIndex, ContainsByTheEvenOddRule) {
   }));
 }
 
-/// Beyond a shape's own grid its distance may be less than the truth, never more.
+/// Beyond a shape's own grid its distance may be too small, but never too large.
 TEST(PieceDistance, IsALowerBoundBeyondTheGrid) {
   EXPECT_TRUE(rc::check([] {
     const Shape shape = test::make_test_shape("any", any_outline());

@@ -1,4 +1,4 @@
-// The spline takes out what is finer than its width and keeps the rest.
+// The spline removes detail finer than its width and keeps the rest.
 #include "core/geometry/smoothing_spline.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ std::vector<Vec2> circle(double radius, int points, double ripple = 0, int waves
   return curve;
 }
 
-/// Largest distance from a circle about the origin.
+/// The largest distance of the curve from a circle around the origin.
 double deviation(const std::vector<Vec2>& curve, double radius) {
   double most = 0;
   for (const Vec2 p : curve) most = std::max(most, std::abs(norm(p) - radius));
@@ -50,7 +50,7 @@ TEST(SmoothingSpline, CircleStaysACircle) {
 TEST(SmoothingSpline, RippleIsDampedAsByAGaussian) {
   const double radius = 100, ripple = 0.5;
   for (const double sigma : {1.0, 2.0, 4.0}) {
-    // The wave number at which a Gaussian of this width leaves half of the ripple.
+    // The wave number at which a Gaussian of this width halves the ripple.
     const int waves = int(std::lround(radius * std::sqrt(2 * std::log(2.0)) / sigma));
     const auto kept = smoothing_spline(circle(radius, 6000, ripple, waves), sigma).even_points(2048);
     EXPECT_NEAR(deviation(kept, radius), ripple / 2, 0.06) << "sigma " << sigma;

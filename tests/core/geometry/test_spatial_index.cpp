@@ -1,4 +1,4 @@
-// Finding by window, against looking at everything.
+// Queries by window, against a look at every entry.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 

@@ -1,4 +1,4 @@
-// The order in which a composite matcher asks its parts. That their answers are joined rightly is for MatcherSuite.
+// The order in which a composite matcher asks its parts. MatcherSuite tests that it joins their answers correctly.
 #include "core/matching/composite_matcher.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace tessera {
 namespace test_composite_matcher {
 
-/// Counts in as many steps as it is told, and notes in `calls` what it is asked: "post 0" is of the part with shape 0.
+/// A matcher that counts in a given number of steps. It notes its calls in `calls`: "post 0" is a call of the part with shape 0.
 class SteppingMatcher : public test::IdleMatcher {
  public:
   SteppingMatcher(std::uint32_t shape, int steps, std::vector<std::string>& calls)
@@ -41,7 +41,7 @@ class SteppingMatcher : public test::IdleMatcher {
 
 using Calls = std::vector<std::string>;
 
-/// Its parts count in so many steps; they have the shapes from `first` on.
+/// A composite of parts that count in the given numbers of steps. Their shapes begin at `first`.
 std::unique_ptr<Matcher> stepping_parts(std::uint32_t first, const std::vector<int>& steps, Calls& calls) {
   std::vector<std::unique_ptr<Matcher>> parts;
   for (const int s : steps) {
@@ -61,7 +61,7 @@ TEST(CompositeMatcher, PartsTakeTheirStepsInTurns) {
                           "take 0", "take 1", "take 2"}));
 }
 
-/// As on a worker with others below it, of which the first part is one: it steps by itself, and is slow to answer.
+/// The case of a worker with others below it. The first part is such a worker: it steps by itself and answers slowly.
 TEST(CompositeMatcher, DevicesTakeAllTheirStepsBeforeAnythingIsTaken) {
   Calls calls;
   std::vector<std::unique_ptr<Matcher>> parts;
@@ -84,7 +84,7 @@ TEST(CompositeMatcher, AStepIsOneOfEachPartAndTellsWhetherAnyIsLeft) {
   EXPECT_EQ(calls, (Calls{"step 0", "step 1", "step 0"}));
 }
 
-/// A part that is ready for its next step only now and then.
+/// A part that is only sometimes ready for its next step.
 class SlowMatcher : public SteppingMatcher {
  public:
   SlowMatcher(std::uint32_t shape, int steps, int looks, std::vector<std::string>& calls)
@@ -97,7 +97,7 @@ class SlowMatcher : public SteppingMatcher {
   int looked_ = 0;
 };
 
-/// A slow device with a large step, and a fast one with many small ones.
+/// One slow device with a few large steps, and a fast one with several small steps.
 TEST(CompositeMatcher, NobodyWaitsForAPartThatIsNotReady) {
   Calls calls;
   std::vector<std::unique_ptr<Matcher>> parts;

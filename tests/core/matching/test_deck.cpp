@@ -1,4 +1,4 @@
-// Random dockings of a very large library draw from a deck of it: runs of shapes, other ones for each question.
+// Random dockings of a very large library are drawn from a deck: runs of its shapes, which differ for each question.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -49,7 +49,7 @@ TEST(Deck, IsRunsOfPlacesInOrder) {
   }
 }
 
-/// The same for whoever is asked, another one for other samples, another pass and another seed.
+/// The deck is the same for every part that is asked. It differs for other samples, another pass and another seed.
 TEST(Deck, FollowsFromTheQuestion) {
   const auto open = [](std::uint64_t seed, const std::vector<TargetSample>& samples) {
     return draw_deck(seed, samples, kLarge, kLarge, 0).open;
@@ -61,7 +61,7 @@ TEST(Deck, FollowsFromTheQuestion) {
   EXPECT_NE(open(1, samples_of(20, 1)), first);
 }
 
-/// In the long run every shape is drawn as often as any other.
+/// In the long run every shape is drawn equally often.
 TEST(Deck, FavoursNoPartOfTheLibrary) {
   constexpr std::uint32_t kParts = 10;
   constexpr std::uint32_t kQuestions = 400;

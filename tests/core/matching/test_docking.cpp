@@ -32,7 +32,7 @@ CollageSettings settings() {
   return s;
 }
 
-/// A free region that is exactly the hole a piece leaves.
+/// A free region that is exactly the hole of a piece.
 CanvasField hole_of(const Shape& shape, const Similarity& pose, int size) {
   CanvasField field{Grid<float>(size, size), {0.5f, 0.5f}};
   const Similarity back = pose.inverse();
@@ -44,7 +44,7 @@ CanvasField hole_of(const Shape& shape, const Similarity& pose, int size) {
   return field;
 }
 
-/// The only stance there is.
+/// The context's only stance.
 const Stance& stance_of(const MatchingContext& context) { return context.stances[0]; }
 
 Stance stance_of(const PoseRange& poses) {
@@ -71,7 +71,7 @@ TEST(AlignPyramids, RecoversTheSimilarity) {
   }));
 }
 
-/// Of all poses with an allowed rotation and scale the one of least squares: no small step within the range is better.
+/// Of all poses with an allowed rotation and scale it is the least-squares one: no small step within the range is better.
 TEST(AlignPyramids, IsTheBestOfTheAllowedPoses) {
   EXPECT_TRUE(rc::check([] {
     const std::vector<Vec2> curve =
@@ -220,7 +220,7 @@ TEST(Refine, RejectsWhatCannotFit) {
   const Shape shape = test::make_library_shape("star", test::star_outline(5));
   const MatchingContext context = make_matching_context(settings(), 1);
   const ShapeModel model = test::models_of({shape}, context, 0, 1).front();
-  const CanvasField hole = hole_of(shape, {10, 0, 64, 64}, 128);  // smaller than the smallest piece
+  const CanvasField hole = hole_of(shape, {10, 0, 64, 64}, 128);  // below the smallest size of a piece
   Similarity pose{20, 0, 64, 64};
   EXPECT_FALSE(refine(pose, model, FieldView(hole), stance_of(context).poses, context.hard_depth_px));
 }
@@ -249,7 +249,7 @@ TEST(Rotation, IsLimitedToItsRange) {
   EXPECT_FALSE(stance_of(context).poses.contains(turned(3.f)));
 }
 
-/// Any interval, one angle included: what lies outside comes back to its nearest bound, and what lies inside stays.
+/// For any interval, also a single angle: a pose outside comes back to its nearest bound, and a pose inside stays.
 TEST(PoseRange, PullsInByAsLittleAsNeeded) {
   EXPECT_TRUE(rc::check([] {
     const float low = 0.001f * float(*rc::gen::inRange(-3141, 3141));
@@ -285,7 +285,7 @@ TEST(PoseRange, KnowsHowFarAPoseMayTurn) {
   }));
 }
 
-/// In a range of more than half a turn: a bound that is less than a quarter of a turn ahead, and no other, limits.
+/// In a range of more than half a turn, only a bound less than a quarter of a turn ahead limits the pose.
 TEST(PoseRange, IsNotLimitedByABoundBehindThePose) {
   EXPECT_TRUE(rc::check([] {
     const float low = 0.001f * float(*rc::gen::inRange(-3141, 3141));
@@ -302,7 +302,7 @@ TEST(PoseRange, IsNotLimitedByABoundBehindThePose) {
   }));
 }
 
-/// Refinement within one angle: only place and size change, and they find the hole.
+/// Refinement with one allowed angle changes only place and size, and finds the hole.
 TEST(Refine, KeepsTheOneAllowedAngle) {
   const Shape shape = test::make_library_shape("bean", test::bean_outline());
   CollageSettings s = settings();
@@ -320,7 +320,7 @@ TEST(Refine, KeepsTheOneAllowedAngle) {
   }));
 }
 
-/// Holes a little beyond a bound of the scale, so that the descent presses against it: rounding must not reject it.
+/// The holes lie slightly beyond a bound of the scale, so the descent presses against that bound. Rounding must not reject the pose.
 TEST(Refine, RoundingRejectsNothingAtTheBoundsOfScale) {
   const Shape shape = test::make_library_shape("bean", test::bean_outline());
   for (const float bound_px : {20.f, 20.001f, 33.333f, 47.11f, 90.07f}) {
@@ -357,7 +357,7 @@ TEST(SelectPairs, FindsThePlaceWhereTheShapeCameFrom) {
   const std::vector<Shape> shapes = test::synthetic_library(6);
   const MatchingContext context = make_matching_context(settings(), 6);
   const ShapeModel model = test::models_of(shapes, context, 4, 5).front();
-  // A target that is the shape itself at the scale where level slot 1 agrees.
+  // The target is the shape itself at the scale at which level slot 1 agrees.
   const int slot = 1;
   const float scale = 2.5f / kSmoothingLevels[context.levels[slot]].sigma;
   TargetSample sample;
@@ -373,7 +373,7 @@ TEST(SelectPairs, FindsThePlaceWhereTheShapeCameFrom) {
   EXPECT_LE(pairs.size(), std::size_t(kPairsPerShape));
 }
 
-/// Long improvement counts many passes, and jobs may draw often: no pass repeats another's draws, nor another sample's.
+/// Long improvement has many passes, and jobs may draw often. No pass repeats the draws of another pass or sample.
 TEST(DrawTangent, DiffersBetweenPassesAndSamples) {
   const MatchingContext context = make_matching_context(settings(), 1000);
   const auto draws = [&](std::uint32_t id, std::uint32_t pass, std::uint32_t first) {
@@ -399,7 +399,7 @@ TEST(BinLimit, KeepsTheShareAndAtLeastTheFirstPairs) {
   h[20] = 100;
   EXPECT_EQ(bin_limit_for(h, 12), 20u);
   EXPECT_EQ(bin_limit_for(h, 11), 10u);
-  EXPECT_EQ(bin_limit_for(h, 1), 4u);  // not even the best bin fits: it is kept all the same
+  EXPECT_EQ(bin_limit_for(h, 1), 4u);  // not even the best bin fits, but it is kept
   EXPECT_EQ(bin_limit_for(h, 1000), std::uint32_t(kDistanceBins));
 }
 

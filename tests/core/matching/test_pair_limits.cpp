@@ -1,4 +1,4 @@
-// How far samples look for their pairs: as far as the whole library must, whatever the steps, and not much farther.
+// The distance up to which samples look for pairs: as far as the whole library requires, however it is estimated, and not much farther.
 #include "core/matching/pair_limits.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ struct Pairs {
   std::vector<DistanceHistogram> all;
 };
 
-/// Such as grow with a power of the distance, each sample's so many times as fast; with even segments or uneven ones.
+/// Pairs that grow with a power of the distance, faster for some samples than for others. The segments are even or uneven.
 Pairs random_pairs(std::size_t samples, std::size_t segments, bool even, std::mt19937& random) {
   Pairs pairs{std::vector(segments, std::vector<DistanceHistogram>(samples)), std::vector<DistanceHistogram>(samples)};
   for (std::size_t t = 0; t < samples; ++t) {
@@ -39,7 +39,7 @@ Pairs random_pairs(std::size_t samples, std::size_t segments, bool even, std::mt
 struct Asked {
   int estimates = 0;
   int looks = 0;
-  std::vector<std::uint32_t> farthest;  // of each sample, in the whole library
+  std::vector<std::uint32_t> farthest;  // for each sample, in the whole library
 };
 
 std::vector<std::uint32_t> limits_of(const Pairs& pairs, std::uint64_t wanted, Asked& asked) {
@@ -63,8 +63,8 @@ std::vector<std::uint32_t> limits_of(const Pairs& pairs, std::uint64_t wanted, A
   return pair_limits(samples, wanted, std::uint32_t(pairs.of_segment.size()) * kSegmentShapes, count);
 }
 
-/// They are those of the whole histograms, from libraries that are estimated and from small ones, even where the
-/// segments that the estimate is of tell nothing about the others.
+/// The limits equal those of the whole histograms, for estimated libraries and for small ones.
+/// This holds even if the segments of the estimate say nothing about the others.
 RC_GTEST_PROP(PairLimits, are_those_of_all_pairs, ()) {
   std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
   const auto samples = *rc::gen::inRange<std::size_t>(0, 20);
@@ -86,8 +86,8 @@ TEST(PairLimits, SmallLibrariesAreNotEstimated) {
   EXPECT_GT(asked.estimates, 0);
 }
 
-/// One look at the whole library is enough for nearly all samples, and goes hardly farther than it must: pairs grow with
-/// the third power, so a quarter more of them are 8 % farther.
+/// One look at the whole library is enough for nearly all samples, and goes hardly farther than necessary.
+/// Pairs grow with the third power of the distance, so a quarter more pairs are 8 % farther.
 TEST(PairLimits, AnEstimateTellsHowFarItWillBe) {
   std::mt19937 random(2);
   const Pairs pairs = random_pairs(200, 50, true, random);

@@ -1,4 +1,4 @@
-// The search for sizes at which every piece finds a place: in a world where all fit up to some factor.
+// The search for sizes at which every piece finds a place. Here all pieces fit up to a known factor.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -12,11 +12,11 @@ namespace tessera {
 namespace test_size_search {
 
 struct Searched {
-  std::vector<float> factors;  // of the attempts, in their order
-  float fits = 0;              // the largest of them at which all found a place; 0: none
+  std::vector<float> factors;  // of the attempts, in order
+  float fits = 0;              // the largest factor at which all found a place; 0: none
 };
 
-/// Up to `limit` all find a place, beyond it the part `placed(factor)`.
+/// Searches with a least factor. All pieces find a place up to the factor `limit`; beyond it the share `placed(factor)` does.
 template <class Placed>
 Searched searched(float least_factor, float limit, Placed placed) {
   Searched result;
@@ -36,7 +36,7 @@ float random_factor(int least_percent) { return float(*rc::gen::inRange(least_pe
 RC_GTEST_PROP(SizeSearch, FindsNearlyTheLargestSizes, ()) {
   const float least = random_factor(1) * 0.2f;
   const float limit = std::max(least, random_factor(1));
-  const float part = random_factor(0);  // of a shortage: how much of it shows
+  const float part = random_factor(0);  // the visible share of a shortage
   const Searched found = searched(
       least, limit, [&](float factor) { return 1 - part * (1 - double(limit) * limit / (double(factor) * factor)); });
   RC_ASSERT(found.factors.size() <= kMostAttempts);
@@ -63,7 +63,7 @@ TEST(SizeSearch, EndsWhereAllFindAPlaceAtOnce) {
   EXPECT_EQ(searched(0.1f, 1, [](float) { return 0.5; }).factors, std::vector<float>{1});
 }
 
-/// One of a hundred is missing: sizes need not be much smaller, and are raised halfway again.
+/// One of a hundred pieces is missing. The sizes need a small step down, and then half a step up.
 TEST(SizeSearch, ASmallShortageTakesASmallStepDownAndAHalfUp) {
   const Searched found = searched(0.1f, 0.985f, [](float) { return 0.99; });
   ASSERT_EQ(found.factors.size(), 3u);

@@ -1,4 +1,4 @@
-// Which shapes may stand how: out of the job's wishes, and within what holds for the moment.
+// The stances of shapes: from the job's wishes, and within the limits of the moment.
 #include "core/matching/stances.h"
 
 #include <gtest/gtest.h>
@@ -102,7 +102,7 @@ TEST(Stances, LimitsLeaveWhatIsSmallEnoughAndNotUsedUp) {
   EXPECT_EQ(all.limited({.most_scale_px = 19}).open_shapes(), 0u);
 }
 
-/// A rotation is allowed by both exactly where each allows it, whichever turn it was written with.
+/// Both ranges allow a rotation exactly if each of them does, whatever turn it was written with.
 TEST(Stances, CommonRotationsAreThoseOfBoth) {
   EXPECT_TRUE(rc::check([] {
     const auto interval = [] {

@@ -16,7 +16,7 @@ namespace tessera {
 namespace test_pad {
 
 constexpr PadParameters kPad;
-constexpr float kSigma = 0.05f;  // of curves about 7 long
+constexpr float kSigma = 0.05f;  // for curves about 7 long
 constexpr int kPoints = 1024;
 
 rc::Gen<std::uint32_t> any_seed() { return rc::gen::inRange<std::uint32_t>(1, 1u << 30); }
@@ -58,7 +58,7 @@ TEST(Pad, IsInvariantToRotationAndTranslation) {
     for (std::size_t j = 0; j < before.size(); ++j) {
       distances.push_back(pad_distance(make_pad(before[j], 5), make_pad(after[j], 5), 5));
     }
-    // A level may end where the curve is nearly straight: there rounding of the positions moves the end most.
+    // A level may end where the curve is nearly straight. There, rounding of the positions moves the end most.
     RC_ASSERT(median(distances) < 5e-4f);
     RC_ASSERT(*std::max_element(distances.begin(), distances.end()) < 0.02f);
   }));
@@ -75,7 +75,7 @@ TEST(Pad, IsInvariantToTheStartPoint) {
   }));
 }
 
-/// The same curve at another scale, sampled as densely as a raster of that scale would: other points, other count.
+/// The same curve at another scale, sampled as densely as a raster of that scale: with other points and another count.
 struct Rescaled {
   std::vector<ArclengthPyramid> original = {};
   std::vector<ArclengthPyramid> scaled = {};
@@ -161,22 +161,22 @@ TEST(Pad, OppositeConvexityAddsTheMagnitudes) {
   EXPECT_EQ(pad_distance(p, q, 5), 0.f);
   q.convexity = -1;
   EXPECT_EQ(pad_distance(p, q, 5), 0.5f);
-  q.convexity = 0;  // flat agrees with either
+  q.convexity = 0;  // a flat element agrees with either sign
   EXPECT_EQ(pad_distance(p, q, 5), 0.f);
 }
 
-/// A stretch of one curve pasted into another: away from the joints nothing but the stretch is seen.
+/// A stretch of one curve is pasted into another. Away from the joints, PADs depend only on the stretch.
 TEST(Pad, OfAPastedStretchEqualsTheOriginal) {
   EXPECT_TRUE(rc::check([] {
     const std::vector<Vec2> curve = test::random_curve(*any_seed(), kPoints);
     std::vector<Vec2> other(curve.begin(), curve.begin() + kPoints / 2 + 200);
     const Vec2 gap = other.front() - other.back();
-    for (int i = 1; i < 400; ++i) {  // another way back
+    for (int i = 1; i < 400; ++i) {  // another way back to the start
       const float t = float(i) / 400;
       other.push_back(other[kPoints / 2 + 199] + gap * t + Vec2{gap.y, -gap.x} * (0.8f * std::sin(3.14159265f * t)));
     }
     const auto smooth = [](const std::vector<Vec2>& c) {
-      // Fixed reach of 8 points: the even spacing of both curves differs by the detour only.
+      // The filter reaches a fixed 8 points, so that the two curves differ only by the detour.
       std::vector<Vec2> result(c.size());
       for (std::size_t i = 0; i < c.size(); ++i) {
         Vec2 sum;

@@ -1,4 +1,4 @@
-// The filter of bytes loses no pair: whatever is near passes.
+// The filter of bytes loses no pair: every near PAD passes.
 #include "core/pad/pad_filter.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ QuantisedPad random_pad() {
   return pad;
 }
 
-/// Mostly near `pad`, at its ends too.
+/// A PAD whose elements differ from those of `pad` by at most `reach`.
 QuantisedPad random_neighbour(const QuantisedPad& pad, int reach) {
   QuantisedPad neighbour;
   for (std::size_t e = 0; e < pad.element.size(); ++e) {
@@ -54,7 +54,7 @@ TEST(PadFilter, KeepsOutWhatIsFar) {
   EXPECT_FALSE(within(pad_byte(source.element[3]), window.low[3], window.high[3]));
 }
 
-/// Where bytes end decides, not how far a byte reaches: of a reach below a byte's half two bytes at most.
+/// The ends of the bytes decide. With a reach below half a byte, at most two bytes pass.
 RC_GTEST_PROP(PadFilter, keeps_out_all_bytes_of_which_none_is_near, ()) {
   const QuantisedPad target = random_pad();
   const auto reach = *rc::gen::inRange<int>(1, 3000);

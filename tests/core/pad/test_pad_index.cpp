@@ -1,4 +1,4 @@
-// The index of PADs: an order of all of them, boxes that hold what they should, and few of them near any target.
+// The index of PADs: it orders all PADs, its boxes hold their PADs, and few boxes lie near a target.
 #include "core/pad/pad_index.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ bool holds(const PadBox& box, const PadBytes& pad) {
   return pad.scale >= box.scale_low && pad.scale <= box.scale_high && (pad.sign & box.signs) == pad.sign;
 }
 
-/// Some spread over all bytes, some alike, as PADs of straight sides are.
+/// Some PADs are spread over all bytes, some are alike, as those of straight sides.
 std::vector<PadBytes> random_pads(std::size_t count, std::uint32_t seed) {
   std::mt19937 random(seed);
   std::vector<PadBytes> pads(count);
@@ -50,7 +50,7 @@ RC_GTEST_PROP(PadIndex, orders_all_pads_into_boxes_that_hold_them, ()) {
   }
 }
 
-/// So many that branches are split on several threads.
+/// Enough PADs for several threads to split the branches.
 TEST(PadIndex, ManyPadsAreInBoxesThatHoldThem) {
   const std::vector<PadBytes> pads = random_pads(150'000, 5);
   const PadIndex index = make_pad_index(pads, kElements);
@@ -62,8 +62,8 @@ TEST(PadIndex, ManyPadsAreInBoxesThatHoldThem) {
   }
 }
 
-/// The order is this program's own, and no standard library's: within a block PADs keep the order of their places, and of
-/// PADs that are all alike the first ones come first.
+/// The program fixes the order by itself, independent of the standard library.
+/// PADs keep their order within a block, and equal PADs keep their order over all.
 TEST(PadIndex, PadsOfABlockKeepTheirOrder) {
   std::vector<PadBytes> pads = random_pads(20'000, 6);
   for (PadBytes& pad : pads) pad.sign = 1;
@@ -77,7 +77,7 @@ TEST(PadIndex, PadsOfABlockKeepTheirOrder) {
   EXPECT_EQ(pad_order(pads, kElements), places);
 }
 
-/// No larger than it must be: every bound is some PAD's.
+/// A box is as small as possible: some PAD lies at each bound.
 TEST(PadIndex, BoxesAreTight) {
   const std::vector<PadBytes> pads = random_pads(5000, 7);
   const PadIndex index = make_pad_index(pads, kElements);
@@ -97,8 +97,8 @@ TEST(PadIndex, BoxesAreTight) {
   }
 }
 
-/// Of PADs that lie about few centres a target near one of them meets few blocks; in the order in which they came it
-/// meets them all.
+/// The PADs lie around few centres. A target near one centre meets few blocks of the index; in the original order it would meet all of
+/// them.
 TEST(PadIndex, FewBlocksLieNearATarget) {
   std::mt19937 random(3);
   std::vector<PadBytes> pads(64 * 256);
@@ -121,7 +121,7 @@ TEST(PadIndex, FewBlocksLieNearATarget) {
   EXPECT_LT(met, index.blocks.size() / 20);
 }
 
-/// Blocks of one sign alone, but for one: half of them cannot hold a target's pairs.
+/// All blocks except one have a single sign, so half of them cannot hold a target's pairs.
 TEST(PadIndex, SignsMeetInOneBlock) {
   std::vector<PadBytes> pads = random_pads(10'000, 5);
   for (PadBytes& pad : pads) pad.sign = pad.sign == 3 ? 2 : pad.sign;

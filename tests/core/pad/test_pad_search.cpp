@@ -1,4 +1,4 @@
-// The search in the index finds what a scan of all PADs finds, whatever levels of the target are missing.
+// The search in the index finds the same PADs as a scan of all PADs, whatever levels the target lacks.
 #include "core/pad/pad_search.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ std::vector<PadBytes> random_pads(std::size_t count, std::mt19937& random) {
   return pads;
 }
 
-/// The distance as pad_search.h states it, of one PAD.
+/// The distance of one PAD as pad_search.h defines it.
 float stated_distance(const PadBytes& pad, const PadTarget& target) {
   if ((pad.sign & target.sign) == 0) return 2;
   if (pad.scale < target.scales.low || pad.scale > target.scales.high) return 2;
@@ -76,7 +76,7 @@ RC_GTEST_PROP(PadSearch, finds_what_a_scan_finds, ()) {
   const std::vector<PadHit> found = search.nearest(target, reach, most, wanted);
   RC_ASSERT(found.size() == std::min(most, expected.size()));
   for (std::size_t i = 0; i < found.size(); ++i) {
-    // The same operations in another order: the last bits may differ, and with them the order of equal ones.
+    // The operations have another order, so the last bits may differ, and with them the order of equal distances.
     RC_ASSERT(std::abs(found[i].distance - expected[i].distance) < 1e-5f);
     RC_ASSERT(std::abs(stated_distance(pads[found[i].place], target) - found[i].distance) < 1e-5f);
     RC_ASSERT(wanted(found[i].place));

@@ -1,5 +1,4 @@
-// PADs and key points in whole steps: as near to the real ones as rounding allows, and safe with what a damaged library
-// holds.
+// PADs and key points in whole steps: as close to the exact ones as rounding allows, and safe with a damaged library.
 #include "core/pad/quantised_pad.h"
 
 #include <gtest/gtest.h>
@@ -55,7 +54,7 @@ RC_GTEST_PROP(QuantisedPad, a_library_keeps_twelve_bits, ()) {
   const QuantisedPad kept = library_pad(pad);
   for (std::size_t e = 0; e < pad.element.size(); ++e) {
     RC_ASSERT(kept.element[e] % kLibraryPadSteps == 0u);
-    // Half a step of the library's; what is nearest to 65,536 becomes 65,520.
+    // The error is at most half a step of the library. Values nearest to 65,536 become 65,520.
     RC_ASSERT(std::abs(int(kept.element[e]) - int(pad.element[e])) <= (pad.element[e] < 65528 ? 8 : 15));
   }
   RC_ASSERT(library_pad(kept) == kept);

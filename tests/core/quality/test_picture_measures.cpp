@@ -1,5 +1,5 @@
-// What an eye sees of a collage: balance of sizes, copies of a shape, gaps between pieces; on scenes made by hand, and
-// held against brute force.
+// Visual measures of a collage: balance of sizes, copies of a shape, gaps between pieces. They are tested on scenes made by hand, and
+// against brute force.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -23,7 +23,7 @@ JudgedPiece laid(const Outline& unit_outline, float scale_px, Vec2 centre_px, co
   return {placed_outline(unit_outline, t), shape, centre_px, scale_px};
 }
 
-/// Of side 1 round the origin.
+/// A square of side 1 around the origin.
 Outline unit_square() { return {{{{-0.5f, -0.5f}, {0.5f, -0.5f}, {0.5f, 0.5f}, {-0.5f, 0.5f}}}}; }
 
 JudgedPiece square(float side_px, Vec2 centre_px, const std::string& shape = "square", float rotation_rad = 0) {
@@ -36,7 +36,7 @@ std::vector<JudgedPiece> of_sizes(const std::vector<float>& sides_px) {
   return pieces;
 }
 
-/// As many of each size as it takes for an area of `px2` each.
+/// Repeats each size until its pieces have an area of `px2` together.
 std::vector<float> of_equal_area(const std::vector<float>& sides_px, float px2) {
   std::vector<float> all;
   for (const float side_px : sides_px) all.insert(all.end(), std::size_t(px2 / (side_px * side_px)), side_px);
@@ -44,7 +44,7 @@ std::vector<float> of_equal_area(const std::vector<float>& sides_px, float px2) 
 }
 
 TEST(SizeBalance, EqualAreasInAllPartsAreEven) {
-  // 1 to 32 px: the parts end at 2, 4, 8 and 16 px.
+  // The range is 1 to 32 px: its parts end at 2, 4, 8 and 16 px.
   const auto balance = size_balance(of_sizes(of_equal_area({1.5f, 3, 6, 12, 24}, 576)), {1, 32});
   ASSERT_TRUE(balance);
   EXPECT_NEAR(balance->evenness, 1, 1e-9);
@@ -101,7 +101,7 @@ RC_GTEST_PROP(SizeBalance, LiesFromNothingToOneAndKnowsNoUnit, ()) {
 }
 
 TEST(NearestCopies, AreTheMedianOverThePieces) {
-  // a: 10, 10, 90 apart from the nearest; b stands alone.
+  // The nearest copies of the three a are 10, 10 and 90 px away; b has no copy.
   const std::vector<JudgedPiece> pieces = {square(5, {0, 0}, "a"), square(5, {10, 0}, "a"), square(5, {100, 0}, "a"),
                                            square(5, {50, 0}, "b")};
   EXPECT_EQ(median_copy_distance_px(pieces, {}), (10 + 90) / 2.);
@@ -128,7 +128,7 @@ TEST(NearestCopies, AreSeenAcrossASeam) {
   EXPECT_FALSE(median_copy_distance_px({square(5, {50, 50}, "a")}, {60, 60})) << "its own image is no copy";
 }
 
-/// Some of four shapes on 100 x 100 px.
+/// Random pieces of four shapes on 100 x 100 px.
 std::vector<JudgedPiece> random_centres() {
   std::vector<JudgedPiece> pieces;
   for (int i = *rc::gen::inRange(2, 30); i > 0; --i) {
@@ -189,7 +189,7 @@ TEST(PieceGaps, NeedTwoPieces) {
 }
 
 TEST(PieceGaps, DoNotDependOnWhichImageWasLaid) {
-  // One period apart from the last of GoOnAcrossASeam's, and more.
+  // The second piece is moved by whole periods from its place in GoOnAcrossASeam.
   for (const float periods : {-2.f, -1.f, 1.f, 2.f}) {
     const std::vector<JudgedPiece> pieces = {square(20, {10, 50}), square(20, {85 + 100 * periods, 50})};
     EXPECT_NEAR(piece_gaps(pieces, {100, 0}, 2).smallest_px.value(), 5, 1e-3) << periods;
@@ -204,7 +204,7 @@ TEST(PieceGaps, GoOnAcrossASeam) {
   EXPECT_NEAR(piece_gaps({square(20, {50, 50})}, {30, 100}, 2).smallest_px.value(), 10, 1e-3) << "its own image";
 }
 
-/// Blobs, some of which overlap; some have a part that lies apart. Their centres lie from -0.5 to 1.5 times 260 px.
+/// Blobs, some of which overlap, some with a separate part. Their centres lie from -0.5 to 1.5 times 260 px.
 std::vector<JudgedPiece> random_blobs() {
   std::vector<JudgedPiece> pieces;
   for (int i = *rc::gen::inRange(2, 8); i > 0; --i) {
@@ -227,7 +227,7 @@ Outline moved(Outline outline, Vec2 by) {
   return outline;
 }
 
-/// Also where only a part of one lies in the other.
+/// The gap is 0 also if only a part of one outline lies in the other.
 double gap_by_brute_force(const Outline& a, const Outline& b) {
   for (const auto& curve : a.curves) {
     if (test::lies_in(b, curve[0])) return 0;
@@ -261,7 +261,7 @@ RC_GTEST_PROP(PieceGaps, AgreeWithBruteForce, ()) {
   RC_ASSERT(std::abs(gaps.alone - double(std::count(alone.begin(), alone.end(), true)) / double(pieces.size())) < 1e-9);
 }
 
-/// Of `count` stars of 512 points beside each other.
+/// A grid of `count` stars of 512 points.
 std::vector<JudgedPiece> field_of_stars(int count, float apart_px) {
   const int columns = int(std::sqrt(double(count)));
   Outline star = test::star_outline(9, 0.7f);
@@ -275,13 +275,13 @@ std::vector<JudgedPiece> field_of_stars(int count, float apart_px) {
 }
 
 TEST(PieceGaps, OfTwentyThousandPiecesTakeSeconds) {
-  for (const float apart_px : {49.f, 53.f}) {  // some overlap; none do
+  for (const float apart_px : {49.f, 53.f}) {  // with overlaps, then without
     const std::vector<JudgedPiece> pieces = field_of_stars(20000, apart_px);
     const double start_s = processor_time_s();
     const PieceGaps gaps = piece_gaps(pieces, {}, 2);
     const double taken_s = processor_time_s() - start_s;
     EXPECT_EQ(gaps.smallest_px == 0., apart_px == 49.f);
-    EXPECT_LT(taken_s, 30);  // loose: sanitizers are slow
+    EXPECT_LT(taken_s, 30);  // a loose bound, because sanitizers are slow
   }
 }
 

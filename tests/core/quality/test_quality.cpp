@@ -1,4 +1,4 @@
-// Quality measures on squares, discs and rings whose numbers are known.
+// Quality measures of squares, discs and rings with known values.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -64,7 +64,7 @@ TEST(Quality, OverlapCountsEveryPieceBeyondTheFirst) {
 
 TEST(Quality, OverlapCountsAnyNumberOfLayers) {
   for (const std::size_t layers : {255u, 256u, 257u, 600u}) {
-    // Half of each lies outside, where layers count nothing.
+    // Half of each piece lies outside the canvas, where layers do not count.
     const Quality q =
         measure(make_rectangle_canvas(100, 100), std::vector<Placement>(layers, at(kSquare, 20, {0, 50})));
     EXPECT_NEAR(q.coverage, 0.02, 1e-9);
@@ -97,15 +97,15 @@ TEST(Quality, PiecesOverlapAcrossASeam) {
   EXPECT_NEAR(q.overlap, 0.08, 1e-3);
 }
 
-/// 1 px apart: one side of four of each, and a little of those that meet it.
+/// The pieces are 1 px apart: each shares one of its four sides and a little of the adjacent ones.
 TEST(Quality, BoundariesAreSharedAcrossASeam) {
   const std::vector<Placement> apart_by_one{at(kSquare, 40, {2, 100}), at(kSquare, 40, {161, 100})};
   EXPECT_NEAR(measure(make_seamless_canvas(200, 200, true, false), apart_by_one).shared_boundary, 43 / 160., 0.02);
   EXPECT_EQ(measure(make_seamless_canvas(220, 200, true, false), apart_by_one).shared_boundary, 0);
 }
 
-/// Between a square and its images: a disc round the corner of the period touches four corners of squares, with one
-/// seam alone it lies between two sides.
+/// The gaps between a square and its images. With two seams a disc around the corner of the period touches four corners. With one seam it
+/// lies between two sides.
 TEST(Quality, AGapGoesOnAcrossASeam) {
   const std::vector<Placement> square{at(kSquare, 40, {50, 50})};
   EXPECT_NEAR(measure(make_seamless_canvas(100, 100, true, true), square).largest_gap_px, 30 * std::sqrt(2.), 0.5);
@@ -129,13 +129,13 @@ TEST(Quality, HolesOfAPieceStayFree) {
 
 TEST(Quality, SharedBoundaryOfNeighboursAndEdge) {
   const Canvas canvas = make_rectangle_canvas(200, 200);
-  // Two squares of 40 px, 1 px apart: one side of four each, and 2 px of the sides that meet it (reach 2, gap 1).
+  // Two squares of 40 px, 1 px apart: each shares one of four sides and 2 px of the adjacent ones (reach 2, gap 1).
   const double side_and_ends = 40 + 2 * std::sqrt(3.);
   const Quality near = measure(canvas, {at(kSquare, 40, {60, 100}), at(kSquare, 40, {101, 100})});
   EXPECT_GT(near.shared_boundary, 40 / 160.);
   EXPECT_LT(near.shared_boundary, side_and_ends / 160. + 0.01);
   EXPECT_EQ(measure(canvas, {at(kSquare, 40, {60, 100}), at(kSquare, 40, {103, 100})}).shared_boundary, 0);
-  // 1 px from the edge of the canvas: one side, and 1 px at the ends of its neighbours.
+  // 1 px from the edge of the canvas: one side, and 1 px at the ends of the adjacent ones.
   EXPECT_NEAR(measure(canvas, {at(kSquare, 40, {21, 100})}).shared_boundary, 42 / 160., 0.01);
 }
 
@@ -143,7 +143,7 @@ TEST(Quality, ADiscFillsItsRing) {
   const float hole_scale = 0.5f * std::sqrt(3.14159265f) * 100 / std::sqrt(3.14159265f * 0.75f);
   const Quality q =
       measure(make_rectangle_canvas(200, 200), {at(kRing, 100, {100, 100}), at(kDisc, hole_scale - 1, {100, 100})});
-  // The ring's hole and the disc: 2 of the 4 radii of boundary there are (1 + 0.5 + 0.5).
+  // The ring's hole and the disc share 2 of the 4 radii of boundary (1 + 0.5 + 0.5).
   EXPECT_NEAR(q.shared_boundary, 0.5, 0.02);
 }
 
@@ -184,7 +184,7 @@ TEST(Quality, ThreeHundredPiecesTakeLessThanASecond) {
   const Quality q = measure(make_rectangle_canvas(1000, 1000), placements);
   const double taken_s = processor_time_s() - start_s;
   EXPECT_GT(q.coverage, 0.7);
-  EXPECT_LT(taken_s, 4);  // loose: sanitizers are slow
+  EXPECT_LT(taken_s, 4);  // a loose bound, because sanitizers are slow
 }
 
 TEST(Rasterise, UnitCellsOfARectangle) {
@@ -209,7 +209,7 @@ RC_GTEST_PROP(Rasterise, AreaAgreesWithTheShoelaceFormula, ()) {
   std::size_t cells = 0;
   for (const Span& span : fill_spans(blob, t, bounding_window(blob, t))) cells += std::size_t(span.x1 - span.x0);
   const double area = test::shoelace_area(blob) * scale * scale;
-  // Each boundary cell errs by half a cell at most, at random: far below the boundary's length.
+  // Each boundary cell has a random error of at most half a cell, which adds up to far less than the boundary's length.
   RC_ASSERT(std::abs(double(cells) - area) < 0.3 * scale * test::curve_length(blob.curves[0]) + 4);
 }
 
@@ -225,7 +225,7 @@ RC_GTEST_PROP(Rasterise, HalvesOfACutShapeNeitherOverlapNorLeaveCells, ()) {
   const auto whole = rasterise(blob, t, window);
   const auto a = rasterise(first, t, window);
   const auto b = rasterise(second, t, window);
-  // Even-odd: the chord lies anywhere, so the halves' difference is the whole.
+  // The chord lies anywhere. With the even-odd rule the two halves still combine to the whole.
   for (std::size_t i = 0; i < whole.data().size(); ++i) RC_ASSERT(whole.data()[i] == (a.data()[i] ^ b.data()[i]));
 }
 

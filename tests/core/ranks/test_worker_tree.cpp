@@ -6,7 +6,7 @@
 namespace tessera {
 namespace test_worker_tree {
 
-/// The ranks below `rank`, itself included, in the order in which a team of workers joins their parts.
+/// The ranks below `rank` and `rank` itself, in the order in which a team of workers joins their parts.
 std::vector<int> branch(int rank, int size, int fan_out) {
   std::vector<int> ranks;
   for (const int child : place_in_tree(rank, size, fan_out).children) {

@@ -1,4 +1,4 @@
-// Arcs of a query are found among those of a library's shapes, and give the pose.
+// A query's arcs are found among the arcs of a library's shapes, and give the pose.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -38,7 +38,7 @@ ArcPoints bent_arc(float bend) {
   ArcPoints points;
   for (std::size_t i = 0; i < kArcPoints; ++i) {
     const float angle = bend * float(i) / (kArcPoints - 1);
-    points[i] = {std::sin(angle) / bend, (1 - std::cos(angle)) / bend};  // of length 1
+    points[i] = {std::sin(angle) / bend, (1 - std::cos(angle)) / bend};  // the arc has length 1
   }
   return points;
 }
@@ -102,7 +102,7 @@ TEST(KnownArcs, LieOnTheBoundaryAndHaveTheirLength) {
   }
 }
 
-/// A part of an outline, turned and scaled.
+/// A part of a shape's outline, moved by `pose`.
 Curve part_of(std::size_t shape, const Similarity& pose, std::size_t first, std::size_t count) {
   const std::vector<Vec2>& points = library()[shape].outline.curves[0];
   Curve part;
@@ -110,7 +110,7 @@ Curve part_of(std::size_t shape, const Similarity& pose, std::size_t first, std:
   return part;
 }
 
-/// A quarter of a circle of 80 px.
+/// A quarter of a circle of radius 80 px.
 Curve quarter() {
   Curve curve;
   for (int i = 0; i <= 90; ++i) {
@@ -145,7 +145,7 @@ TEST(QueryArcs, AreNotTakenOfThousandsOfCrumbs) {
   EXPECT_TRUE(query_arcs(Query(curves, {}), 3, 2).empty());
 }
 
-/// What is seen between bars: each of twelve curves is looked up as often as one alone, though it is a small part of all.
+/// A drawing seen between bars: each of twelve curves is looked up as often as a single one, though it is a small part of all.
 TEST(QueryArcs, BeginAtManyPlacesOfEachOfManyShortCurves) {
   const std::size_t alone = query_arcs(Query({quarter()}, {}), 3, 2).size();
   std::vector<Curve> curves(12, quarter());
@@ -167,7 +167,7 @@ TEST(QueryArcs, AreNotStraight) {
   EXPECT_TRUE(query_arcs(Query({line}, {}), 3, 2).empty());
 }
 
-/// The shape of a seventh of the boundary, in its pose.
+/// A seventh of the boundary finds its shape in the right pose.
 RC_GTEST_PROP(ArcPoses, FindTheShapeOfAPartOfItsBoundary, ()) {
   static const KnownShapes known = known_shapes();
   const auto shape = std::size_t(*rc::gen::inRange(0, 12));

@@ -1,4 +1,4 @@
-// Curves: what is none, even points, smoothing that keeps the ends of open curves.
+// Curves: invalid ones, even points, and smoothing that keeps the ends of open curves.
 #include "core/recognition/curve.h"
 
 #include <gtest/gtest.h>

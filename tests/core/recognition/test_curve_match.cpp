@@ -1,4 +1,4 @@
-// Two sets of curves are matched in parts: whole and turned, cut, open, straight; scores fall as shapes become less alike.
+// Matches of two sets of curves in parts: whole, turned, cut, open, straight. Scores fall as shapes become less alike.
 #include "core/recognition/curve_match.h"
 
 #include <gtest/gtest.h>
@@ -29,10 +29,10 @@ Curve posed(Curve curve, const Similarity& pose) {
   return curve;
 }
 
-/// The shape, 100 px for 1.
+/// The test shape at 100 px per unit.
 Curve shape() { return posed({test::polar_curve(radius_of_shape), true}, {100, 0, 0, 0}); }
 
-/// The part of the shape between these parts of its points, open.
+/// The open part of the shape between two fractions of its points.
 Curve arc(float from, float to) {
   const std::vector<Vec2> points = shape().points;
   const auto at = [&](float part) { return points.begin() + std::ptrdiff_t(part * float(points.size())); };
@@ -97,8 +97,7 @@ TEST(CurveMatch, OpenCurvesMatchInThePartThatTheyShare) {
   EXPECT_NEAR(match.part_of_b, shared / length_of(arc(0.25f, 0.9f)), 0.04f);
 }
 
-// As the paper's Fig. 14: from the same shape to one that has less and less of it.
-/// Without corners PADs have few levels on it; arcs give the pose.
+// An ellipse has no corners, so PADs have few levels on it; arcs give the pose.
 TEST(CurveMatch, AThirdOfAnEllipseIsFoundWhereverItBegins) {
   Curve ellipse{{}, true};
   for (int i = 0; i < 480; ++i) {

@@ -1,4 +1,4 @@
-// Noise of a curve is taken out; what has none stays as it is.
+// Noise is removed from a curve; a clean curve stays as it is.
 #include "core/recognition/curve_noise.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace test_curve_noise {
 
 constexpr float kScale_px = 60;
 
-/// A random curve, at points 1 px apart.
+/// A random curve with points 1 px apart.
 Curve clean(std::uint32_t seed) {
   Curve curve{test::random_curve(seed, 2048), true};
   for (Vec2& p : curve.points) p = p * kScale_px;
@@ -43,11 +43,12 @@ float root_mean_square_off(const Curve& curve, const Curve& truth) {
 
 RC_GTEST_PROP(WithoutNoise, LeavesTheShape, ()) {
   const auto seed = std::uint32_t(*rc::gen::inRange(0, 1000));
-  const float noise_px = float(*rc::gen::inRange(2, 5));  // one px is left to the smoothing of queries
+  const float noise_px = float(*rc::gen::inRange(2, 5));  // the smoothing of queries handles 1 px
   const Curve truth = clean(seed), given = noisy(truth, noise_px, seed + 1), left = without_noise(given, 1.5f);
   RC_LOG(std::to_string(length_of(given)) + " to " + std::to_string(length_of(left)));
   RC_ASSERT(length_of(given) > 1.3f * length_of(truth));
-  RC_ASSERT(length_of(left) < 1.5f * length_of(truth));  // it ends where an eighth is still to be won
+  RC_ASSERT(length_of(left) <
+            1.5f * length_of(truth));  // smoothing ends when another step would shorten it by less than an eighth
   RC_ASSERT(length_of(left) > 0.9f * length_of(truth));
   RC_ASSERT(root_mean_square_off(left, truth) < 0.75f * root_mean_square_off(given, truth));
 }

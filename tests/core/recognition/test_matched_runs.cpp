@@ -1,4 +1,4 @@
-// The parts in which curves follow one another, where these begin and end, and what they cover.
+// The parts in which two curves follow one another: their ends, and their coverage.
 #include "core/recognition/matched_runs.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Pyramids along open curves: those of the closed curve that an arc was cut from, as far as the arc goes.
+// Pyramids along an open arc equal those of the closed curve that it was cut from, as far as the arc goes.
 #include "core/recognition/partial_pyramid.h"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ TEST(PartialPyramid, OfAnArcIsTheWholesWhereTheArcReaches) {
     const Curve arc{{whole.points.begin() + 50, whole.points.begin() + 250}, false};
     const auto of_arc = partial_pyramids(arc, kSigma, 1, kPad);
     const auto of_whole = partial_pyramids(whole, kSigma, 1, kPad);
-    for (std::size_t i = 2; i + 2 < of_arc.size(); ++i) {  // the very ends lack the turning at their own vertex
+    for (std::size_t i = 2; i + 2 < of_arc.size(); ++i) {  // the two ends lack the turning at their own vertex
       const ArclengthPyramid& expected = of_whole[50 + i].pyramid;
       for (int level = 0; level < of_arc[i].left_levels; ++level, ++levels_seen) {
         const auto k = std::size_t(level);
@@ -57,7 +57,7 @@ TEST(PartialPyramid, OfAnArcIsTheWholesWhereTheArcReaches) {
       for (int level = 0; level < of_arc[i].right_levels; ++level, ++levels_seen) {
         EXPECT_NEAR(of_arc[i].pyramid.right[std::size_t(level)], expected.right[std::size_t(level)], 1e-4);
       }
-      // What is missing lies beyond the end, or so near to it that smoothing has changed it.
+      // A missing level lies beyond the arc's end, or so near to it that smoothing has changed it.
       if (of_arc[i].right_levels < kPad.levels) {
         const float left_of_arc = float(of_arc.size() - 1 - i) * length_of(arc) / float(arc.points.size() - 1);
         EXPECT_GT(expected.right[std::size_t(of_arc[i].right_levels)], left_of_arc - kSigma - 0.01f);
@@ -72,14 +72,14 @@ TEST(PartialPyramid, OfAStraightLineHasNoLevels) {
   for (const PartialPyramid& p : partial_pyramids(line, 0.3f, 1, kPad)) {
     EXPECT_EQ(p.left_levels, 0);
     EXPECT_EQ(p.right_levels, 0);
-    EXPECT_FALSE(tells_enough(p));
+    EXPECT_FALSE(has_enough_levels(p));
   }
 }
 
 TEST(PartialPyramid, TellsEnoughWithFourLevelsOnBothSides) {
-  EXPECT_TRUE(tells_enough({{}, 2, 2}));
-  EXPECT_FALSE(tells_enough({{}, 1, 5}));
-  EXPECT_FALSE(tells_enough({{}, 3, 1}));
+  EXPECT_TRUE(has_enough_levels({{}, 2, 2}));
+  EXPECT_FALSE(has_enough_levels({{}, 1, 5}));
+  EXPECT_FALSE(has_enough_levels({{}, 3, 1}));
 }
 
 }  // namespace test_partial_pyramid

@@ -1,5 +1,5 @@
-// A shape is found again: turned, scaled, clipped, at the right place, the same in lots of any size; and poses, maps and
-// least squares that it is made of.
+// A shape is recognised when turned, scaled or clipped, at the right place, in lots of any size. Further tests: the poses, maps and least
+// squares behind it.
 #include "core/recognition/recognition.h"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ Curve posed_outline(std::size_t shape, const Similarity& pose) {
   return curve;
 }
 
-/// What is left of an outline right of a line x = const that hides `part` of its width. The hidden line is not in it.
+/// The visible parts of an outline, right of a line x = const that hides `part` of its width. The line itself is not included.
 std::vector<Curve> clipped(const Curve& outline, float part) {
   float low = outline.points[0].x, high = low;
   for (const Vec2 p : outline.points) low = std::min(low, p.x), high = std::max(high, p.x);
@@ -203,7 +203,7 @@ RC_GTEST_PROP(CurveMap, knows_the_nearest_point, ()) {
   for (const Vec2 q : curve.points) nearest = std::min(nearest, norm(p - q));
   const CurveMap::Nearest found = map.nearest(p);
   if (nearest < 18) {
-    RC_ASSERT(found.distance < nearest + 1.5f);  // of two branches about as near it may be the other one's
+    RC_ASSERT(found.distance < nearest + 1.5f);  // of two branches at similar distances it may find the other one
     RC_ASSERT(found.distance > nearest - 1.f);
     RC_ASSERT(std::abs(norm(p - found.point) - found.distance) < 1e-3f);
   }

@@ -1,4 +1,4 @@
-// The points of an outline at which contacts are felt.
+// The points of an outline at which contacts are tested.
 #include "core/relax/boundary_samples.h"
 
 #include <gtest/gtest.h>

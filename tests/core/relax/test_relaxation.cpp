@@ -1,4 +1,4 @@
-// Pieces that move, turn and scale together.
+// Relaxation: pieces that move, turn and scale together.
 #include "core/relax/relaxation.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ FreeField seamless(int size_px, bool in_x, bool in_y) {
   return {make_seamless_canvas(size_px, size_px, in_x, in_y), PieceSettings{}};
 }
 
-/// Where a pose is after a movement along one of the four, by this many px; written with sines, unlike the code.
+/// The pose after a movement of `by_px` along one of the four directions. It uses sines, unlike the tested code.
 Similarity after(const Similarity& s, int direction, double by_px) {
   const double scale = std::hypot(double(s.a), double(s.b));
   const double turn = direction == 2 ? by_px / scale : 0;
@@ -38,7 +38,7 @@ TEST(Relaxation, GradientIsThatOfTheEnergy) {
     std::vector<RelaxedPiece> pieces = any_pieces(kCanvas_px);
     const std::size_t moving = *rc::gen::inRange<std::size_t>(0, pieces.size());
     const Similarity at = pieces[moving].canvas_from_shape;
-    RC_PRE(std::abs(at.scale() - 27) > 0.1f);  // where samples become denser
+    RC_PRE(std::abs(at.scale() - 27) > 0.1f);  // at this scale samples become denser
     const std::array<double, 4> gradient = relaxation.energy_gradient(pieces, moving, 3);
     const double size = std::sqrt(gradient[0] * gradient[0] + gradient[1] * gradient[1] + gradient[2] * gradient[2] +
                                   gradient[3] * gradient[3]);
@@ -49,13 +49,13 @@ TEST(Relaxation, GradientIsThatOfTheEnergy) {
         return relaxation.energy_px2(pieces, 3);
       };
       const double difference = (energy(kStep_px) - energy(-kStep_px)) / (2 * kStep_px);
-      // Fields are bilinear: their gradient jumps from cell to cell.
+      // Fields are bilinear, so their gradient jumps between cells.
       RC_ASSERT(std::abs(difference - gradient[direction]) < 0.02 * size + 0.5);
     }
   }));
 }
 
-/// Of what it leaves out nothing changes.
+/// The energy of the active pieces leaves out only terms that do not change.
 TEST(Relaxation, EnergyOfSomeChangesAsThatOfAll) {
   const FreeField canvas = rectangle();
   const FreeField torus = seamless(kCanvas_px, true, true);
@@ -91,7 +91,7 @@ TEST(Relaxation, EnergyOfAllIsThatWhereAllAreActive) {
   }));
 }
 
-/// A disc a little too large for its square: by how much follows from its depth beyond the sides.
+/// A disc slightly too large for its square: its depth beyond the sides determines its energy.
 TEST(Relaxation, HardStiffnessCountsWhatIsTooDeep) {
   const FreeField canvas = rectangle(100);
   const auto energy_px2 = [&](float depth_px, float hard_stiffness) {
@@ -102,7 +102,7 @@ TEST(Relaxation, HardStiffnessCountsWhatIsTooDeep) {
   const double at_2 = energy_px2(2, 20) - energy_px2(2, 0);
   EXPECT_GT(at_2, 0);
   EXPECT_NEAR(energy_px2(2, 40) - energy_px2(2, 0), 2 * at_2, 1e-3 * at_2);
-  // By hand: arcs beyond four sides, depth² along them, counted from 1 px on; the edge weighs twice a half.
+  // Computed by hand: the depth² along the arcs beyond the four sides, counted from 1 px on. The edge weighs twice a half.
   double sum_px3 = 0;
   constexpr double kStep_rad = 1e-4;
   for (double angle = 0; angle < 2 * std::numbers::pi; angle += kStep_rad) {
@@ -121,7 +121,7 @@ TEST(Relaxation, EnergyBecomesLess) {
     for (int sweep = 0; sweep < 20; ++sweep) {
       relaxation.relax(pieces, all_of(pieces), {1, 2, 2, 0.5f, 0.5f}, do_not_look);
       const double now = relaxation.energy_px2(pieces, 2);
-      // Of a piece whose samples become denser or sparser the energy jumps a little.
+      // If a piece's samples become denser or sparser, its energy jumps a little.
       RC_ASSERT(now < before + 1e-3 * std::abs(before));
       before = now;
     }
@@ -173,7 +173,7 @@ class CoarseEdge : public testing::Test {
     return field;
   }
 
-  /// Also beyond the nodes of both. Where gradients jump, at ridges, nodes 2 px apart see it up to 2 px beside it.
+  /// Compares both also beyond their nodes. Gradients jump at ridges; nodes 2 px apart place a ridge up to 2 px beside it.
   static void expect_alike(const EdgeDistance& fine, const EdgeDistance& edge, float low_px, float high_px) {
     int alike = 0;
     int all = 0;
@@ -193,7 +193,7 @@ class CoarseEdge : public testing::Test {
 TEST_F(CoarseEdge, IsThatOfARectangle) {
   const FreeField canvas = rectangle(100);
   const EdgeDistance fine(canvas);
-  const CanvasField field = coarse(fine, 60, 60, {-5, -5});  // -10 to 108 px
+  const CanvasField field = coarse(fine, 60, 60, {-5, -5});  // covers -10 to 108 px
   expect_alike(fine, EdgeDistance(field, kNode_px), -9, 107);
   EXPECT_FALSE(EdgeDistance(field, kNode_px).period().repeats());
 }
@@ -223,7 +223,7 @@ TEST_F(CoarseEdge, BeyondTheNodesItFallsByTheWay) {
   EXPECT_NEAR(edge.at({-50, -40}).value, edge.at({-10, -10}).value - 50, 0.5f);
 }
 
-/// The best step of a piece whose angle is fixed is not that of a free one, less the turn.
+/// If the angle is fixed, the best step is not the free step without its turn: the other movements must be optimised together.
 TEST(RelaxationStep, AtABoundTheOtherMovementsAreTheBestThatGoWithIt) {
   EXPECT_TRUE(rc::check([] {
     constexpr float kStiffness = 2;
@@ -281,7 +281,7 @@ float gap_of_discs(const RelaxedPiece& a, const RelaxedPiece& b, Vec2 offset = {
   return norm(way) - kDiscRadius * (a.canvas_from_shape.scale() + b.canvas_from_shape.scale());
 }
 
-/// They cannot grow: a hard push is all there is.
+/// The pieces cannot grow; they can only push each other away.
 constexpr RelaxationSchedule kPushApart{60, 5, 5, 2, 0.1f, 0, false};
 
 TEST(Relaxation, OverlappingDiscsSeparateToThePadding) {
@@ -296,7 +296,7 @@ TEST(Relaxation, OverlappingDiscsSeparateToThePadding) {
   }
 }
 
-/// Farther than pieces move between two looks for neighbours. So far out fields see less than there is.
+/// The padding is wider than pieces move between two searches for neighbours. That far out, fields see less than is there.
 TEST(Relaxation, WidePaddingIsFelt) {
   const FreeField canvas = rectangle(300);
   const PoseRange same_size{40, 40, {}};
@@ -315,7 +315,7 @@ TEST(Relaxation, ADiscInASquareGrowsToTouchItsSides) {
   EXPECT_NEAR(at.tx, 50, 0.5);
   EXPECT_NEAR(at.ty, 50, 0.5);
   EXPECT_GT(at.scale() * kDiscRadius, 50);
-  // Only where the disc crosses the sides is it held back, so it goes a little farther than a square would.
+  // The disc is held back only where it crosses the sides, so it grows a little further than a square would.
   EXPECT_LT(at.scale() * kDiscRadius, 52);
 }
 
@@ -336,7 +336,7 @@ TEST(Relaxation, PiecesMeetAcrossASeam) {
   ASSERT_LT(gap_of_discs(pieces[0], pieces[1], {200, 0}), -14);
   Relaxation(canvas, {0, -1}).relax(pieces, all_of(pieces), kPushApart, do_not_look);
   EXPECT_NEAR(gap_of_discs(pieces[0], pieces[1], {200, 0}), 0, 0.2);
-  // Where it stands alone, a piece across the seam stays where it is: there is no edge.
+  // A single piece across the seam stays where it is, because there is no edge.
   std::vector<RelaxedPiece> alone{piece(kDisc, pose(40, 0, {199, 100}), same_size)};
   Relaxation(canvas, {0, -1}).relax(alone, {0}, kPushApart, do_not_look);
   EXPECT_NEAR(alone[0].canvas_from_shape.tx, 199, 1e-3);

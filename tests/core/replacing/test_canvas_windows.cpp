@@ -57,7 +57,7 @@ std::ptrdiff_t times_in(const std::vector<WindowPiece>& pieces, const WindowPiec
   });
 }
 
-/// A piece moves in the only window that holds it; every window knows all pieces that reach into it.
+/// Only the one window that holds a piece moves it. Every window knows all pieces that reach into it.
 RC_GTEST_PROP(CanvasWindows, move_what_they_hold_and_know_what_reaches_in, ()) {
   const PieceSettings pieces = pieces_of_40_to_80_px();
   const Canvas canvas = any_canvas();
@@ -89,7 +89,7 @@ RC_GTEST_PROP(CanvasWindows, move_what_they_hold_and_know_what_reaches_in, ()) {
   for (std::size_t i = 0; i < all.size(); ++i) RC_ASSERT(moves[i] <= (i < given ? 0 : 1));
 }
 
-/// Whoever computes is asked to stop before each piece and each window, and what it throws gets through.
+/// The stop check is called before each piece and each window, and its exception is passed on.
 TEST(CanvasWindows, WorkOnThemStopsWhereItIsAskedTo) {
   const PieceSettings pieces = pieces_of_40_to_80_px();
   const FreeField free(make_rectangle_canvas(kWidth_px, kHeight_px), pieces);

@@ -1,4 +1,4 @@
-// A hole between pieces, and which shapes fit into it.
+// A hole between pieces, and the shapes that fit into it.
 #include "core/replacing/hole.h"
 
 #include <gtest/gtest.h>
@@ -19,14 +19,14 @@ using relaxed_pieces::kDisc;
 using relaxed_pieces::kDiscRadius;
 using relaxed_pieces::pose;
 
-/// Nobody helps.
-std::vector<HoleCandidate> best(const Hole& hole, float reach_px, const std::vector<HoleGuest>& guests, float softness,
-                                Draws& draws) {
+/// The best candidates, computed on one thread.
+std::vector<HoleCandidate> best(const Hole& hole, float reach_px, const std::vector<CandidateShape>& guests,
+                                float softness, Draws& draws) {
   TaskPool alone(1);
   return best_candidates(hole, reach_px, guests, softness, draws, alone);
 }
 
-/// A corner of a canvas with two discs, and what is known of it by heart.
+/// A corner of a canvas with two discs, whose distances are known exactly.
 class HoleInACorner : public testing::Test {
  protected:
   static constexpr float kHalf_px = 70;
@@ -44,7 +44,7 @@ class HoleInACorner : public testing::Test {
     return distance;
   }
 
-  /// Where the gradient jumps.
+  /// Returns whether a node is near; there the gradient jumps.
   static bool nodes_near(float at_px, float centre_px) {
     const float nodes = (at_px - centre_px + kHalf_px) / kCell_px;
     return std::abs(nodes - std::round(nodes)) < 0.05f;
@@ -61,9 +61,9 @@ TEST_F(HoleInACorner, DistancesAreThoseToDiscsAndEdge) {
   for (float y = -3; y < 128; y += 3.7f) {
     for (float x = -3; x < 118; x += 3.3f) {
       const float expected = std::min(kFar_px, free_px({x, y}));
-      if (std::max(x, y) < 3 || expected < -20) continue;  // beyond two edges at a time, or at the middle of a disc
+      if (std::max(x, y) < 3 || expected < -20) continue;  // beyond two edges, or near the middle of a disc
       EXPECT_LT(hole_.at({x, y}).value, expected + 0.8f) << x << ", " << y;
-      // The field of a shape goes no farther than that; beyond it there is at least so much.
+      // A shape's field ends at this distance. Beyond it the distance is a lower bound.
       constexpr float kOfAField_px = 0.15f * kRadius_px / 0.564f;
       const float least = expected < kOfAField_px ? expected - 0.8f : 0.6f * expected;
       EXPECT_GT(hole_.at({x, y}).value, least) << x << ", " << y;
@@ -134,7 +134,7 @@ TEST_F(HoleInACorner, TheRoomOfARimPointGoesToTheOtherSide) {
   for (const RimPoint& r : hole_.rim(kReach_px)) {
     float room_px = 3;
     while (room_px <= 2 * kReach_px && free_px(r.at + r.inward * room_px) > 0) room_px += 0.1f;
-    // Where it passes another piece at a slant, a px of distance is several of the way.
+    // Where the path passes another piece at a slant, one px of distance is several px of the path.
     if (free_px(r.at + r.inward * (room_px + 4)) > -2 || room_px > 2 * kReach_px - 4) continue;
     EXPECT_NEAR(r.room_px, room_px, 4) << r.at.x << ", " << r.at.y;
     ++bounded;
@@ -150,12 +150,12 @@ TEST_F(HoleInACorner, NoRoomIsSeenBeyondTwiceTheReach) {
   EXPECT_FALSE(open.rim(kReach_px).empty());
 }
 
-HoleGuest guest(std::size_t shape, const PoseRange& poses, float weight = 1, float worth = 1) {
+CandidateShape guest(std::size_t shape, const PoseRange& poses, float weight = 1, float worth = 1) {
   return {&hole_shapes()[shape], poses, weight, worth};
 }
 
-std::vector<HoleGuest> all_guests(const PoseRange& poses) {
-  std::vector<HoleGuest> guests;
+std::vector<CandidateShape> all_guests(const PoseRange& poses) {
+  std::vector<CandidateShape> guests;
   for (std::size_t i = 0; i < hole_shapes().size(); ++i) guests.push_back(guest(i, poses));
   return guests;
 }
@@ -163,7 +163,7 @@ std::vector<HoleGuest> all_guests(const PoseRange& poses) {
 constexpr float kReach_px = 40;
 constexpr float kSoftness = 1.5f;
 
-/// A hole in an else full plane that has the outline of a shape.
+/// A hole with the outline of a shape in an otherwise covered plane.
 class HoleOfAShape {
  public:
   HoleOfAShape(std::size_t shape, const Similarity& where)
@@ -171,13 +171,13 @@ class HoleOfAShape {
         edge_(field_, 1),
         hole(where.translation(), 55, 1.5f, edge_) {}
 
-  std::vector<HoleCandidate> candidates(const std::vector<HoleGuest>& guests, std::uint64_t random = 1) const {
+  std::vector<HoleCandidate> candidates(const std::vector<CandidateShape>& guests, std::uint64_t random = 1) const {
     Draws draws(random);
     return best(hole, kReach_px, guests, kSoftness, draws);
   }
 
  private:
-  static CanvasField inside_of(const LaidPiece& piece) {
+  static CanvasField inside_of(const ContactPiece& piece) {
     CanvasField field{Grid<float>(kCanvas_px, kCanvas_px), {0, 0}};
     for (int j = 0; j < kCanvas_px; ++j) {
       for (int i = 0; i < kCanvas_px; ++i) field.value(i, j) = -piece.distance({float(i), float(j)}).value;
@@ -192,8 +192,8 @@ class HoleOfAShape {
   Hole hole;
 };
 
-/// Those of every hole, whoever is asked.
-void check_candidates(const std::vector<HoleCandidate>& found, const std::vector<HoleGuest>& guests) {
+/// Checks that hold for the candidates of every hole.
+void check_candidates(const std::vector<HoleCandidate>& found, const std::vector<CandidateShape>& guests) {
   for (std::size_t k = 0; k < found.size(); ++k) {
     const HoleCandidate& c = found[k];
     RC_ASSERT(guests.at(c.incoming).poses.contains(c.canvas_from_shape));
@@ -212,14 +212,14 @@ TEST(HoleCandidates, AHoleGetsItsShapeBack) {
   EXPECT_TRUE(rc::check([] {
     const auto shape = *rc::gen::element<std::size_t>(1, 2, 4);
     const Similarity was = pose(40, relaxed_pieces::any_number(0, 6), kMiddle);
-    const std::vector<HoleGuest> guests = all_guests({20, 60, {}});
+    const std::vector<CandidateShape> guests = all_guests({20, 60, {}});
     const std::vector<HoleCandidate> found = HoleOfAShape(shape, was).candidates(guests, *rc::gen::inRange(0, 1000));
     check_candidates(found, guests);
     RC_ASSERT(!found.empty());
     const HoleCandidate& best = found.front();
     RC_ASSERT(best.incoming == shape);
     RC_ASSERT(best.score_px2 > 0.9f * 40 * 40);
-    RC_ASSERT(std::abs(best.canvas_from_shape.scale() - 40) < 4);  // neighbours make room
+    RC_ASSERT(std::abs(best.canvas_from_shape.scale() - 40) < 4);  // the neighbours make room
     RC_ASSERT(norm(best.canvas_from_shape.translation() - kMiddle) < 2);
   }));
 }
@@ -230,7 +230,7 @@ TEST(HoleCandidates, KeepToScalesAndRotations) {
     const float low_rad = relaxed_pieces::any_number(-3, 3);
     const PoseRange poses{*rc::gen::element(20.f, 30.f, 35.f), *rc::gen::element(35.f, 50.f),
                           direction_range(low_rad, low_rad + *rc::gen::element(0.f, 0.2f, 1.5f, 4.f))};
-    const std::vector<HoleGuest> guests = all_guests(poses);
+    const std::vector<CandidateShape> guests = all_guests(poses);
     const HoleOfAShape hole(*rc::gen::element<std::size_t>(0, 1, 4), pose(42, was_rad, kMiddle));
     const std::vector<HoleCandidate> found = hole.candidates(guests);
     RC_ASSERT(!found.empty());
@@ -238,13 +238,13 @@ TEST(HoleCandidates, KeepToScalesAndRotations) {
   }));
 }
 
-/// Much fits there, and nothing as well as all others.
+/// Many shapes fit into an open place, and none fits it all round.
 TEST(HoleCandidates, OfAnOpenPlaceAreTheBestFirst) {
   const FreeField free = relaxed_pieces::rectangle(kCanvas_px);
   const EdgeDistance edge(free);
   Hole open({50, 60}, 55, 1.5f, edge);
   open.add(laid(kDisc, pose(45, 0, {95, 50})));
-  const std::vector<HoleGuest> guests = all_guests({20, 60, {}});
+  const std::vector<CandidateShape> guests = all_guests({20, 60, {}});
   EXPECT_TRUE(rc::check([&] {
     Draws draws(*rc::gen::arbitrary<std::uint64_t>());
     const std::vector<HoleCandidate> found = best(open, kReach_px, guests, kSoftness, draws);
@@ -253,11 +253,11 @@ TEST(HoleCandidates, OfAnOpenPlaceAreTheBestFirst) {
   }));
 }
 
-/// Few of all dockings would be turned by little more than may be.
+/// Without adjustment few dockings would have a turn that is allowed.
 TEST(HoleCandidates, AShapeThatMayNotTurnFindsItsPlace) {
   for (const float was_rad : {0.f, 2.f}) {
     const HoleOfAShape hole(1, pose(40, was_rad, kMiddle));
-    const std::vector<HoleGuest> guests = {guest(1, {20, 60, direction_range(was_rad, was_rad)}, 0.01f)};
+    const std::vector<CandidateShape> guests = {guest(1, {20, 60, direction_range(was_rad, was_rad)}, 0.01f)};
     float sum_px2 = 0;
     for (std::uint64_t random = 0; random < 12; ++random) {
       const std::vector<HoleCandidate> found = hole.candidates(guests, random);
@@ -269,7 +269,7 @@ TEST(HoleCandidates, AShapeThatMayNotTurnFindsItsPlace) {
 
 TEST(HoleCandidates, WhatCannotBeSmallEnoughIsLeftOut) {
   const HoleOfAShape hole(1, pose(30, 0, kMiddle));
-  std::vector<HoleGuest> guests = all_guests({20, 60, {}});
+  std::vector<CandidateShape> guests = all_guests({20, 60, {}});
   guests[1].poses.min_scale_px = 36;
   for (const HoleCandidate& c : hole.candidates(guests)) EXPECT_NE(c.incoming, 1u);
   EXPECT_FALSE(hole.candidates(guests).empty());
@@ -277,22 +277,22 @@ TEST(HoleCandidates, WhatCannotBeSmallEnoughIsLeftOut) {
 
 TEST(HoleCandidates, WhatWeighsNothingIsNeverDrawn) {
   const HoleOfAShape hole(1, pose(40, 0, kMiddle));
-  std::vector<HoleGuest> guests = all_guests({20, 60, {}});
+  std::vector<CandidateShape> guests = all_guests({20, 60, {}});
   guests[1].weight = 0;
   const std::vector<HoleCandidate> found = hole.candidates(guests);
   EXPECT_FALSE(found.empty());
   for (const HoleCandidate& c : found) EXPECT_NE(c.incoming, 1u);
-  for (HoleGuest& g : guests) g.weight = 0;
+  for (CandidateShape& g : guests) g.weight = 0;
   EXPECT_TRUE(hole.candidates(guests).empty());
 }
 
-/// Dockings are shared out by weight: of a shape that is seldom drawn hardly one lies well.
+/// Dockings are divided by weight, so a shape of little weight gets few, and hardly any fits well.
 TEST(HoleCandidates, WhatWeighsLittleIsSeldomAmongTheBest) {
   const HoleOfAShape hole(1, pose(40, 0, kMiddle));
   const auto times_found = [&](float weight) {
     int times = 0;
     for (std::uint64_t random = 0; random < 12; ++random) {
-      const std::vector<HoleGuest> guests = {guest(0, {20, 60, {}}), guest(1, {20, 60, {}}, weight)};
+      const std::vector<CandidateShape> guests = {guest(0, {20, 60, {}}), guest(1, {20, 60, {}}, weight)};
       for (const HoleCandidate& c : hole.candidates(guests, random)) times += c.incoming == 1;
     }
     return times;
@@ -302,20 +302,20 @@ TEST(HoleCandidates, WhatWeighsLittleIsSeldomAmongTheBest) {
 
 TEST(HoleCandidates, WorthDecidesAmongThem) {
   const HoleOfAShape hole(1, pose(40, 0, kMiddle));
-  std::vector<HoleGuest> guests = all_guests({20, 60, {}});
+  std::vector<CandidateShape> guests = all_guests({20, 60, {}});
   ASSERT_EQ(hole.candidates(guests).front().incoming, 1u);
   for (const std::size_t wanted : {0u, 2u, 4u}) {
     for (std::size_t i = 0; i < guests.size(); ++i) guests[i].worth = i == wanted ? 1 : 0.3f;
     EXPECT_EQ(hole.candidates(guests).front().incoming, wanted);
   }
-  for (HoleGuest& g : guests) g.worth = -0.1f;
+  for (CandidateShape& g : guests) g.worth = -0.1f;
   EXPECT_TRUE(hole.candidates(guests).empty()) << "worth nothing";
 }
 
-/// Neighbours will make some room: the softer they are, the more of it is taken.
+/// Neighbours make some room. The softer they are, the more of it candidates use.
 TEST(HoleCandidates, SofterNeighboursAreCoveredMore) {
   const HoleOfAShape hole(0, pose(40, 0, kMiddle));
-  const std::vector<HoleGuest> guests = {guest(2, {42, 60, {}})};
+  const std::vector<CandidateShape> guests = {guest(2, {42, 60, {}})};
   const auto best_px2 = [&](float softness) {
     Draws draws(1);
     const std::vector<HoleCandidate> found = best(hole.hole, kReach_px, guests, softness, draws);
@@ -336,7 +336,7 @@ TEST(HoleCandidates, NothingFitsWhereThereIsNoHole) {
 
 TEST(HoleCandidates, AreTheSameAgain) {
   const HoleOfAShape hole(4, pose(40, 1, kMiddle));
-  const std::vector<HoleGuest> guests = all_guests({20, 60, {}});
+  const std::vector<CandidateShape> guests = all_guests({20, 60, {}});
   const std::vector<HoleCandidate> found = hole.candidates(guests, 5);
   const std::vector<HoleCandidate> again = hole.candidates(guests, 5);
   ASSERT_EQ(found.size(), again.size());
@@ -355,7 +355,7 @@ TEST(HoleShape, DocksLieOnTheOutlineAndLookThroughTheShape) {
       EXPECT_NEAR(norm(dock.inward), 1, 1e-4f);
       EXPECT_LT(test::signed_distance(outline, dock.at + dock.inward * 0.03f), 0.005f);
       EXPECT_GE(dock.thickness, 0.05f);
-      // On the other side, or through the whole of it.
+      // The way through the shape ends on the outline again, at the other side.
       EXPECT_NEAR(test::signed_distance(outline, dock.at + dock.inward * dock.thickness), 0, 0.05f) << shape;
     }
   }
@@ -363,7 +363,7 @@ TEST(HoleShape, DocksLieOnTheOutlineAndLookThroughTheShape) {
   for (const DockPoint& dock : hole_shapes()[kDisc].docks) EXPECT_NEAR(dock.thickness, 2 * kDiscRadius, 0.03f);
 }
 
-/// An area of 1, but for a seam along its boundary.
+/// The points cover an area of 1, except for a seam along the boundary.
 TEST(HoleShape, InteriorPointsAreEvenInside) {
   for (std::size_t shape = 0; shape < hole_shapes().size(); ++shape) {
     const HoleShape& made = hole_shapes()[shape];

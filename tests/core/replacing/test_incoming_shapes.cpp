@@ -1,4 +1,4 @@
-// Which shapes may come into a replacement window.
+// The shapes that may come into a replacement window.
 #include "core/replacing/incoming_shapes.h"
 
 #include <gtest/gtest.h>
@@ -22,13 +22,13 @@ std::vector<ShapeId> ids_of(const std::vector<IncomingShape>& incoming) {
 
 const Box kWindow{{100, 100}, {300, 300}};
 
-/// What is let into the window after pieces of 60 px, of this shape, were taken out at this place.
+/// The shapes that may come in after pieces of 60 px of the given shapes were taken out at this place.
 std::vector<ShapeId> let_in(std::vector<std::uint32_t> taken_out, Vec2 at, const Period& period = {}) {
   test::VectorShapes shapes(library());
   std::vector<FormerPiece> not_back;
   for (const std::uint32_t shape : taken_out) not_back.push_back({ShapeId{shape}, {60, 0, at.x, at.y}});
-  return ids_of(
-      let_into(kWindow, incoming_shapes(StanceTable(CollageSettings{}, 4), shapes, 1), not_back, period, shapes));
+  return ids_of(shapes_for_window(kWindow, incoming_shapes(StanceTable(CollageSettings{}, 4), shapes, 1), not_back,
+                                  period, shapes));
 }
 
 TEST(IncomingShapes, WhatWasTakenOutThereStaysOut) {

@@ -1,4 +1,4 @@
-// Replacement trials on several threads: what comes of a window follows from the window alone; who asks may give up.
+// Replacement trials on several threads: a window's result depends on the window alone, and the caller may stop the work.
 #include "core/replacing/own_replacer.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST(OwnReplacer, AnyNumberOfThreadsGivesTheSame) {
   }
 }
 
-/// Where there are fewer windows than threads: from the beginning, and when the others are done.
+/// There are fewer windows than threads: from the beginning, or after other windows are done.
 TEST(OwnReplacer, WhoHelpsChangesNothing) {
   EndlessShapes shapes;
   OwnReplacer alone(shapes, 1, do_not_look);
@@ -91,7 +91,7 @@ TEST(OwnReplacer, WhatALookThrowsComesOutAndTheThreadsEnd) {
   for (const std::size_t count : {1, 5}) {  // fewer windows than threads, and more
     int looks = 0;
     OwnReplacer replacer(shapes, 3, [&] {
-      if (++looks == 20) throw Enough{};  // there are four shapes to read: the threads are at work by then
+      if (++looks == 20) throw Enough{};  // four shapes were read before, so the threads are at work
     });
     EXPECT_THROW(asked(replacer, endless_windows(count)), Enough);
     EXPECT_EQ(asked(replacer, any_windows(1, 4)).size(), 1u) << "the next question is one of its own";

@@ -1,4 +1,4 @@
-// What it costs that drawings repeat themselves.
+// The cost of repeated drawings.
 #include "core/replacing/repetition.h"
 
 #include <gtest/gtest.h>
@@ -77,7 +77,7 @@ std::vector<PlacedDrawing> any_pieces() {
   return pieces;
 }
 
-/// What a window's pieces cost changes as that of all the canvas' pieces does.
+/// The cost of a window's pieces changes as much as that of all pieces of the canvas.
 TEST(Repetition, ItsEnergyIsThatOfAllPieces) {
   EXPECT_TRUE(rc::check([] {
     const std::vector<PlacedDrawing> stand = any_pieces();

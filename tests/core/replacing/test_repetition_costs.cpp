@@ -1,4 +1,4 @@
-// What the repetition of drawings costs in a job.
+// The costs of repeated drawings in a job.
 #include "core/replacing/repetition_costs.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ TEST(RepetitionCosts, AnEvenShareIsThatOfAllDrawingsOrAPieceOfTheMiddleSize) {
   EXPECT_DOUBLE_EQ(repetition_costs(s, 0, 800. * 700).even_share_px2, 40. * 80);
 }
 
-/// A copy in each area of as many pieces as there are drawings: of few drawings as many lie near each other.
+/// The reach covers as many pieces as there are drawings, so that each drawing has one copy in it.
 TEST(RepetitionCosts, CopiesReachFartherTheMoreDrawingsThereAre) {
   const auto reach_sizes = [](std::size_t drawings) {
     return repetition_costs(pieces_of_40_to_80_px(), drawings, 1).reach_sizes;

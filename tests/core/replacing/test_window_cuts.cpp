@@ -1,4 +1,4 @@
-// How a canvas is divided into windows.
+// The division of a canvas into windows.
 #include "core/replacing/window_cuts.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ Question any_question() {
   return q;
 }
 
-/// How many windows hold the point, or images of it.
+/// The number of windows that hold the point or images of it.
 int windows_over(Vec2 p, const Question& q, const std::vector<Box>& windows) {
   int count = 0;
   for (const Box& w : windows) {
@@ -82,7 +82,7 @@ TEST(WindowCuts, NoneIsNarrowUnlessTheCanvasIs) {
   }));
 }
 
-/// Else trials would be dearer than their number says.
+/// Otherwise trials would cost more than their number says.
 TEST(WindowCuts, NoneIsMuchLargerThanItHasToBe) {
   EXPECT_TRUE(rc::check([] {
     const Question q = any_question();
@@ -93,7 +93,7 @@ TEST(WindowCuts, NoneIsMuchLargerThanItHasToBe) {
   }));
 }
 
-/// An edge of its own is the end of a window, whatever the parts; elsewhere none is where it was in another batch.
+/// Windows end at an edge of the canvas in every batch. All other cuts move from batch to batch.
 TEST(WindowCuts, CutsLieElsewhereWithOtherParts) {
   for (const Period& period : {Period{}, Period{1000, 800}}) {
     const Box canvas{{0, 0}, {1000, 800}};
@@ -104,7 +104,7 @@ TEST(WindowCuts, CutsLieElsewhereWithOtherParts) {
         y.insert(w.low.y);
       }
     }
-    // Two windows each way: of an axis that repeats itself both cuts move, of another the one in the middle.
+    // There are two windows each way. Along a repeating axis both cuts move, along another only the middle one.
     EXPECT_EQ(x.size(), period.repeats() ? 8u : 5u);
     EXPECT_EQ(y.size(), period.repeats() ? 8u : 5u);
   }

@@ -1,4 +1,4 @@
-// What a replacement window knows of the canvas' edge.
+// The canvas' edge as a replacement window knows it.
 #include "core/replacing/window_edge.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace tessera {
 namespace test_window_edge {
 
-/// So far windows know of the canvas' edge, or as far as pieces keep away from it.
+/// Windows know the canvas' edge up to this distance, or up to the padding if that is larger.
 constexpr float kFar_px = 64;
 
 PieceSettings pieces_of_40_to_80_px(float padding_px = 0) {
@@ -21,7 +21,7 @@ PieceSettings pieces_of_40_to_80_px(float padding_px = 0) {
   return pieces;
 }
 
-/// With padding the edge keeps its own place.
+/// Padding does not move the edge.
 TEST(WindowEdge, IsThatOfTheCanvasAsFarAsPiecesFeelIt) {
   for (const float padding_px : {0.f, 3.f, 100.f}) {
     const PieceSettings pieces = pieces_of_40_to_80_px(padding_px);
@@ -45,7 +45,7 @@ TEST(WindowEdge, IsThatOfTheCanvasAsFarAsPiecesFeelIt) {
   }
 }
 
-/// The window is moved away from the corner until nothing in it feels the edge any more.
+/// The window moves away from the corner until no piece in it feels the edge.
 TEST(WindowEdge, FarAwayThereIsNone) {
   const PieceSettings pieces = pieces_of_40_to_80_px();
   const FreeField free(make_rectangle_canvas(1500, 1300), pieces);

@@ -24,13 +24,13 @@ using relaxed_pieces::kDisc;
 using relaxed_pieces::kDiscRadius;
 using relaxed_pieces::pose;
 
-/// Nobody helps.
+/// The outcome of the window's trials, computed on one thread.
 ReplacementOutcome outcome_of(const ReplacementWindow& window, const StopCheck& check_stop = never_stop) {
   TaskPool alone(1);
   return replaced(window, shapes_by_id(), check_stop, alone);
 }
 
-/// Pieces in disorder, some of which stand still, and some across the edges of the window.
+/// Disordered pieces: some stand still, some cross the edges of the window.
 ReplacementWindow any_window() {
   ReplacementWindow window = empty_window();
   const float soft_px = *rc::gen::element(0.f, 3.f);
@@ -80,7 +80,7 @@ Quality quality_of(const ReplacementWindow& window, const std::vector<ReplacedPi
                          [](ShapeId id) -> const Shape& { return relaxed_pieces::shapes()[index_of(id)]; });
 }
 
-/// Whether it stands as it did before.
+/// Returns whether the piece is where it was before.
 bool is_unchanged(const ReplacedPiece& piece, const ReplacementWindow& window) {
   return piece.from != ReplacedPiece::kNew && piece.canvas_from_shape == window.moving[piece.from].canvas_from_shape;
 }
@@ -139,7 +139,7 @@ TEST(WindowTrials, PosesStayInTheirRange) {
   }));
 }
 
-/// Half of how far pieces feel each other, on both sides of a cut.
+/// A piece may move if it is inside by half the distance at which pieces feel each other.
 TEST(WindowPieces, MayMoveThatAreFarEnoughInside) {
   const FreeField free = relaxed_pieces::rectangle(kCanvas_px);
   ReplacementWindow window = empty_window();
@@ -159,13 +159,13 @@ TEST(WindowPieces, MayMoveThatAreFarEnoughInside) {
   EXPECT_FALSE(WindowPieces(window, shapes_by_id(), EdgeDistance(free)).may_move(1)) << "it stands still";
 }
 
-/// Else what other windows do at the same time would meet it.
+/// Otherwise changes in neighbouring windows at the same time could collide.
 TEST(WindowTrials, WhatChangedLiesWithinTheWindow) {
   std::size_t changed = 0;
   EXPECT_TRUE(rc::check([&] {
     const ReplacementWindow window = any_window();
     const float inside_px = 0.5f * std::max(0.f, window.distances.soft_px);
-    constexpr float kSlack_px = 0.6f;  // an outline goes a little beyond its samples
+    constexpr float kSlack_px = 0.6f;  // an outline reaches slightly beyond its samples
     for (const ReplacedPiece& p : outcome_of(window).pieces) {
       if (is_unchanged(p, window)) continue;
       ++changed;
@@ -191,7 +191,7 @@ TEST(WindowTrials, PiecesThatAreNotWhollyInTheWindowStayAsTheyAre) {
   EXPECT_GT(across, 10u);
 }
 
-/// Trials look at a part of the pieces; what they gain there is gained by all.
+/// A trial computes the energy of some pieces. A gain there is a gain for all pieces.
 TEST(WindowTrials, ColdTrialsNeverRaiseTheEnergyOfTheWhole) {
   EXPECT_TRUE(rc::check([] {
     ReplacementWindow window = any_window();
@@ -236,7 +236,7 @@ double area_px2(const std::vector<ReplacedPiece>& pieces) {
   return sum;
 }
 
-/// The piece whose outline holds the point, of those that do not stand still.
+/// The moving pieces whose outlines hold the point.
 std::vector<ReplacedPiece> pieces_over(Vec2 p, const std::vector<ReplacedPiece>& pieces) {
   std::vector<ReplacedPiece> over;
   for (const ReplacedPiece& piece : pieces) {
@@ -256,7 +256,7 @@ TEST(WindowTrials, AnEmptyPlaceIsFilled) {
   EXPECT_LT(quality_of(window, pieces).overlap, 0.01);
 }
 
-/// None of those round the hole makes room, and yet what comes in feels them.
+/// No piece around the hole makes room, but the incoming piece feels them.
 TEST(WindowTrials, AnEmptyPlaceAmongPiecesThatStandStillIsFilled) {
   ReplacementWindow window = empty_window();
   window.still = discs_round_a_hole();
@@ -279,7 +279,7 @@ TEST(WindowTrials, PiecesGrowIntoAPlaceThatMayNotBeFilled) {
   ReplacementWindow window = empty_window();
   window.moving = discs_round_a_hole();
   window.incoming.resize(1);
-  window.incoming[0].poses.min_scale_px = 45;  // too large for it
+  window.incoming[0].poses.min_scale_px = 45;  // too large for the hole
   window.trials = 30;
   const ReplacementOutcome outcome = outcome_of(window);
   EXPECT_GT(quality_of(window, outcome.pieces).coverage, quality_of(window, before(window)).coverage);
@@ -327,7 +327,7 @@ TEST(WindowTrials, WhereRepetitionCostsMuchOtherDrawingsComeIn) {
   EXPECT_EQ(times_of(1), 0) << "worth nothing";
 }
 
-/// Copies that lie elsewhere count, as far as they are near.
+/// Copies outside the window count if they are near.
 TEST(WindowTrials, NextToACopyOtherDrawingsComeIn) {
   ReplacementWindow window = empty_window();
   window.moving = discs_round_a_hole();
@@ -350,7 +350,7 @@ TEST(WindowTrials, NextToACopyOtherDrawingsComeIn) {
   EXPECT_LT(stars(), far);
 }
 
-/// Mirror images, for one: they are used as one.
+/// For example mirror images, which count as one drawing.
 TEST(WindowTrials, ShapesOfOneDrawingAreRepetitionsOfEachOther) {
   ReplacementWindow window = empty_window();
   window.moving = discs_round_a_hole();
@@ -366,7 +366,7 @@ TEST(WindowTrials, ShapesOfOneDrawingAreRepetitionsOfEachOther) {
   }
 }
 
-/// Discs of a fixed size have smaller stars come in for them: always a loss.
+/// A window in which smaller stars replace discs of a fixed size, which is always a loss.
 ReplacementWindow stars_for_discs() {
   ReplacementWindow window = empty_window();
   window.moving = discs_round_a_hole();
@@ -409,7 +409,7 @@ TEST(WindowTrials, HotTrialsKeepLosses) {
     return sum;
   };
   constexpr float kHot_px2 = 1e5f;
-  constexpr float kWarm_px2 = 1000;  // about as much as is lost
+  constexpr float kWarm_px2 = 1000;  // about the size of such a loss
   EXPECT_EQ(kept(0, 0, 16), 0u);
   const std::uint32_t hot = kept(kHot_px2, kHot_px2, 16);
   EXPECT_GT(hot, 40u);
@@ -475,7 +475,7 @@ TEST(WindowTrials, WhatLookThrowsComesOut) {
   EXPECT_EQ(looks, window.trials) << "before each trial";
 }
 
-/// What a scene costs beside depths.
+/// The energy of a scene without its depths.
 double covered_twice_px2(const Scene& scene, const ReplacementWindow& window) {
   const FreeField free = relaxed_pieces::rectangle(kCanvas_px);
   constexpr float kStiffness = 8;
@@ -485,7 +485,7 @@ double covered_twice_px2(const Scene& scene, const ReplacementWindow& window) {
   return SceneRelaxation(window).energy_px2(scene) - depths_px2;
 }
 
-/// For both pieces of a pair, whichever of them moves: energies of a trial's pieces differ by as much as those of all.
+/// Each pair counts for both pieces, whichever of them moves. So the active pieces' energy changes as much as that of all.
 TEST(SceneEnergy, CountsWhatIsCoveredTwice) {
   const ReplacementWindow window = empty_window();
   const auto pair_px2 = [&](float scale_px, float other_px, Vec2 apart, bool one_moves, bool other_moves) {

@@ -1,4 +1,4 @@
-// The mirror image of a shape is what a library build would make of the mirrored outline.
+// The mirror image of a shape equals what a library build would make of the mirrored outline.
 #include "core/shape/mirrored_shape.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace test_mirrored_shape {
 
 constexpr int kPadLevels = PadParameters{}.levels;
 
-/// Blobs, and with the others shapes that have a hole, spikes and a dent.
+/// Blobs, and shapes with a hole, with spikes and with a dent.
 const std::vector<Shape>& shapes() {
   static const std::vector<Shape> shapes = [] {
     std::vector<Shape> all = test::synthetic_library(12);
@@ -54,7 +54,7 @@ TEST(MirroredShape, LiesOnTheOtherSideWithItsInteriorOnTheLeft) {
   }
 }
 
-/// A walk along the mirrored curve meets the same lengths and turnings: equal to the bit, not within a bound.
+/// A walk along the mirrored curve meets the same lengths and turnings, so the PADs are equal to the bit.
 TEST(MirroredShape, HasThePadsOfTheMirroredCurve) {
   for (const Shape& shape : shapes()) {
     const Shape image = mirror_image(shape, kPadLevels);
@@ -66,7 +66,7 @@ TEST(MirroredShape, HasThePadsOfTheMirroredCurve) {
   }
 }
 
-/// Lengths are summed in another order.
+/// The lengths are summed in another order.
 TEST(MirroredShape, IsWhatTheMirroredOutlineGivesWithinRounding) {
   for (const Outline& outline :
        {test::star_outline(5), test::bean_outline(), test::ring_outline(), test::blob_outline(3)}) {

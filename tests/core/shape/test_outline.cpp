@@ -1,4 +1,4 @@
-// Which silhouettes become outlines, what of them is kept, and why others are skipped.
+// Outlines of silhouettes: which parts are kept, and why some silhouettes are skipped.
 #include "core/shape/outline.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace test_outline {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Coverage from a signed distance, negative inside; pixel centres at (i + 0.5, j + 0.5).
+/// Coverage from a signed distance (negative inside). Pixel centres are at (i + 0.5, j + 0.5).
 Grid<float> silhouette(const std::function<float(Vec2)>& distance_px, int size = 300) {
   Grid<float> alpha(size, size);
   for (int y = 0; y < size; ++y) {
@@ -77,8 +77,8 @@ TEST(Outline, TinyHolesAreFilled) {
   const auto with_hole = [](float radius) {
     return traced([=](Vec2 p) { return std::max(to_disc(p, {150, 150}, 100), -to_disc(p, {120, 150}, radius)); });
   };
-  EXPECT_EQ(with_hole(5).curves.size(), 1u);  // 0.25 %
-  EXPECT_EQ(with_hole(7).curves.size(), 2u);  // 0.5 %
+  EXPECT_EQ(with_hole(5).curves.size(), 1u);  // 0.25 % of the area
+  EXPECT_EQ(with_hole(7).curves.size(), 2u);  // 0.5 % of the area
 }
 
 TEST(Outline, SpecksAreLeftOutAndReported) {
@@ -91,7 +91,7 @@ TEST(Outline, SpecksAreLeftOutAndReported) {
 }
 
 TEST(Outline, HoleOfAnotherComponentIsNotOurs) {
-  // A ring around a smaller ring: its hole lies in the large one's hole.
+  // A ring around a smaller ring, whose hole lies in the larger one's hole.
   const auto result = trace([](Vec2 p) {
     const float d = norm(p - Vec2{150, 150});
     return std::min(std::abs(d - 120) - 20, std::abs(d - 15) - 4);
@@ -113,7 +113,7 @@ TEST(Outline, SkipsWhatIsOfNoUse) {
   EXPECT_EQ(reason([](Vec2 p) { return to_box(p, {150, 150}, {140, 2}); }), SkipReason::hairlines);
 }
 
-/// Of a line thinner than a pixel the pixels catch dashes.
+/// The pixels show a line thinner than a pixel as dashes.
 TEST(Outline, DashesOfAThinLineAreNoPartsSideBySide) {
   const auto dashes = [](float line) {
     return [line](Vec2 p) {
@@ -144,7 +144,7 @@ TEST(Outline, ARectangleIsKeptWhereItIsAsked) {
 
 float to_ring(Vec2 p, Vec2 centre, float radius, float line) { return std::abs(to_disc(p, centre, radius)) - line / 2; }
 
-/// Two rings and a bridge between them.
+/// The distance to two rings and a bridge between them.
 float to_spectacles(Vec2 p) {
   return std::min({to_ring(p, {80, 150}, 50, 10), to_ring(p, {220, 150}, 50, 10), to_box(p, {150, 150}, {25, 5})});
 }
@@ -164,7 +164,7 @@ TEST(Outline, WhatIsEnclosedCountsWhereItIsAsked) {
   ASSERT_EQ(spectacles.curves.size(), 1u);
   EXPECT_NEAR(area_moment(spectacles.curves[0].even_points(2048)).area, 2 * kPi * 55 * 55 + 30 * 10, 60);
   EXPECT_GT(spectacles.hollowness, 2.2f);
-  // A hub within a wheel, which alone would be two large parts, and a thin line round all.
+  // A hub within a wheel and a thin line around both. Without the line they would be two large parts.
   const TracedOutline wheel = filled([](Vec2 p) {
     return std::min({to_ring(p, {150, 150}, 100, 10), to_disc(p, {150, 150}, 40), to_disc(p, {280, 280}, 5)});
   });
@@ -176,7 +176,7 @@ TEST(Outline, WhatIsEnclosedCountsWhereItIsAsked) {
 TEST(Outline, UsesWhatIsNearTheLimits) {
   EXPECT_NO_THROW(traced([](Vec2 p) { return to_disc(p, {150, 150}, 14.5f); }));
   EXPECT_NO_THROW(traced([](Vec2 p) { return to_box(p, {150, 150}, {140, 12}) + std::abs(p.x - 150) / 12; }));
-  // A disc with whiskers keeps more than 70 %.
+  // A disc with whiskers keeps more than 70 % of its area.
   EXPECT_NO_THROW(traced([](Vec2 p) {
     return std::min(to_disc(p, {150, 150}, 70), to_box(p, {150, 150}, {140, 1.5f}));
   }));

@@ -1,4 +1,4 @@
-// A traced outline in the shape frame.
+// A traced outline, converted to the shape frame.
 #include "core/shape/shape_builder.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace tessera {
 namespace test_shape_builder {
 
-/// In an artwork of a few hundred px.
+/// A traced outline in an artwork of a few hundred px.
 TracedOutline traced(const Outline& outline, float scale_px = 100, Vec2 centre_px = {200, 300}) {
   TracedOutline result;
   for (std::vector<Vec2> curve : outline.curves) {
@@ -63,14 +63,14 @@ TEST(ShapeBuilder, PointsOfCurves) {
   EXPECT_EQ(make_shape(traced(test::ring_outline(0.02f)), {}).outline.curves[1].size(), 16u);
 }
 
-/// A library may say anything: neither a hang nor points without end.
+/// A damaged library may hold any radius: it may cause neither a hang nor an endless number of points.
 TEST(ShapeModel, ADamagedRadiusCostsNoTime) {
   Shape shape = test::make_test_shape("bean", test::bean_outline());
   const std::vector<Vec2> interior = make_shape_model(shape, {}, {}, {2}).interior;
   EXPECT_GT(interior.size(), 20u);
   EXPECT_LE(interior.size(), std::size_t(kMaxInteriorPoints));
   shape.radius = 1e4f;
-  shape.field.extent = 1e4f;  // inside everywhere near the middle
+  shape.field.extent = 1e4f;  // makes everything near the middle inside
   const double start_s = processor_time_s();
   make_shape_model(shape, {}, {}, {2});
   EXPECT_LT(processor_time_s() - start_s, 1.0);

@@ -1,4 +1,4 @@
-// The field against brute force.
+// The distance field of a shape against brute force.
 #include "core/shape/shape_field.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace tessera {
 namespace test_shape_field {
 
-/// About the size of a library shape, and as many points.
+/// Scales an outline to about the size of a library shape, with as many points.
 Outline shape_frame(Outline outline) {
   for (std::vector<Vec2>& curve : outline.curves) {
     curve = test::resampled(curve, 512);

@@ -1,4 +1,4 @@
-// The style of drawings that are made here, so that their lines, colours, shades and textures are known.
+// The style of drawings made here, with known lines, colours, shades and textures.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -18,17 +18,17 @@ namespace tessera {
 namespace test_style {
 
 constexpr int kSide_px = 270;
-constexpr float kRadius_px = 126;  // its area has kStyleUnit_px squared
+constexpr float kRadius_px = 126;  // this disc has an area of kStyleUnit_px squared
 constexpr Lab kWhite{100, 0, 0}, kBlack{0, 0, 0}, kRed{53, 80, 67}, kOrange{75, 24, 78}, kBlue{32, 60, -90};
 
-using Paint = std::function<Lab(float x_px, float y_px)>;  // from the middle
+using Paint = std::function<Lab(float x_px, float y_px)>;  // x and y are relative to the middle
 
 Lab mixed(const Lab& a, const Lab& b, float part_of_b) {
   const auto mix = [&](float x, float y) { return x + (y - x) * part_of_b; };
   return {mix(a.lightness, b.lightness), mix(a.a, b.a), mix(a.b, b.b)};
 }
 
-/// A disc, with a black line along its edge. Edges are as soft as antialiasing makes them.
+/// A disc with a black line along its edge. Edges are as soft as with antialiasing.
 StyleRaster disc(float line_px, const Paint& paint) {
   StyleRaster raster{Grid<Lab>(kSide_px, kSide_px, kWhite), Grid<std::uint8_t>(kSide_px, kSide_px)};
   const auto within = [](float distance_px) { return std::clamp(0.5f - distance_px, 0.f, 1.f); };
@@ -125,7 +125,7 @@ TEST(Style, what_is_enclosed_is_inside) {
   EXPECT_EQ(std::accumulate(inside.data().begin(), inside.data().end(), 0), 25);
 }
 
-/// Blots and lines, each time others.
+/// Blots and lines that follow from the seed.
 StyleRaster random_drawing(std::uint64_t seed) {
   const auto number = [&](std::uint64_t k) { return unit_float(std::uint32_t(mix_bits(seed * 64 + k) >> 32)); };
   const float tilt = number(1) - 0.5f, wave = 5 + 20 * number(2), step = number(3);
@@ -193,7 +193,7 @@ TEST(StyleWeight, halves_with_each_unit_and_never_becomes_nothing) {
   EXPECT_GT(style_worth(kMostStyleSteps), 0);
 }
 
-/// Three heaps: 6, 9 and 3 places.
+/// Three groups of 6, 9 and 3 places.
 std::vector<StylePlace> heaps() {
   std::vector<StylePlace> places;
   for (int i = 0; i < 18; ++i) {
@@ -227,7 +227,7 @@ JudgedPiece piece(const std::string& shape, double scale_px, float palette) {
 }
 
 TEST(StyleSpread, is_the_mean_over_pairs_by_their_areas) {
-  // Distances of palettes are those of their bits. Pairs: 2 x 2 and 3 apart by 1, two of the same by 0.
+  // The distance of two palettes is that of their bits. Each a (size 2) differs from b (size 3) by 1, and the two a differ by 0.
   const auto spread = mean_style_distance({piece("a", 2, 1), piece("a", 2, 1), piece("b", 3, 2)});
   ASSERT_TRUE(spread);
   EXPECT_NEAR(*spread, (2 * 4 * 9 * 1.0) / (2 * 4 * 9 + 4 * 4), 1e-6);

@@ -15,7 +15,7 @@ constexpr std::uint32_t kOldHeader_bytes = 12;  // the header of OS/2
 constexpr std::uint32_t kHeader_bytes = 40;     // every other header has as many or more
 enum Compression : std::uint32_t { kNone = 0, kRle8 = 1, kRle4 = 2, kMasks = 3 };
 
-using Masks = std::array<std::uint32_t, 4>;  // which bits of a pixel are blue, green, red and alpha
+using Masks = std::array<std::uint32_t, 4>;  // the bits of blue, green, red and alpha in a pixel
 
 struct Header {
   std::uint32_t bytes = 0;  // length of this header, which follows the header of the file

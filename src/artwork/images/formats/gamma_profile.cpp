@@ -12,7 +12,7 @@ cmsCIExyY place(const std::array<double, 2>& xy) { return {xy[0], xy[1], 1}; }
 
 cmsHPROFILE made_profile(cmsToneCurve* curve, const Chromaticities& colours, bool grey) {
   const cmsCIExyY white = place(colours.white);
-  if (grey) return cmsCreateGrayProfile(cmsD50_xyY(), curve);  // a grey is a grey under any light
+  if (grey) return cmsCreateGrayProfile(cmsD50_xyY(), curve);  // grey has no colour under any light
   const cmsCIExyYTRIPLE primaries{place(colours.red), place(colours.green), place(colours.blue)};
   cmsToneCurve* const curves[] = {curve, curve, curve};
   return cmsCreateRGBProfile(&white, &primaries, curves);

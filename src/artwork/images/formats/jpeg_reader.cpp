@@ -17,7 +17,7 @@ namespace {
 constexpr int kProfileMarker = JPEG_APP0 + 2;
 constexpr int kCmykChannels = 4;
 
-/// libjpeg leaves by longjmp: between setjmp and the call that fails stands nothing that needs a destructor.
+/// libjpeg leaves by longjmp: between setjmp and the failing call there must be nothing that needs a destructor.
 class JpegReader {
  public:
   JpegReader() {
@@ -42,7 +42,7 @@ class JpegReader {
     return true;
   }
 
-  /// To be called after read_header(). Stays empty where the file has no whole profile.
+  /// Reads the colour profile; to be called after read_header(). It stays empty where the file has no whole profile.
   bool read_profile(std::vector<std::uint8_t>& profile) {
     JOCTET* data = nullptr;
     unsigned size = 0;
@@ -70,8 +70,8 @@ class JpegReader {
     return jpeg_read_scanlines(&info_, &row, 1) == 1;
   }
 
-  /// Pixels were made up for data that are missing or damaged. Where all of them come in one scan, a missing mark at
-  /// the end of the file alone is no loss.
+  /// Whether pixels were invented for missing or damaged data. Where all data come in one scan, a missing mark at the
+  /// end of the file is no loss.
   bool lost_pixels() { return lost_data_ || (ended_early_ && (jpeg_has_multiple_scans(&info_) || info_.arith_code)); }
   bool ended_early() const { return ended_early_; }
 

@@ -11,13 +11,13 @@ namespace {
 using namespace std::string_view_literals;
 using Bytes = std::span<const std::uint8_t>;
 
-/// The `count` bytes from `at` on, or fewer where the file ends before.
+/// The `count` bytes from `at` on; fewer where the file ends before.
 Bytes part_of(Bytes bytes, std::size_t at, std::size_t count) {
   at = std::min(at, bytes.size());
   return bytes.subspan(at, std::min(count, bytes.size() - at));
 }
 
-/// EXIF data of a JPEG stand in a segment before the first scan.
+/// The EXIF data of a JPEG: a segment before the first scan.
 Bytes exif_of_jpeg(Bytes bytes) {
   constexpr std::uint32_t kExif = 0xffe1, kFirstScan = 0xffda;
   const ByteReader reader(bytes, true);
@@ -41,7 +41,7 @@ Bytes exif_of_png(Bytes bytes) {
   }
 }
 
-/// Some programs write the mark of a JPEG's segment before the data.
+/// The EXIF data of a WebP. Some programs write the mark of a JPEG's segment before them.
 Bytes exif_of_webp(Bytes bytes) {
   const ByteReader reader(bytes, false);
   for (std::size_t at = 12;;) {

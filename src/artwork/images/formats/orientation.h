@@ -1,4 +1,4 @@
-// How a camera was held, as EXIF data and TIFFs say it by a number of 1 (upright) to 8.
+// The orientation of the camera: EXIF data and TIFFs state it as a number from 1 (upright) to 8.
 #pragma once
 
 #include <cstdint>
@@ -7,14 +7,15 @@
 
 namespace tessera {
 
-/// `exif`: from its byte order mark ("II" or "MM") on. 1 where nothing is said, or nothing that is known.
+/// The orientation in `exif`, which starts at the byte order mark ("II" or "MM"). 1 where none is stated, or an unknown
+/// one.
 int exif_orientation(std::span<const std::uint8_t> exif);
 
-/// Finds the EXIF data of a JPEG, PNG or WebP without a decoder, and reads the orientation there. `bytes`: the whole file.
-/// 1 for all other bytes, and for TIFF, whose reader looks itself.
+/// Finds the EXIF data of a JPEG, PNG or WebP without a decoder and reads the orientation. `bytes`: the whole file.
+/// Returns 1 for all other bytes, and for TIFF, whose reader reads it itself.
 int orientation_in_file(std::span<const std::uint8_t> bytes);
 
-/// `picture` as it was seen: mirrored and turned as `orientation` says. What is upright is not copied.
+/// `picture` mirrored and turned according to `orientation`. An upright picture is not copied.
 cv::Mat turned_upright(const cv::Mat& picture, int orientation);
 
 }  // namespace tessera

@@ -1,5 +1,5 @@
-// How our calls of libpng fail: silently, by longjmp. Between setjmp and such a call stands nothing that needs a
-// destructor.
+// Error handling of our calls of libpng: silent, by longjmp. Between setjmp and such a call there must be nothing that
+// needs a destructor.
 #pragma once
 
 #include <png.h>

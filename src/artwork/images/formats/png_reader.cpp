@@ -79,7 +79,7 @@ class PngReader {
   bool ended_early() const { return ended_early_; }
 
  private:
-  /// Beside the word that it is sRGB, numbers mean nothing.
+  /// A profile from gamma and primaries. Where the file states that it is sRGB these numbers are ignored.
   std::vector<std::uint8_t> profile_of_numbers() const {
     double gamma = 0;
     if (png_get_valid(png_, info_, PNG_INFO_sRGB) || !png_get_gAMA(png_, info_, &gamma)) return {};

@@ -12,7 +12,7 @@
 namespace tessera {
 namespace {
 
-/// The file in memory, and the place in it, as the functions below give it to libtiff.
+/// The file in memory and the read position, for the functions that libtiff calls.
 struct MemoryFile {
   std::span<const std::uint8_t> bytes;
   std::size_t at = 0;
@@ -64,7 +64,7 @@ Value field(TIFF* tiff, std::uint32_t tag, Value otherwise) {
   return TIFFGetFieldDefaulted(tiff, tag, &value) ? value : otherwise;
 }
 
-/// A TIFF packs its pixels in blocks, which are tiles or strips: their size.
+/// The size of the blocks (tiles or strips) in which a TIFF stores its pixels.
 struct Blocks {
   bool are_tiles;
   std::uint32_t width_px, height_px;
@@ -99,7 +99,7 @@ Layout layout_of(TIFF* tiff) {
   return layout;
 }
 
-/// Refuses blocks larger than the picture and larger than the largest picture allowed. A small picture may lie in a
+/// Refuses blocks that are larger than both the picture and the largest picture allowed. A small picture may lie in a
 /// larger block.
 void check_blocks(const Layout& layout, const ReadingRules& rules) {
   const double pixels = double(layout.blocks.width_px) * layout.blocks.height_px;

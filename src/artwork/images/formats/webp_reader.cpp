@@ -19,7 +19,7 @@ cv::Mat still_picture(std::span<const std::uint8_t> bytes, const WebPBitstreamFe
   return pixels;
 }
 
-/// The first picture of an animation, on a clear ground.
+/// The first picture of an animation, on a transparent ground.
 cv::Mat first_of_animation(const WebPData& data, const WebPBitstreamFeatures& features, const ReadingRules& rules) {
   check_size(features.width, features.height, rules);
   WebPAnimDecoderOptions options;
@@ -27,7 +27,7 @@ cv::Mat first_of_animation(const WebPData& data, const WebPBitstreamFeatures& fe
   options.color_mode = MODE_BGRA;
   const std::unique_ptr<WebPAnimDecoder, decltype(&WebPAnimDecoderDelete)> decoder(WebPAnimDecoderNew(&data, &options),
                                                                                    WebPAnimDecoderDelete);
-  std::uint8_t* shown = nullptr;  // the decoder's
+  std::uint8_t* shown = nullptr;  // owned by the decoder
   int time_ms = 0;
   if (!decoder || !WebPAnimDecoderGetNext(decoder.get(), &shown, &time_ms)) throw_damaged();
   return cv::Mat(features.height, features.width, CV_8UC4, shown).clone();

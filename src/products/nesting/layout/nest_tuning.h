@@ -32,8 +32,8 @@ inline constexpr double kMostGrowth = 2.0;
 inline constexpr double kWeightFading = 0.95;
 
 /// Passes without a smaller overlap after which separation begins again from the least overlap, and how often it does so.
-inline constexpr int kPatience = 100;
-inline constexpr int kStrikes = 3;
+inline constexpr int kPassesWithoutGain = 100;
+inline constexpr int kMostRestarts = 3;
 
 /// Factor for the number of places that are tried for a new piece.
 inline constexpr int kTimesForNew = 4;

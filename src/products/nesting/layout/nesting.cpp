@@ -53,24 +53,24 @@ class Chain {
 
   /// Lays the pieces on a strip. `layout` has the left-over pieces.
   void lay_on_strip(const std::vector<int>& pieces, std::uint64_t work_of_piece, NestLayout& layout) {
-    tell_with_columns(layout, pieces, 0);
+    report_with_columns(layout, pieces, 0);
     const std::uint64_t most_work = work_of_piece * pieces.size();
     NestScene scene(shapes_, problem_.height, problem_.spacing, watch_of(most_work, 0, 1));
-    lay_in_order(scene, pieces, random_, [&](std::span<const int> left) { tell_begun(layout, scene, left); });
+    lay_in_order(scene, pieces, random_, [&](std::span<const int> left) { report_begun(layout, scene, left); });
     shorten(scene, most_work, random_, [&](double) {
       NestLayout shorter = layout;
       take_sheet(scene, shorter);
-      tell(shorter);
+      report(shorter);
     });
     take_sheet(scene, layout);
-    tell(layout);
+    report(layout);
   }
 
   /// Lays the pieces on sheets. The pieces of the last sheet are pushed together, so that its rest can be used.
   void lay_on_sheets(std::vector<int> pieces, std::uint64_t work_of_piece, NestLayout& layout) {
     const double all = double(pieces.size());
     while (!pieces.empty()) {
-      tell_with_columns(layout, pieces, 0);
+      report_with_columns(layout, pieces, 0);
       const std::size_t before = pieces.size();
       // a sheet's budget counts its pieces and all that are still to come
       const std::uint64_t most_work = work_of_piece * before;
@@ -86,7 +86,7 @@ class Chain {
       if (pieces.size() == before) break;
     }
     for (const int item : pieces) ++layout.left_over[std::size_t(item)];
-    tell(layout);
+    report(layout);
   }
 
  private:
@@ -99,27 +99,27 @@ class Chain {
     };
   }
 
-  void tell(const NestLayout& layout) {
+  void report(const NestLayout& layout) {
     if (!found_ || (best_ && !is_better(layout, *best_))) return;
     best_ = layout;
     found_(layout);
   }
 
-  void tell_with_columns(NestLayout layout, const std::vector<int>& left, double from) {
+  void report_with_columns(NestLayout layout, const std::vector<int>& left, double from) {
     if (!found_) return;
     columns_.add(left, from, layout);
-    tell(layout);
+    report(layout);
   }
 
   /// Reports a strip on which the first pieces are laid and the rest stand in columns. It does so sixteen times at most,
   /// because the first layout of many pieces is poor.
-  void tell_begun(NestLayout layout, const NestScene& scene, std::span<const int> left) {
+  void report_begun(NestLayout layout, const NestScene& scene, std::span<const int> left) {
     constexpr std::size_t kTimes = 16;
     const std::size_t step = std::max<std::size_t>(1, (left.size() + std::size_t(scene.size())) / kTimes);
     if (!found_ || left.empty() || left.size() % step != 0) return;
     take_sheet(scene, layout);
     layout.sheets = 0;
-    tell_with_columns(std::move(layout), {left.begin(), left.end()}, scene.used_length() + problem_.spacing);
+    report_with_columns(std::move(layout), {left.begin(), left.end()}, scene.used_length() + problem_.spacing);
   }
 
   const NestProblem& problem_;

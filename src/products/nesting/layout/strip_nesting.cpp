@@ -134,7 +134,7 @@ class Failures {
 };
 
 void explore(NestScene& scene, Layout& best, std::uint64_t most_work, NestRandom& random, const Shorter& shorter) {
-  const SeparationLimits limits{kPatience, kStrikes, most_work};
+  const SeparationLimits limits{kPassesWithoutGain, kMostRestarts, most_work};
   Failures failures;
   bool possible = shrink(scene, kShrink * scene.length(), random);
   while (possible && scene.work() < most_work) {
@@ -159,7 +159,7 @@ void compress(NestScene& scene, Layout& best, double best_length, std::uint64_t 
     scene.restore(best.poses);
     if (!shrink(scene, best_length * (kFirstCompression + (kLastCompression - kFirstCompression) * done), random))
       return;
-    if (!separate(scene, {kPatience / 2, kStrikes, most_work}, random)) continue;
+    if (!separate(scene, {kPassesWithoutGain / 2, kMostRestarts, most_work}, random)) continue;
     take(scene, best, most_work, shorter);
     best_length = scene.length();
   }

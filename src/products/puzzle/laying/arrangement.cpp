@@ -17,7 +17,7 @@ constexpr float kGapCost = 1;
 /// How much agreement (of pictures, and of how close boundaries are) adds to the worth of a touching boundary; disagreement
 /// takes as much away. The boundary itself is worth 1 where it is bent and 0.3 where it is straight.
 constexpr float kOfAgreement = 0.5f;
-/// Upper bound of branches: the surest place and its best rivals.
+/// Upper bound of branches: the surest place and its best exclude_each_other.
 constexpr std::size_t kMostBranches = 4;
 /// Factor for a place's contact, by its matches from corner to corner (PuzzlePlace::whole_sides): one may be chance, two
 /// hardly.
@@ -67,7 +67,7 @@ double PuzzleArranger::gaps(const Arrangement& in) const {
   std::size_t all = 0, beside_gap = 0;
   for (const LaidPiece& laid : in.laid) {
     if (is_frame(laid)) continue;
-    tell(in);
+    report(in);
     const PosedPiece piece = posed(laid);
     std::vector<Beside> beside(piece.piece->points.size(), Beside::nothing);
     for (const PosedPiece& neighbour : neighbours(piece, in, laid.piece))
@@ -79,7 +79,7 @@ double PuzzleArranger::gaps(const Arrangement& in) const {
 }
 
 PuzzleArranger::Boundary PuzzleArranger::boundary_of(const LaidPiece& laid, const Arrangement& in) const {
-  tell(in);
+  report(in);
   const PosedPiece piece = posed(laid);
   std::vector<Beside> beside(piece.piece->points.size(), Beside::nothing);
   Boundary boundary;
@@ -179,7 +179,7 @@ bool PuzzleArranger::same_place(const PuzzlePlace& a, const PuzzlePlace& b) cons
 }
 
 /// Whether only one of the two places can be used.
-bool PuzzleArranger::rivals(const PuzzlePlace& a, const PuzzlePlace& b) const {
+bool PuzzleArranger::exclude_each_other(const PuzzlePlace& a, const PuzzlePlace& b) const {
   if (a.piece == b.piece) return true;
   const PuzzlePiece &p = pieces_[std::size_t(a.piece)], &q = pieces_[std::size_t(b.piece)];
   const Vec2 off = a.pose.apply(p.centre) - b.pose.apply(q.centre);
@@ -187,7 +187,7 @@ bool PuzzleArranger::rivals(const PuzzlePlace& a, const PuzzlePlace& b) const {
 }
 
 void PuzzleArranger::lay(const PuzzlePlace& place, Arrangement& in) const {
-  tell(in);
+  report(in);
   const PosedPiece rough = posed({place.piece, place.pose});
   const std::vector<PosedPiece> around = neighbours(rough, in);
   const Similarity pose = around.empty() ? place.pose : settled(rough, around, scale_, kSettlingSteps);
@@ -235,7 +235,7 @@ void PuzzleArranger::add_places_beside(const LaidPiece& laid, Arrangement& in) c
                       .pose = followed_by(match.here_from_there, laid.pose),
                       .whole_sides = match.whole_side ? 1 : 0};
     if (joins_a_place(place, in)) continue;  // before settling, which takes longer
-    tell(in);
+    report(in);
     const PosedPiece piece = posed({place.piece, place.pose});
     const std::vector<PosedPiece> around = neighbours(piece, in);
     if (std::any_of(around.begin(), around.end(), [&](const PosedPiece& p) { return overlap(piece, p, scale_); }))
@@ -260,12 +260,12 @@ Arrangement PuzzleArranger::with_open_frame(Arrangement one) const {
   return one;
 }
 
-/// Adds the arrangement with the place that is farthest ahead of its rivals; `with_rivals`: and with the best rivals.
+/// Adds the arrangement with the place that is farthest ahead of its exclude_each_other; `with_rivals`: and with the best exclude_each_other.
 void PuzzleArranger::branch(const Arrangement& one, bool with_rivals, std::vector<Arrangement>& next) const {
   std::vector<float> rival(one.places.size(), 0);
   for (std::size_t i = 0; i < one.places.size(); ++i) {
     for (std::size_t j = i + 1; j < one.places.size(); ++j) {
-      if (!rivals(one.places[i], one.places[j])) continue;
+      if (!exclude_each_other(one.places[i], one.places[j])) continue;
       rival[i] = std::max(rival[i], one.places[j].worth);
       rival[j] = std::max(rival[j], one.places[i].worth);
     }
@@ -283,7 +283,7 @@ void PuzzleArranger::branch(const Arrangement& one, bool with_rivals, std::vecto
   }
   std::vector<std::size_t> options;
   for (std::size_t i = 0; with_rivals && i < one.places.size(); ++i) {
-    if (i != surest && rivals(one.places[i], one.places[surest]) &&
+    if (i != surest && exclude_each_other(one.places[i], one.places[surest]) &&
         one.places[i].worth > 0.5f * one.places[surest].worth)
       options.push_back(i);
   }
@@ -315,7 +315,7 @@ void PuzzleArranger::keep_best(std::vector<Arrangement>& all, int width) const {
 
 void PuzzleArranger::settle_all(Arrangement& in) const {
   std::vector<PosedPiece> pieces = laid_pieces(in);
-  settle_jointly(pieces, scale_, kLastSteps, [&] { tell(in); });
+  settle_jointly(pieces, scale_, kLastSteps, [&] { report(in); });
   for (std::size_t i = 0; i < pieces.size(); ++i) in.laid[i].pose = pieces[i].pose;
 }
 

@@ -96,7 +96,7 @@ class PuzzleArranger {
   double coherence(const Arrangement& in) const;
 
   /// Calls `watch`.
-  void tell(const Arrangement& in) const { watch_(placed(in)); }
+  void report(const Arrangement& in) const { watch_(placed(in)); }
 
  private:
   std::vector<PosedPiece> neighbours(const PosedPiece& piece, const Arrangement& in, int but = -1) const;
@@ -110,7 +110,7 @@ class PuzzleArranger {
   void appraise(PuzzlePlace& place) const;
   bool is_worth_laying(const PuzzlePlace& place) const;
   bool same_place(const PuzzlePlace& a, const PuzzlePlace& b) const;
-  bool rivals(const PuzzlePlace& a, const PuzzlePlace& b) const;
+  bool exclude_each_other(const PuzzlePlace& a, const PuzzlePlace& b) const;
   bool joins_a_place(const PuzzlePlace& place, Arrangement& in) const;
   void add_place(PuzzlePlace place, Arrangement& in) const;
   void add_places_beside(const LaidPiece& laid, Arrangement& in) const;

@@ -7,7 +7,7 @@ namespace tessera {
 namespace {
 
 /// In tolerances: boundaries that are farther apart do not pull.
-constexpr float kPullingReach = 2;
+constexpr float kContactReach = 2;
 /// A weak pull towards a piece's present pose, in boundary points. It only matters where no neighbour pulls.
 constexpr double kKeeping = 1e-3;
 
@@ -17,9 +17,9 @@ Eigen::Vector3d by_pose(Vec2 p, Vec2 centre, Vec2 normal, double arm) {
 }
 
 /// Least squares over the poses of all pieces but the first, with three unknowns each.
-class Pulls {
+class PoseEquations {
  public:
-  Pulls(const std::vector<PosedPiece>& pieces, const PuzzleScale& scale)
+  PoseEquations(const std::vector<PosedPiece>& pieces, const PuzzleScale& scale)
       : pieces_(pieces),
         scale_(scale),
         arm_(scale.piece / 2),
@@ -27,7 +27,7 @@ class Pulls {
     for (Eigen::Index k = 0; k < gradient_.size(); ++k) entries_.emplace_back(k, k, kKeeping);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       for (std::size_t j = 0; j < pieces.size(); ++j) {
-        if (i != j && may_touch(pieces[i], pieces[j], kPullingReach * scale.tolerance)) add(i, j);
+        if (i != j && may_touch(pieces[i], pieces[j], kContactReach * scale.tolerance)) add(i, j);
       }
     }
   }
@@ -53,7 +53,7 @@ class Pulls {
   void add(std::size_t i, std::size_t j) {
     const PosedPiece &here = pieces_[i], &there = pieces_[j];
     if (here.piece->area < 0) return;
-    const float reach = kPullingReach * scale_.tolerance;
+    const float reach = kContactReach * scale_.tolerance;
     const Similarity there_from_puzzle = rigid_inverse(there.pose);
     const Vec2 here_centre = here.pose.apply(here.piece->centre), there_centre = there.pose.apply(there.piece->centre);
     Eigen::Matrix<double, 6, 6> hessian = Eigen::Matrix<double, 6, 6>::Zero();
@@ -102,10 +102,10 @@ class Pulls {
 }  // namespace
 
 void settle_jointly(std::vector<PosedPiece>& pieces, const PuzzleScale& scale, int steps,
-                    const std::function<void()>& tell) {
+                    const std::function<void()>& report) {
   for (int step = 0; step < steps && pieces.size() > 1; ++step) {
-    tell();
-    pieces = Pulls(pieces, scale).moved_pieces();
+    report();
+    pieces = PoseEquations(pieces, scale).moved_pieces();
   }
 }
 

@@ -88,7 +88,7 @@ class Solver {
         scale_(scale_of(input.pieces)),
         watch_(input.watch),
         frame_(input.frame.empty() ? -1 : int(input.pieces.size())),
-        arranger_(pieces_, matches_, scale_, frame_, [this](std::size_t laid) { tell_laying(laid); }) {
+        arranger_(pieces_, matches_, scale_, frame_, [this](std::size_t laid) { report_laying(laid); }) {
     for (const auto& polygon : input.pieces) {
       pieces_.push_back(puzzle_piece(polygon, scale_));
       watch_({.laying = false, .done = 0, .of = input.pieces.size()});
@@ -96,7 +96,7 @@ class Solver {
     if (frame_ >= 0) pieces_.push_back(frame_piece(input.frame, 1));
     for (std::size_t i = 0; i < input.pictures.size(); ++i) pieces_[i].picture = &input.pictures[i];
     scale_.contrast = contrast_of(pieces_, scale_);
-    matches_ = piece_matches(pieces_, scale_, tell_matching());
+    matches_ = piece_matches(pieces_, scale_, report_matching());
   }
 
   /// Solves the puzzle. The pieces are first laid without the frame, because matches with its straight edges are often
@@ -254,7 +254,7 @@ class Solver {
   void set_scale(double times, const std::vector<Vec2>& frame) {
     times_ = times;
     pieces_[std::size_t(frame_)] = frame_piece(frame, times_);
-    match_frame_anew(pieces_, scale_, matches_, tell_matching());
+    match_frame_anew(pieces_, scale_, matches_, report_matching());
   }
 
   /// A scale computed from areas has small errors, so that the last row may find no room. Where most pieces lie, this tries
@@ -347,7 +347,7 @@ class Solver {
   /// Fills the frame in any way; returns `other` where that fails.
   Arrangement covering_or(Arrangement other) const {
     if (arranger_.whole(other)) return other;
-    const auto poses = frame_covering(pieces_, matches_, scale_, [&] { tell_laying(0); });
+    const auto poses = frame_covering(pieces_, matches_, scale_, [&] { report_laying(0); });
     if (!poses) return other;
     Arrangement all = empty_frame();
     all.used.assign(pieces_.size(), true);
@@ -361,7 +361,7 @@ class Solver {
     const std::size_t first = arranger_.is_frame(in.laid.front()) ? 1 : 0;
     const std::vector<PosedPiece> all = arranger_.laid_pieces(in);
     const ExchangedPieces now =
-        exchanged({all.begin() + std::ptrdiff_t(first), all.end()}, scale_, [&] { tell_laying(arranger_.placed(in)); });
+        exchanged({all.begin() + std::ptrdiff_t(first), all.end()}, scale_, [&] { report_laying(arranger_.placed(in)); });
     bool moved = false;
     for (std::size_t i = first; i < in.laid.size(); ++i) {
       moved = moved || !(in.laid[i].pose == now.poses[i - first]);
@@ -395,12 +395,12 @@ class Solver {
     return solved;
   }
 
-  std::function<void(std::size_t)> tell_matching() const {
+  std::function<void(std::size_t)> report_matching() const {
     return [this](std::size_t piece) { watch_({.laying = false, .done = piece, .of = pieces_.size()}); };
   }
 
   /// Reports the present arrangement.
-  void tell_laying(std::size_t laid) const { watch_({.laying = true, .done = laid, .of = arranger_.pieces_count()}); }
+  void report_laying(std::size_t laid) const { watch_({.laying = true, .done = laid, .of = arranger_.pieces_count()}); }
 
   const int widest_;  // arrangements that are followed at a time at most
   PuzzleScale scale_;

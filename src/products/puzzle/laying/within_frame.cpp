@@ -69,7 +69,7 @@ std::size_t pieces_within_frame(const Arrangement& alone, const Similarity& fram
                                 const PuzzleArranger& arranger) {
   const PosedPiece frame = arranger.posed(arranger.frame());
   const float distance = kBeforeSettling * arranger.scale().tolerance;
-  arranger.tell(alone);
+  arranger.report(alone);
   return std::size_t(std::count_if(alone.laid.begin(), alone.laid.end(), [&](const LaidPiece& laid) {
     return is_about_within(arranger.posed({laid.piece, followed_by(laid.pose, frame_from_puzzle)}), frame, distance);
   }));
@@ -97,7 +97,7 @@ void keep_within_frame(Arrangement& in, const PuzzleArranger& arranger) {
   const PosedPiece frame = arranger.posed(arranger.frame());
   std::vector<LaidPiece> kept;
   for (LaidPiece laid : in.laid) {
-    arranger.tell(in);
+    arranger.report(in);
     if (!arranger.is_frame(laid)) {
       const std::optional<Similarity> pose = within(arranger.posed(laid), frame, arranger.scale());
       in.used[std::size_t(laid.piece)] = pose.has_value();

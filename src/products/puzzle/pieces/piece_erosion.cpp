@@ -17,7 +17,7 @@ namespace {
 constexpr float kStep = 1.f / 256;
 constexpr std::size_t kMostErosions = 12;
 /// The search ends so many steps after the best one.
-constexpr std::size_t kPatience = 3;
+constexpr std::size_t kPassesWithoutGain = 3;
 /// Pieces whose boundaries are followed; they are compared with all.
 constexpr std::size_t kSample = 16;
 /// How much longer boundaries must agree before pieces count as eroded. Chance brings some per cent; a lost pixel on pieces
@@ -27,7 +27,7 @@ constexpr double kLeastGain = 1.2;
 constexpr std::size_t kBestPart = 4;
 /// Boundaries tell the distance only if it is visible that pieces are grown too far. With tabs, two fifths or less of the
 /// agreement are left after so many steps; with polygons three quarters are left, and the maximum is chance.
-constexpr std::size_t kTooFar = kPatience;
+constexpr std::size_t kTooFar = kPassesWithoutGain;
 constexpr double kMostTooFar = 0.5;
 /// In tolerances: the erosion that a frame may tell is between these two, because pieces may also be missing; and the usual
 /// erosions.
@@ -83,7 +83,7 @@ std::optional<float> erosion_of(const std::vector<std::vector<Vec2>>& polygons, 
   };
   std::vector<double> lengths = {length_at(0)};
   std::size_t best = 0;
-  for (std::size_t steps = 1; steps <= std::min(kMostErosions, best + kPatience); ++steps) {
+  for (std::size_t steps = 1; steps <= std::min(kMostErosions, best + kPassesWithoutGain); ++steps) {
     lengths.push_back(length_at(float(steps)));
     if (lengths[steps] > lengths[best]) best = steps;
   }

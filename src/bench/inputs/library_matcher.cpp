@@ -1,4 +1,4 @@
-#include "bench/library_matcher.h"
+#include "bench/inputs/library_matcher.h"
 
 #include "core/matching/matcher.h"
 #include "library/storage/shape_models.h"

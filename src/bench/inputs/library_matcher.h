@@ -1,4 +1,4 @@
-// A library, or the first shapes of one, on the devices.
+// A library, or its first shapes, on the devices.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ class Matcher;
 
 namespace tessera::bench {
 
-/// A matcher of the first `shapes` shapes, for a job with these settings.
+/// A matcher for the first `shapes` shapes and a job with these settings.
 std::unique_ptr<Matcher> library_matcher(const LibraryFile& library, std::size_t shapes,
                                          const CollageSettings& settings, const std::string& devices_use);
 

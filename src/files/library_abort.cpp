@@ -1,4 +1,4 @@
-#include "files/foreign_end.h"
+#include "files/library_abort.h"
 
 #include <signal.h>
 #include <unistd.h>
@@ -14,9 +14,9 @@
 namespace tessera {
 namespace {
 
-/// Made at first: a signal handler may use no memory.
+/// Prepared in advance: a signal handler may not allocate memory.
 std::array<char, 256> words;
-std::size_t word_bytes = 0;  // 0: nothing is told
+std::size_t word_bytes = 0;  // 0: nothing is printed
 bool lives = false;
 
 void tell() { [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, words.data(), word_bytes); }
@@ -25,28 +25,28 @@ void on_abort(int) {
   remove_leftover_files();
   tell();
   if (word_bytes > 0) _exit(EXIT_FAILURE);
-  // The handler is gone, and abort() goes on to end the process.
+  // The handler is reset (SA_RESETHAND); abort() goes on and ends the process.
 }
 
 }  // namespace
 
-ForeignEnd::ForeignEnd() {
+LibraryAbortHandler::LibraryAbortHandler() {
   [[maybe_unused]] static const int registered = std::atexit(tell);
   const std::string limits = process_limits();
-  const std::string text = "tessera: a library that it uses has ended it" + limits + "\n";
+  const std::string text = "tessera: a library, such as an OpenCL driver, has ended the program" + limits + "\n";
   word_bytes = limits.empty() ? 0 : std::min(text.size(), words.size());
   std::copy_n(text.begin(), word_bytes, words.begin());
   lives = true;
-  take_abort_again();
+  set_abort_handler_again();
 }
 
-ForeignEnd::~ForeignEnd() {
+LibraryAbortHandler::~LibraryAbortHandler() {
   word_bytes = 0;
   lives = false;
   signal(SIGABRT, SIG_DFL);
 }
 
-void take_abort_again() {
+void set_abort_handler_again() {
   if (!lives) return;
   struct sigaction action = {};
   action.sa_handler = on_abort;

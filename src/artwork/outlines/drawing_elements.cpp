@@ -1,4 +1,4 @@
-#include "artwork/outlines/svg_leaves.h"
+#include "artwork/outlines/drawing_elements.h"
 
 #include <algorithm>
 #include <cctype>
@@ -27,7 +27,7 @@ bool is_drawn_kind(const xmlNode* node) {
          (kGroups.contains(kind) || kShapes.contains(kind) || kPictures.contains(kind) || kind == "text");
 }
 
-/// The version after the text `before`: its digits and dots.
+/// The version number (digits and dots) after the text `before`.
 std::string version_after(std::string_view text, std::string_view before) {
   const std::size_t at = text.find(before);
   if (at == std::string_view::npos) return "";
@@ -50,7 +50,7 @@ std::string program_of(const xmlDoc* doc, const xmlNode* root) {
   return "";
 }
 
-/// A <switch> shows its first child that is neither for other programs nor for readers of one language.
+/// The child that a <switch> shows: the first that requires neither another program nor a language.
 xmlNode* chosen_of(xmlNode* one_of_many) {
   xmlNode* of_a_language = nullptr;
   for (xmlNode* node = xmlFirstElementChild(one_of_many); node; node = xmlNextElementSibling(node)) {
@@ -61,16 +61,16 @@ xmlNode* chosen_of(xmlNode* one_of_many) {
   return of_a_language;
 }
 
-/// A pattern fills an element to its edge, whatever it shows: a picture of it that is not read would be no fill at all.
+/// Makes a pattern fill its whole area, whatever it shows: a pattern whose picture is not read would be no fill at all.
 void fill_whole(xmlNode* pattern) {
   xmlNode* const all = xmlNewChild(pattern, pattern->ns, xml("path"), nullptr);
   xmlSetProp(all, xml("d"), xml("M-1e4-1e4H1e4V1e4H-1e4z"));
   xmlSetProp(all, xml("style"), xml("fill:#000!important;stroke:none!important;display:inline!important"));
 }
 
-/// Finds the leaves, and what is to be changed so that librsvg draws each of them as a layer. Each leaf gets an id of its
-/// own, since librsvg takes the first element that has the id. Each <switch> becomes a group with one child that is seen,
-/// since librsvg 2.54 draws nothing of a layer in a <switch>, or another child.
+/// Finds the leaves, and the changes with which librsvg draws each of them as a layer. Each leaf gets an id of its own,
+/// as librsvg takes the first element with the id. Each <switch> becomes a group with one visible child, as librsvg
+/// 2.54 draws a layer in a <switch> wrongly or not at all.
 class LeafFinder {
  public:
   LeafFinder(xmlNode* root, const std::string& path)
@@ -82,7 +82,7 @@ class LeafFinder {
     add_children(root);
   }
 
-  /// Makes all changes, after all leaves are found: selectors look at ids, and at what stands beside an element.
+  /// Makes all changes once all leaves are found: selectors test ids and neighbouring elements.
   void change() const {
     const bool replaces_ids = std::any_of(new_ids_.begin(), new_ids_.end(), [](const NewId& id) { return id.had_one; });
     std::vector<std::string> styles(new_ids_.size());
@@ -102,16 +102,16 @@ class LeafFinder {
     for (xmlNode* node : switches_) xmlNodeSetName(node, xml("g"));
   }
 
-  std::vector<SvgLeaf> take() { return std::move(leaves_); }
+  std::vector<DrawingElement> take() { return std::move(leaves_); }
 
  private:
   struct NewId {
     xmlNode* node;
     std::string id;
-    bool had_one;  // its style may depend on it
+    bool had_one;  // a style may depend on the old id
   };
 
-  /// Recursion is as deep as the document, which parsed_foreign_svg bounds.
+  /// Collects the ids. The recursion is as deep as the document, which parsed_foreign_svg limits.
   void collect_ids(xmlNode* node) {
     if (const std::string id = attribute(node, "id"); !id.empty()) first_of_id_.emplace(id, node);
     if (name_of(node) == "pattern" && xmlFirstElementChild(node)) patterns_.push_back(node);
@@ -137,7 +137,7 @@ class LeafFinder {
     const std::string name = own.empty() ? std::string(kind) + std::to_string(++unnamed_) : own;
     if (kGroups.contains(kind)) return add_children(node);
     std::string id = own;
-    // librsvg takes what stands before a '#' for the name of a file.
+    // librsvg takes the text before a '#' for a file name.
     if (own.empty() || first_of_id_.at(own) != node || own.find('#') != std::string::npos) {
       do id = "leaf-" + std::to_string(++made_);
       while (first_of_id_.contains(id));
@@ -157,7 +157,7 @@ class LeafFinder {
   xmlNode* root_;
   SvgMasks masks_;
   SvgPictures pictures_;
-  std::vector<SvgLeaf> leaves_;
+  std::vector<DrawingElement> leaves_;
   std::unordered_map<std::string, const xmlNode*> first_of_id_;
   std::vector<NewId> new_ids_;
   std::vector<xmlNode*> hidden_, switches_, patterns_;
@@ -167,12 +167,12 @@ class LeafFinder {
 
 }  // namespace
 
-SvgLeaves svg_leaves(std::span<const std::uint8_t> bytes, const std::string& path) {
+DrawingElements drawing_elements(std::span<const std::uint8_t> bytes, const std::string& path) {
   const XmlDocPtr doc = parsed_foreign_svg(bytes, path);
   xmlNode* const root = xmlDocGetRootElement(doc.get());
   LeafFinder finder(root, path);
   finder.change();
-  SvgLeaves leaves;
+  DrawingElements leaves;
   leaves.list = finder.take();
   for (const char* side : {"width", "height"}) {
     const std::string length = attribute(root, side);
