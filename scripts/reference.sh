@@ -38,6 +38,10 @@ END
   print_command '##'
 }
 
+# A page is replaced when all of the new one is there.
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+"$tessera" keys --markdown >"$work/job-keys.md"
+print_commands >"$work/commands.md"
 mkdir -p "$folder"
-"$tessera" keys --markdown >"$folder/job-keys.md"
-print_commands >"$folder/commands.md"
+cp "$work/job-keys.md" "$work/commands.md" "$folder"

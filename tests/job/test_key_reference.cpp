@@ -64,7 +64,7 @@ TEST(KeyReference, of_a_list_has_its_columns) {
   const std::string text = as_text("given");
   EXPECT_TRUE(text.starts_with("[[given]], any number of times: pieces that stand where you put them"));
   EXPECT_EQ(lines_of(text), 2 + std::ptrdiff_t(find_job_table("given")->columns.size()));
-  EXPECT_TRUE(has(text, "given.shape         text            any              required  name of a shape")) << text;
+  EXPECT_TRUE(has(text, "given.shape         text             any              required  name of a shape")) << text;
   EXPECT_EQ(as_text("[[given]]"), text);
 }
 
