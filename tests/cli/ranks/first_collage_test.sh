@@ -60,7 +60,7 @@ echo "ok in the folder"
 echo '# mine' >>drawings.toml
 draw_svg drawings/roof "M10 60 L50 20 L90 60 V95 H10Z"
 run 0 collage drawings "${quick[@]}"
-grep -q '^out/drawings.h5, .* of 7 files: 7 shapes' output || fail "a changed job keeps new drawings out"
+grep -q '^out/drawings.h5, .* of 8 files: 7 shapes' output || fail "a changed job keeps new drawings out"
 grep -qx 'drawings.toml: you have changed it, so it is kept; --job FILE.toml writes another one' output || fail "does not say that the job is kept"
 run 2 collage drawings --size 400,300
 expect_word 'drawings.toml: you have changed it, so --size cannot; allowed: canvas.size_px in the job, or --job FILE.toml, which writes another one'

@@ -87,7 +87,7 @@ expect_refused 'own.h5: not the library that the collage was made from' USR2
 grep -qE 'content has the digest [0-9a-f]{16}, that of the collage.s library was [0-9a-f]{16}, built or changed since; the collage was made by tessera [0-9.]+, commit [0-9a-z-]+; --library FILE says where' errors ||
   fail "another message for a library that was built anew"
 then=$(grep -o '"library":{[^}]*}' USR2/manifest.json | grep -o '"digest":"[0-9a-f]*"' | cut -d'"' -f4)
-grep -qF "that was $then" errors || fail "another digest than in the manifest, $then"
+grep -qF "library was $then" errors || fail "another digest than in the manifest, $then"
 mv USR2/card.json card.json
 expect_refused 'built or changed since; --library FILE' USR2
 mv card.json USR2/card.json
