@@ -271,7 +271,7 @@ class Maker:
     def make_improved_toml(self, path):
         """Long enough to be interrupted."""
         self.made("my.h5")
-        write(path, f"improve.trials = 40\n{JOB.format(**SMALL)}")
+        write(path, f"improve.trials = 12\n{JOB.format(**SMALL)}")
 
     def make_result(self, path):
         self.tessera("collage", self.made("my.toml"), "--out", path)
