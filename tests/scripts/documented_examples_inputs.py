@@ -45,7 +45,7 @@ width_px = 300
 """
 SMALL = {"size": [200, 150], "scale": [25, 60]}
 SQUARE = {"size": [450, 450], "scale": [40, 90]}
-FLAT = {"size": [2000, 16], "scale": [8, 14]}  # 60,000 px wide it is 480 px high
+FLAT = {"size": [1600, 20], "scale": [8, 16]}  # 60,000 px wide it is 750 px high
 
 # What lies in the folder of each page, beside what lies in that of all pages; "NAME: OTHER" is OTHER under the name NAME.
 OF_PAGES = {

@@ -47,7 +47,8 @@ EXCEPTED = (
 # Commands that run with more options than the page gives them: by page, text, options and why.
 SHORTENED = (
     (r"docs/guide/benchmarks.md", r"tessera bench ", "--quick", "a benchmark takes minutes; the page says what --quick does"),
-    (r"", r"tessera collage \"?my.drawings\"?( --.*)?$", "--set improve.trials=2", "the usual 250 trials take half a minute"),
+    (r"", r"(mpirun -n 5 )?tessera collage \"?my.drawings\"?(\.toml)?( --.*)?$", "--set improve.trials=2",
+     "the usual 250 trials take half a minute"),
     (r"", r"tessera mosaic ", "--set stop.pieces=40", "thousands of pieces take minutes"),
 )
 
