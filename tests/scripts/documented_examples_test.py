@@ -49,7 +49,7 @@ SHORTENED = (
     (r"docs/guide/benchmarks.md", r"tessera bench ", "--quick", "a benchmark takes minutes; the page says what --quick does"),
     (r"", r"(mpirun -n 5 )?tessera collage \"?my.drawings\"?(\.toml)?( --.*)?$", "--set improve.trials=2",
      "the usual 250 trials take half a minute"),
-    (r"", r"tessera mosaic ", "--set stop.pieces=40", "thousands of pieces take minutes"),
+    (r"", r"tessera (mosaic |collage portrait\.toml)", "--set stop.pieces=40", "thousands of pieces take minutes"),
 )
 
 # Commands that end with another exit code than 0, and why.
