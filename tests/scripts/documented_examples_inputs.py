@@ -32,7 +32,7 @@ COLOURS = ("teal", "crimson", "orange", "olive", "navy", "purple", "sienna")
 
 TANGRAM = ("0,0 4,0 2,2", "0,0 2,2 0,4", "4,2 4,4 2,4", "4,0 4,2 3,1", "2,2 3,3 1,3", "2,2 3,1 4,2 3,3", "0,4 1,3 3,3 2,4")
 
-# A job that takes about a second. A canvas of 450 px has more than 40 pieces, and the rectangle of changing.md lies in it.
+# A job that takes about a second. The square has far more than 40 pieces, and the rectangle of changing.md lies in it.
 JOB = """quality = "draft"
 [library]
 file = "my.h5"
@@ -44,8 +44,8 @@ scale_px = {scale}
 width_px = 300
 """
 SMALL = {"size": [200, 150], "scale": [25, 60]}
-SQUARE = {"size": [450, 450], "scale": [40, 90]}
-FLAT = {"size": [1600, 20], "scale": [8, 16]}  # 60,000 px wide it is 750 px high
+SQUARE = {"size": [450, 450], "scale": [30, 75]}
+FLAT = {"size": [1600, 20], "scale": [8, 16]}  # with few pieces: 60,000 px wide it is 750 px high
 
 # What lies in the folder of each page, beside what lies in that of all pages; "NAME: OTHER" is OTHER under the name NAME.
 OF_PAGES = {
@@ -259,7 +259,7 @@ class Maker:
             text = re.sub(r"^quality = .*", 'quality = "draft"', text, flags=re.M)
             text = re.sub(r"^width_px = .*", "width_px = 300", text, flags=re.M)
             if file.endswith("/once.toml"):  # every drawing has a place, so few drawings it is
-                text = re.sub(r"^exclude = \[.*?\]", 'include = ["dino*"]', text, flags=re.M | re.S)
+                text = re.sub(r"^exclude = \[.*?\"\]", 'include = ["dino*"]', text, flags=re.M | re.S)
             elif "[stop]" not in text:
                 text += "\n[stop]\npieces = 30\n"
             write(file, text)
@@ -283,11 +283,11 @@ class Maker:
         self.of_canvas(SQUARE, path)
 
     def make_flat(self, path):
-        self.of_canvas(FLAT, path)
+        self.of_canvas(FLAT, path, "[stop]\npieces = 5\n")
 
-    def of_canvas(self, values, path):
+    def of_canvas(self, values, path, more=""):
         self.made("my.h5")
-        write(path + ".toml", JOB.format(**values))
+        write(path + ".toml", JOB.format(**values) + more)
         self.tessera("collage", path + ".toml", "--out", path)
 
     def make_theirs_geojson(self, path):
