@@ -27,7 +27,7 @@ MOST_S = 600  # for one command, on a machine with much other work
 SHELL = ("", "sh", "bash", "console")
 
 # What a command line begins with. In an indented block all other lines are no commands.
-COMMAND = re.compile(r"(tessera|mpirun|scripts/|slurm/|bundle/|build/|export|source|cp|mkdir|tar|cmake|ctest|sbatch|apt-get|/usr/bin/python3)\b")
+COMMAND = re.compile(r"(tessera|mpirun|scripts/|slurm/|bundle/|(RC_PARAMS=\S+ )?build/|export|source|cp|mkdir|tar|cmake|ctest|sbatch|apt-get|/usr/bin/python3)\b")
 
 # Lines that do not run, by page and text, and why.
 EXCEPTED = (
