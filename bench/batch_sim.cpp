@@ -25,7 +25,7 @@ int subtree(int rank, const BatchScenario& scenario) {
   return ranks;
 }
 
-/// What one rank does. Which windows a rank has, it computes as who asks it does: a message itself says nothing.
+/// The play of one rank. A message holds no windows: a rank computes its windows in the way of the rank that asks it.
 class RankPlay {
  public:
   RankPlay(const BatchScenario& scenario, int rank)
@@ -102,7 +102,7 @@ class RankPlay {
     }
   }
 
-  /// How long the cores of one rank take for the windows. As in core/replacing/replaced_windows.h, the windows with most
+  /// The time that the cores of one rank take for the windows. As in core/replacing/replaced_windows.h, the windows with most
   /// trials come first, and each goes to the core that is free first.
   double on_own_cores_s(Windows windows) const {
     std::stable_sort(windows.begin(), windows.end(),

@@ -1,4 +1,4 @@
-// What the master does in a round besides matching, while canvases of 50, 200 and 800 pieces fill: canvas and number of
+// Measures the work of the master in a round besides matching, while canvases of 50, 200 and 800 pieces fill: canvas and number of
 // pieces grow together, so that a round that costs more has to do with how much there is.
 #include <benchmark/benchmark.h>
 

@@ -39,7 +39,7 @@ int subtree(int rank, const Scenario& scenario) {
   return ranks;
 }
 
-/// What one rank does in a scenario.
+/// The play of one rank in a scenario.
 class RankPlay {
  public:
   RankPlay(const Scenario& scenario, int rank)

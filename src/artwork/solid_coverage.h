@@ -15,7 +15,7 @@ struct SolidCoverage {
   /// there is no opaque part.
   /// - Parts that fade out beside a body with an edge are shadows or halos, and not covered.
   /// - Everything else is covered as far as it is opaque, blurred bodies included.
-  /// Where none of this changes anything, it is `alpha` itself, to the byte.
+  /// If none of these rules changes a pixel, the coverage is `alpha` itself, to the byte.
   cv::Mat coverage;
   int loose_parts = 0;       // translucent parts that touch no opaque part, and are therefore not covered
   bool loses_parts = false;  // some parts with an edge are too faint, or lines too thin, to be covered

@@ -74,7 +74,7 @@ Grown run_size(const LibraryFile& library, std::uint32_t count, const Canvas& ca
   FirstPiece first(shapes);
   master::make_collage(canvas, settings, *matcher, kept, first);
   grown.first_piece_s = grown.start_s + first.seconds();
-  // The same run again: making shapes takes as long as much of a round, while the device works.
+  // The run is repeated: making shapes takes as long as much of a round, while the device works.
   master::SilentObserver silent;
   grown.statistics = master::make_collage(canvas, settings, *matcher, kept, silent).statistics;
   grown.peak_bytes = peak_memory_bytes();

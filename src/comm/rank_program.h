@@ -4,7 +4,7 @@
 //   another rank throws        it tells rank 0 what and where, and waits to be told to leave; rank 0's next wait throws
 //                              the same InputError or EnvironmentError with the rank's name before the text
 // mpirun notices a rank that dies without a message, and ends the job. Rank 0 notices a rank that hangs (rank_watch.h).
-// As that rank cannot say goodbye, rank 0 aborts the job with its exit code.
+// A rank that hangs cannot end its part of MPI properly. So rank 0 aborts the whole job, with its own exit code.
 #pragma once
 
 #include <functional>

@@ -235,7 +235,7 @@ void add_improve_keys(std::vector<JobKey>& keys) {
                            FIELD(settings.improve.relax)));
 }
 
-/// By default a collage is finished when nothing fits any more.
+/// The keys of [stop]. Their defaults end a collage when no further piece fits.
 void add_stop_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
   keys.push_back(with_number({"stop", "pieces", integer, "", 0, 1e6, {}, "end at this many pieces; 0 = no limit"},
@@ -249,7 +249,7 @@ void add_stop_keys(std::vector<JobKey>& keys) {
   keys.back().decides = false;
 }
 
-/// By default pieces keep their outlines. The limits are those up to which people took drawings for undeformed ones.
+/// The keys of [deform]. By default pieces keep their outlines. Up to the default limits, people did not see that drawings were deformed.
 void add_deform_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
   const std::size_t before = keys.size();
@@ -343,7 +343,7 @@ void add_style_keys(std::vector<JobKey>& keys) {
                              FIELD(style.weight)));
 }
 
-/// By default a piece is its drawing, cut out along its outline, as in the paper.
+/// The keys that say how a piece is drawn. Their defaults cut the drawing out along its outline, as in the paper.
 void add_piece_drawing_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
   keys.push_back(with_number({"output", "outline_px", number, "px", 0, 100, {},

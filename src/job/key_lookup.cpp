@@ -81,7 +81,7 @@ std::string alternatives(Names names) {
   return joined(names) + " or " + last;
 }
 
-/// What is allowed in place of the name: the keys of its table, where that is known, else everything.
+/// The names that a message suggests in place of an unknown one: the keys of its table if the table is known, else all tables.
 std::string allowed_names(const std::vector<KeyTable>& tables, const std::string& name) {
   const std::string table_name = table_and_key(name).first;
   const KeyTable* table = find_key_table(tables, table_name);

@@ -15,7 +15,7 @@ struct KeyTable {
   std::string meaning;   // of a list; else empty
   std::vector<const JobKey*> keys;
 
-  /// As the job file has it: "[pieces]", "[[shapes]]", "Top level".
+  /// The heading of the table in a job file: "[pieces]", "[[shapes]]", or "Top level" for the keys before all tables.
   std::string heading() const;
 };
 

@@ -40,7 +40,7 @@ std::string kind_text(JobKind kind) {
 
 std::string kind_and_unit(const JobKey& key) { return kind_text(key.kind) + (key.unit.empty() ? "" : ", " + key.unit); }
 
-/// What the key takes, short enough for a column: the kind of the value is told beside it.
+/// The allowed values of a key, short enough for a column. The column beside it has the kind of the value.
 std::string short_allowed(const JobKey& key) {
   switch (key.kind) {
     case JobKind::number:
@@ -84,9 +84,10 @@ std::vector<Fact> facts_of(const JobKey& key) {
   if (is_canvas_length(key)) {
     facts.emplace_back("in mm", key_in_mm(key, 1).full_name() + ", where canvas.size_mm says how large the canvas is");
   }
-  facts.emplace_back("collage", key.decides
-                                    ? "another value gives another collage; an interrupted run can only continue with the same value"
-                                    : "the key may have another value when an interrupted run goes on");
+  facts.emplace_back(
+      "collage", key.decides
+                     ? "another value gives another collage; an interrupted run can only continue with the same value"
+                     : "the key may have another value when an interrupted run goes on");
   return facts;
 }
 

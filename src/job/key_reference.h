@@ -1,4 +1,4 @@
-// What `tessera keys` says about the keys of a job, from the tables that the program itself reads jobs by (job_keys.h,
+// The texts of `tessera keys` about the keys of a job. They come from the tables by which the program reads jobs (job_keys.h,
 // job_tables.h): lines for a terminal, or Markdown for docs/reference/job-keys.md.
 #pragma once
 

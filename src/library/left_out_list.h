@@ -14,8 +14,8 @@ std::string left_out_path(const std::string& library);
 /// nothing was left out.
 std::string left_out_list(const LibraryBuildReport& report);
 
-/// To be called before the build. Throws InputError where another file has the name of the list, EnvironmentError where the
-/// list cannot be written.
+/// Checks, before the build, that the list can be written. Throws InputError where another file
+/// has the name of the list, EnvironmentError where the list cannot be written.
 void check_left_out_list(const std::string& library);
 
 /// Writes the list after a build of `library`, whether it wrote a library or not. Where nothing was left out, removes the

@@ -127,7 +127,7 @@ void keep_style(const std::vector<LibraryFile>& files, const StyleChoice& choice
                    fixed(double(by_distance.front().first), 2));
 }
 
-/// How each name may be mirrored: the last rule that matches it.
+/// The mirroring of each name, by the last rule that matches the name.
 std::vector<Mirroring> mirroring_of(const NameIndex& names, const std::vector<MirroringRule>& rules) {
   std::vector<Mirroring> mirroring(names.names().size(), Mirroring::never);
   for (const MirroringRule& rule : rules) {

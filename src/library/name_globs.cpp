@@ -54,7 +54,7 @@ std::size_t mistakes(const std::vector<int>& parts, const std::string& name) {
   return row.back();
 }
 
-/// How far a name is from what the pattern may have meant: 0 where the letters differ only in case or the pattern is a part
+/// The distance of a name from what the pattern may have meant: 0 where the letters differ only in case or the pattern is a part
 /// of the name.
 std::size_t distance(const std::string& glob, const std::vector<int>& parts, const std::string& name) {
   if (::fnmatch(("*" + glob + "*").c_str(), name.c_str(), FNM_CASEFOLD) == 0) return 0;

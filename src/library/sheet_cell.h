@@ -24,7 +24,7 @@ std::string sheet_title(const LibraryFile& library, std::size_t shown);
 Shape shape_for_sheet(const LibraryFile& library, std::size_t index);
 
 /// Draws the thumbnail, placed by the artwork frame and cut to the cell, because pages often hold more than the shape.
-/// Where the thumbnail is damaged, draws only the outline.
+/// A shape with a damaged thumbnail gets only its outline.
 void draw_on_sheet(cairo_t* cairo, Drawers& drawers, const Shape& shape, const SheetCell& cell);
 
 }  // namespace tessera

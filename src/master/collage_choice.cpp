@@ -100,7 +100,7 @@ std::vector<ShapeId> Collage::shapes_for_gap_in(const Window& window) {
 bool Collage::leaves_wide_gap(const Window& window) { return !shapes_for_gap_in(window).empty(); }
 
 /// Tries a few shapes, which differ from call to call, and takes the first that fits and touches as much as any piece must.
-/// Where there is none it takes the one that touches most: tips of rays are too small a part of a boundary.
+/// If no shape touches as much, it takes the one that touches most: a sun touches only with the tips of its rays.
 bool Collage::choose_in_gap(Candidate& best, const Window& window, const StopCheck& check_stop) {
   if (growth_) return false;
   const std::vector<ShapeId> shapes = shapes_for_gap_in(window);

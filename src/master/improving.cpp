@@ -120,8 +120,8 @@ void Improving::fill(const StopCheck& check_stop) {
   while (collage_.placements().size() < most_pieces_ && filling_.place_one());
 }
 
-/// What a trial is judged by: free area, area covered twice, part of the area of dwarfs, the cost of repeated drawings and
-/// the cost of wrong colours.
+/// The loss that a trial must reduce: free area, area covered twice, part of the area of dwarfs, the cost of repeated
+/// drawings and the cost of wrong colours.
 std::int64_t Improving::loss_256ths_px2() {
   const std::int64_t free = collage_.free().free_256ths_px2();
   const std::int64_t loss = relax_ ? 2 * free + area_256ths_px2(collage_.placements()) : free;

@@ -19,7 +19,8 @@
 
 namespace tessera::master {
 
-/// Where sizes differ more, dwarfs fill the gaps as well as pieces that grow into them (docs/decisions/2026-11-23-joint-relaxation.md).
+/// The largest ratio of sizes with which pieces relax. With a larger one, dwarfs fill the gaps as well
+/// (docs/decisions/2026-11-23-joint-relaxation.md).
 inline constexpr float kMostRelaxedSizeRatio = 5;
 
 enum class NoRelaxing {

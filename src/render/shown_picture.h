@@ -24,9 +24,9 @@ std::string flat_background(const OutputSpec& output);
 /// damaged one.
 GroundTile image_background(const std::string& dir, const OutputSpec& output, const Canvas& canvas);
 
-/// The same picture for CollageReport::overlay. Its pixels have this opacity; in the SVG the layer has it. Empty where the
-/// opacity is 0. Throws like image_background(). Encoded sRGB is blended: a pixel that has the picture's colour keeps it,
-/// so pieces are chosen by the same colours with and without an overlay.
+/// The picture that the collage shows, for CollageReport::overlay. Its pixels have this opacity; in the SVG the
+/// layer has it. Empty where the opacity is 0. Throws like image_background(). Encoded sRGB is blended: a pixel that has
+/// the picture's colour keeps it, so pieces are chosen by the same colours with and without an overlay.
 GroundTile image_overlay(const std::string& dir, double opacity, const Canvas& canvas);
 
 }  // namespace tessera

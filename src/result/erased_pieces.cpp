@@ -74,7 +74,7 @@ class Pages {
     }
   }
 
-  /// What a page shows on its ground. Where the page is opaque without a plain ground, all of it; `is_photo` is set then.
+  /// The part of a page that differs from its ground. An opaque page without a plain ground is a photo: all of it, with `is_photo` set.
   Grid<float> shown(const std::vector<std::uint8_t>& bytes, const std::string& file, bool& is_photo) {
     try {
       return mask_coverage(page(bytes, file, Background::cut_out).bgra);

@@ -67,7 +67,7 @@ std::string numbers_text(std::initializer_list<float> numbers) {
   return text + ']';
 }
 
-/// What a feature has beside its placement.
+/// The properties of a feature that its placement does not hold.
 struct Feature {
   std::size_t index;
   std::string group;

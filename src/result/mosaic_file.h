@@ -21,8 +21,8 @@ struct ShownImage {
 /// what was found and what is allowed, EnvironmentError.
 SeenFromAfar mosaic_from_afar(const std::string& mosaic, const ShownImage& image, std::size_t pieces);
 
-/// The same on a canvas: only the area of the canvas counts, and the image covers it like colour.image. The aspect of the
-/// mosaic may differ from the canvas' by 5 %, and it may be less than 100 px wide.
+/// A mosaic on a canvas as it is seen from afar. Only the area of the canvas counts, and the image covers it like
+/// colour.image. The aspect of the mosaic may differ from the canvas' by 5 %, and it may be less than 100 px wide.
 SeenFromAfar mosaic_from_afar(const std::string& mosaic, const ShownImage& image, const Canvas& canvas,
                               std::size_t pieces);
 

@@ -116,7 +116,7 @@ CollageProblem::CollageProblem(Job job, LibraryView library, CanvasFindings foun
   settings_ = settings_of(job_, found_);
 }
 
-/// What the constructor reads. Each member depends on the members before it.
+/// The inputs that the constructor reads. Each member depends on the members before it.
 struct CanvasProblem::Read {
   explicit Read(Job raw)
       : job(std::move(raw)),

@@ -22,7 +22,7 @@ MatchingContext context_of(const CollageProblem& problem) {
   return make_matching_context(problem.settings(), std::uint32_t(problem.library().size()));
 }
 
-/// What matching needs of a device. The size of the canvas is the job's, whatever the canvas file shows.
+/// Matching's needs of a device. The size of the canvas is the job's, whatever the canvas file shows.
 worker::DeviceNeeds needs_of(const Job& job, const ModelSource& models) {
   return {.reads_models = models.supports_random_access(),
           .field_nodes = double(job.canvas.width_px) * job.canvas.height_px};

@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint32_t kFewestSamplesAtATime = 256;
 constexpr std::uint32_t kMostSamplesAtATime = 4096;
 
-/// How many samples to search at a time: so many that they look at a million blocks, if each looks at a sixteenth of all.
+/// The number of samples to search at a time. Together they visit a million blocks, if each visits a sixteenth of all blocks.
 /// Each search costs the host a few tenths of a ms.
 std::uint32_t samples_at_a_time(std::uint32_t blocks) {
   constexpr std::uint32_t kBlocksAtATime = 1 << 20;

@@ -54,7 +54,7 @@ DOCKING_KERNEL void probe_field(constant MatchRecord* match, global const float*
   vstore16(all_slopes_y, i, slope_y);
 }
 
-// Of each 16 numbers: what lanes say together, ten numbers.
+// For each 16 numbers, writes the ten numbers that the lanes compute together.
 DOCKING_KERNEL void probe_lanes(global const float* numbers, global float* said) {
   SHARED int scratch[kScratch];
   SHARED float shared_numbers[kLanes];

@@ -16,7 +16,7 @@ struct FlatSubpath {
 };
 
 /// The path's subpaths as points that are at most `tolerance` away from its curves (at most 500 points for each curve).
-/// Where the ends of a subpath are less than `tolerance` / 10 apart they become one point.
+/// Ends of a subpath that are less than `tolerance` / 10 apart become one point.
 std::vector<FlatSubpath> flat_path(const PathSteps& path, double tolerance);
 
 }  // namespace tessera

@@ -5,7 +5,7 @@
 // xi:include, stylesheet) to a file or to the network; data: images work.
 // - It has at most kMaxSvgBytes after decompression; libxml2 limits entity expansion and depth.
 // - librsvg stops at 1,000,000 elements and 500,000 resolved references.
-// Nothing in this process limits the time and memory of drawing (filters, nested masks, huge embedded images). librsvg
+// These functions do not limit the time and memory of drawing (filters, nested masks, huge embedded images). librsvg
 // cannot be interrupted, and 2.54 even aborts the process for an feConvolveMatrix whose matrix has the wrong size.
 // Therefore tessera-drawer draws foreign files, in processes with limits (drawers.h).
 #pragma once

@@ -36,7 +36,7 @@ class CollageStage {
   WeighedMatcher& matcher() { return *matcher_; }
   master::Collage& collage() { return collage_; }
 
-  /// Where a view of the canvas has its middle, so that it shows as much as it can of what lies round `centre`.
+  /// The middle of a square view of the canvas. It is `centre`, or as near to it as the view stays on the canvas.
   Vec2 middle_of_view(Vec2 centre, float view_px) const;
   /// The pieces and the canvas' edge.
   void draw(FigureSheet& sheet, const Similarity& sheet_from_canvas, const std::vector<Placement>& placements);

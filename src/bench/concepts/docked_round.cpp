@@ -19,14 +19,4 @@ DockedRound docked_round(CollageStage& stage, const TracedTarget& target) {
   return round;
 }
 
-DockedPad docked_pad(const MatchingContext& context, const Docking& docking) {
-  std::size_t left = docking.source;
-  for (const int level : context.levels) {
-    const std::size_t samples = std::size_t(kSmoothingLevels[std::size_t(level)].samples);
-    if (left < samples) return {std::size_t(level), left};
-    left -= samples;
-  }
-  return {};
-}
-
 }  // namespace tessera::bench::concepts

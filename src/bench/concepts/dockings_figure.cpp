@@ -11,7 +11,7 @@ namespace {
 constexpr float kDockPanel_px = 280, kDockZoom = 1.25f;
 constexpr std::size_t kRoundsLookedAt = 16;
 
-/// How far refinement moves a pose, in parts of the piece's size.
+/// The distance by which refinement moves a pose, in parts of the piece's size.
 float move_between(const Similarity& a, const Similarity& b) {
   return (norm(a.translation() - b.translation()) + std::abs(a.scale() - b.scale())) / b.scale();
 }

@@ -17,7 +17,7 @@ inline constexpr const char* kBlue = "#0072b2";
 inline constexpr const char* kOrange = "#d55e00";
 inline constexpr const char* kGreen = "#009e73";
 
-/// How a curve is drawn. Colours as SVG has them.
+/// The style of a drawn curve. Colours are those of SVG.
 struct Pen {
   std::string stroke = "none";
   double width_px = 1;

@@ -15,7 +15,7 @@ inline constexpr std::array<const char*, kMaxPadLevels> kLevelColours = {"#08306
                                                                          "#9ecae1", "#c9def0", "#e3eef8"};
 
 /// Draws the intervals of a pyramid over a curve, longer levels broader below shorter ones. `curve` is closed and evenly spaced, in any
-/// frame; its point `at` is the pyramid's, whose lengths are times `units` those of the curve.
+/// frame. The pyramid belongs to its point `at`, and has the curve's unit of length.
 void draw_pad_levels(FigureSheet& sheet, const Similarity& sheet_from_curve, const std::vector<Vec2>& curve,
                      std::size_t at, const ArclengthPyramid& pyramid, int levels);
 
@@ -23,7 +23,7 @@ void draw_pad_levels(FigureSheet& sheet, const Similarity& sheet_from_curve, con
 float least_element(const Pad& pad, int levels);
 
 /// Draws the elements of s·m(p) as bars: levels n-2 to 0 of the left side, then 0 to n-2 of the right side.
-/// Those of a concave point hang down from the upper edge of the box.
+/// The bars of a convex point stand on the lower edge of the box; the bars of a concave point hang from its upper edge.
 void draw_pad_bars(FigureSheet& sheet, const Box& box, const Pad& pad, int levels);
 
 }  // namespace tessera::bench::concepts

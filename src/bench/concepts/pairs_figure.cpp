@@ -6,6 +6,7 @@
 #include "bench/concepts/figures.h"
 #include "bench/concepts/pad_drawing.h"
 #include "core/geometry/extent.h"
+#include "core/matching/pair_selection.h"
 #include "text/number_text.h"
 
 namespace tessera::bench::concepts {
@@ -14,11 +15,17 @@ namespace {
 constexpr std::size_t kShownPairs = 3;
 constexpr float kColumn_px = 220, kPairPanel_px = 200, kBarsTop_px = 240;
 
+/// The smoothed outline on which a docking's PAD lies.
+const LevelCurve& docked_curve(CollageStage& stage, const Shape& shape, const SourceLocation& location) {
+  return shape.levels[std::size_t(stage.context().levels[std::size_t(location.level_slot)])];
+}
+
 /// The PAD of the shape's point that a docking came from.
 Pad pad_of(CollageStage& stage, const Docking& docking) {
-  const DockedPad found = docked_pad(stage.context(), docking);
+  const SourceLocation found = locate_source(stage.context().levels, docking.source);
   const Shape shape = stage.with_levels(docking.shape);
-  return make_pad(shape.levels[found.level].samples[found.sample], stage.settings().match.pad.levels);
+  return make_pad(docked_curve(stage, shape, found).samples[std::size_t(found.index)],
+                  stage.settings().match.pad.levels);
 }
 
 /// The dockings of one sample that came from PADs, each of another silhouette.
@@ -95,17 +102,17 @@ Box bars_box(std::size_t column) {
 void draw_pair(FigureSheet& sheet, CollageStage& stage, const Docking& docking, const Pad& target, std::size_t column) {
   const int levels = stage.settings().match.pad.levels;
   const Shape shape = stage.with_levels(docking.shape);
-  const DockedPad found = docked_pad(stage.context(), docking);
-  const LevelCurve& curve = shape.levels[found.level];
-  const std::size_t at = found.sample * curve.points.size() / curve.samples.size();
+  const SourceLocation found = locate_source(stage.context().levels, docking.source);
+  const LevelCurve& curve = docked_curve(stage, shape, found);
+  const std::size_t at = std::size_t(found.index) * curve.points.size() / curve.samples.size();
   const Vec2 centre{20 + kColumn_px * float(column) + 0.5f * kPairPanel_px, 140};
   const float unit_px = 0.46f * kPairPanel_px / shape.radius;
-  // As large as the panel allows, turned as the docking turns it.
+  // The shape fills the panel, in the rotation that the docking gives it.
   const Similarity turned{std::cos(docking.canvas_from_shape.rotation_rad()) * unit_px,
                           std::sin(docking.canvas_from_shape.rotation_rad()) * unit_px, centre.x, centre.y};
   sheet.closed(applied(turned, curve.points), {.stroke = kPaleInk, .width_px = 1, .fill = "#f7f5f1"});
-  draw_pad_levels(sheet, turned, curve.points, at, curve.samples[found.sample], levels);
-  const Pad pad = make_pad(curve.samples[found.sample], levels);
+  draw_pad_levels(sheet, turned, curve.points, at, curve.samples[std::size_t(found.index)], levels);
+  const Pad pad = make_pad(curve.samples[std::size_t(found.index)], levels);
   draw_pad_bars(sheet, bars_box(column), pad, levels);
   sheet.text({centre.x, 358}, "distance " + fixed(double(pad_distance(target, pad, levels)), 3), 14, Anchor::middle);
 }

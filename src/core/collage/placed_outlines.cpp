@@ -22,8 +22,8 @@ constexpr float kEdgeSpacing_px = 1;
 /// A vertex with a field value below this is tested exactly: at thin tips fields are wrong by up to this and the
 /// allowed depth together.
 constexpr float kSuspect_px = 0.5f;
-/// The same limit for a shape's own field. It is larger because the free field, which is interpolated twice, may show a
-/// little more.
+/// The value of a shape's own field below which a vertex is tested exactly. The limit is larger than
+/// kSuspect_px, because the free field, which is interpolated twice, may show a little more.
 constexpr float kSuspectPlaced_px = 0.75f;
 
 /// Pieces that still move end at the very limit. With this margin rounding does not hide a conflict from one of the

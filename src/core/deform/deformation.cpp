@@ -18,7 +18,7 @@ constexpr int kRounds = 12;
 constexpr int kVoronoiRounds = 24;  // each moves 2 px at most
 /// Rounds in which overlapping pieces move back afterwards.
 constexpr int kClearingRounds = 4;
-/// The same with a wished gap: distance that is cleared here, with a small margin, need not be taken from whole pieces
+/// Clearing rounds with a wished gap: distance that is cleared here, with a small margin, need not be taken from whole pieces
 /// later.
 constexpr int kGapClearingRounds = 12;
 constexpr float kGapMargin_px = 0.05f;

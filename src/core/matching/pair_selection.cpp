@@ -74,9 +74,10 @@ std::vector<PadPair> select_pairs(const ShapeModel& shape, const TargetSample& s
   return pairs;
 }
 
-SourceLocation locate_source(const ShapeModel& shape, std::uint32_t source) {
+SourceLocation locate_source(const std::vector<int>& levels, std::uint32_t source) {
   int slot = 0;
-  while (source >= shape.levels[slot].samples.size()) source -= std::uint32_t(shape.levels[slot++].samples.size());
+  const auto samples = [&] { return std::uint32_t(kSmoothingLevels[std::size_t(levels[std::size_t(slot)])].samples); };
+  for (; source >= samples(); ++slot) source -= samples();
   return {slot, int(source)};
 }
 

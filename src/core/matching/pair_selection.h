@@ -21,11 +21,12 @@ struct PadPair {
 std::vector<PadPair> select_pairs(const ShapeModel& shape, const TargetSample& sample, const StanceList& list,
                                   const MatchingContext& context, std::uint32_t reach_steps);
 
-/// Level slot and index within the level of a source.
+/// The place of a shape's PAD.
 struct SourceLocation {
-  int level_slot;
-  int index;
+  int level_slot;  // index in the list of smoothing levels in use
+  int index;       // of the sample within that level
 };
-SourceLocation locate_source(const ShapeModel& shape, std::uint32_t source);
+/// `levels`: MatchingContext::levels. `source`: index of the PAD over all of them, less than their samples together.
+SourceLocation locate_source(const std::vector<int>& levels, std::uint32_t source);
 
 }  // namespace tessera

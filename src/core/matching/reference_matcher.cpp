@@ -83,7 +83,7 @@ std::vector<Docking> ReferenceMatcher::pad_dockings(const DockRequest& request, 
       stances.push_back(sized_at(context_, stance, request.samples[t].position));
     }
     for (const PadPair& pair : pairs_of(m, request.samples[t], reach)) {
-      const SourceLocation at = locate_source(models_[m], pair.source);
+      const SourceLocation at = locate_source(context_.levels, pair.source);
       const ModelSample& source = models_[m].levels[at.level_slot].samples[at.index];
       const Alignment aligned =
           align_pyramids(keypoints(source, keypoint_step(models_[m].radius)), request.samples[t].pyramid,

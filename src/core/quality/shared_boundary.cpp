@@ -58,7 +58,7 @@ std::vector<BoundarySample> sample_boundaries(const std::vector<JudgedPiece>& pi
   return samples;
 }
 
-/// As wide as the reach, or wider if there would be too many buckets.
+/// The width of a bucket: the reach, or more if there would be too many buckets.
 float bucket_width_px(Vec2 extent_px, float reach_px) {
   return std::max(reach_px, std::sqrt(extent_px.x / kMostBuckets * extent_px.y));
 }

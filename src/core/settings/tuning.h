@@ -133,7 +133,7 @@ inline constexpr float kDefectCost = 5;  // scale_aware: a piece with defects on
 inline constexpr float kBalanceOfLength = 2;
 inline constexpr float kBalanceOfScale = 0.5f;
 inline constexpr float kBalanceOfRepetition = 0.5f;  // of objective.repetition_exponent: keeps the variety
-/// Of a dwarf's area, lost in improving at balance 1: dwarfs do not please the eye.
+/// The part of a dwarf's area that improving counts as lost at balance 1. Dwarfs do not please the eye.
 inline constexpr double kDwarfLoss = 0.8;
 inline constexpr float kLeastDefect = 0.0025f;  // paper: keeps Z finite for a perfect fit, px² per px² of the piece
 

@@ -178,7 +178,7 @@ class Quilt {
     return sum;
   }
 
-  /// How many patches were taken near this place.
+  /// The number of patches that were taken near this place.
   int& uses_near(cv::Point candidate) { return uses_.at<int>(candidate / patch_px_); }
 
   /// Chooses a patch that fits well. A patch costs more the more patches were taken near its place before. Otherwise smooth
@@ -231,7 +231,7 @@ class Quilt {
     for (int y = 0; y < kept.rows; ++y) kept.row(y).colRange(0, path[std::size_t(y)]).setTo(0);
   }
 
-  /// The same from another side: turns the pictures there and back.
+  /// Cuts from another side: turns the pictures, cuts, and turns them back.
   template <class Turn>
   static void cut_from(const Turn& turn, const cv::Mat& differences, int width, cv::Mat kept) {
     cv::Mat turned, turned_kept;

@@ -14,9 +14,9 @@ namespace {
 constexpr double kEdgeBlur_px = 0.8;
 /// Room for the blurred edge.
 constexpr int kRim_px = 3;
-/// How far colours continue beyond the edge.
+/// The width of the rim beyond the edge to which colours are continued.
 constexpr double kColourReach_px = 1.5;
-/// How far a pixel influences these colours.
+/// The distance up to which a pixel influences the colours of the rim.
 constexpr int kReach_px = 8;
 /// The most pixels whose colours are made at a time.
 constexpr int kMostAtATime_px2 = 1'000'000;

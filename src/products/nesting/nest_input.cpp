@@ -60,7 +60,7 @@ class FileReader {
       add_dxf(bytes, shown, printable_utf8(path.stem().string()));
   }
 
-  /// To be called after the last file. Throws InputError where --leave-out or --dpi had no effect.
+  /// Ends the reading after the last file. Throws InputError where --leave-out or --dpi had no effect.
   void end(const std::string& path) const {
     if (!not_found_.empty()) {
       const std::string example = example_.empty() ? "" : ", as " + printable_utf8(example_);

@@ -20,7 +20,7 @@ struct PlacedCurves {
   Similarity picture_from_curves;
 };
 
-/// The same for many curves; each is filled by itself and laid over the ones before.
+/// The coverage of many filled curves. Each is filled by itself and laid over the ones before.
 cv::Mat filled_coverage(const std::vector<PlacedCurves>& many, const cv::Rect& window);
 
 /// Draws a line along the curves, `width_px` wide in the picture, over `bgra` (premultiplied), whose upper left pixel is

@@ -17,7 +17,7 @@ std::size_t filter_rows(int pad_levels) { return std::size_t(elements_of(pad_lev
 std::size_t low_numbers(int pad_levels) { return std::size_t((elements_of(pad_levels) + 3) / 4); }
 std::size_t place_numbers(int pad_levels) { return low_numbers(pad_levels) + 3; }
 
-/// What a PAD's place holds beside its source.
+/// The numbers of one PAD in the index, beside its source.
 struct PlaceNumbers {
   std::array<std::uint16_t, (kMaxPadElements + 3) / 4> low{};
   std::uint16_t scale = 0;

@@ -119,7 +119,7 @@ std::vector<int> outermost(const std::vector<NamedContour>& contours) {
 }  // namespace
 
 std::vector<NestDrawing> drawings_of(std::vector<NamedContour> contours) {
-  // Nothing is known about these, not even what lies in them.
+  // A contour with fewer than three points, or far away, tells nothing, not even what lies in it.
   std::erase_if(contours,
                 [](const NamedContour& contour) { return contour.ring.size() < 3 || !is_near(contour.ring); });
   const std::vector<int> outer = outermost(contours);

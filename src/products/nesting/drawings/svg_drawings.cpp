@@ -52,7 +52,7 @@ bool is_curved(const PathSteps& steps) {
   return std::any_of(steps.begin(), steps.end(), [](const PathStep& step) { return step.command == 'C'; });
 }
 
-/// The same open path from its other end.
+/// The open path from its other end.
 PathSteps reversed(const PathSteps& steps) {
   PathSteps back = {{'M', {{steps.back().points[std::size_t(points_of(steps.back()) - 1)]}}}};
   for (std::size_t i = steps.size() - 1; i > 0; --i) {

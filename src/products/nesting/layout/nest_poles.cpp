@@ -11,7 +11,7 @@ constexpr int kNodes = 48;        // of the grid along the longer side of the bo
 constexpr double kCovered = 0.9;  // part of the area that all discs cover
 constexpr double kLeast = 0.05;   // least radius, as a part of the largest disc's
 
-/// How large a disc round p may be.
+/// The radius of the largest disc round p.
 double room(const NestRing& ring, const std::vector<NestPole>& poles, NestPoint p) {
   if (!contains(ring, p)) return -1;
   double room = distance_to_boundary(ring, p);

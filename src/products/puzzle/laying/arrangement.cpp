@@ -14,10 +14,10 @@ namespace {
 
 /// The cost of a boundary beside a gap, in units of what a touching boundary is worth.
 constexpr float kGapCost = 1;
-/// How much agreement (of pictures, and of how close boundaries are) adds to the worth of a touching boundary; disagreement
-/// takes as much away. The boundary itself is worth 1 where it is bent and 0.3 where it is straight.
+/// The worth that agreement (of pictures, and of the closeness of boundaries) adds to a touching boundary. Disagreement takes
+/// as much away. The boundary itself is worth 1 where it is bent and 0.3 where it is straight.
 constexpr float kOfAgreement = 0.5f;
-/// Upper bound of branches: the surest place and its best exclude_each_other.
+/// Upper bound of branches: the surest place, and the best places that exclude it.
 constexpr std::size_t kMostBranches = 4;
 /// Factor for a place's contact, by its matches from corner to corner (PuzzlePlace::whole_sides): one may be chance, two
 /// hardly.
@@ -260,8 +260,9 @@ Arrangement PuzzleArranger::with_open_frame(Arrangement one) const {
   return one;
 }
 
-/// Adds the arrangement with the place that is farthest ahead of its exclude_each_other; `with_rivals`: and with the best exclude_each_other.
-void PuzzleArranger::branch(const Arrangement& one, bool with_rivals, std::vector<Arrangement>& next) const {
+/// Adds to `next` the arrangement with the surest place: the one whose worth exceeds that of the places it excludes the most.
+/// `with_excluded`: also adds those with the best of the excluded places.
+void PuzzleArranger::branch(const Arrangement& one, bool with_excluded, std::vector<Arrangement>& next) const {
   std::vector<float> rival(one.places.size(), 0);
   for (std::size_t i = 0; i < one.places.size(); ++i) {
     for (std::size_t j = i + 1; j < one.places.size(); ++j) {
@@ -278,11 +279,11 @@ void PuzzleArranger::branch(const Arrangement& one, bool with_rivals, std::vecto
   }
   if (one.places.empty() || !is_worth_laying(one.places[surest])) {
     if (frame_ >= 0 && !one.frame_is_open && is_frame(one.laid.front()))
-      branch(with_open_frame(one), with_rivals, next);
+      branch(with_open_frame(one), with_excluded, next);
     return;
   }
   std::vector<std::size_t> options;
-  for (std::size_t i = 0; with_rivals && i < one.places.size(); ++i) {
+  for (std::size_t i = 0; with_excluded && i < one.places.size(); ++i) {
     if (i != surest && exclude_each_other(one.places[i], one.places[surest]) &&
         one.places[i].worth > 0.5f * one.places[surest].worth)
       options.push_back(i);

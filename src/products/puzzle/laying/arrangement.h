@@ -115,7 +115,7 @@ class PuzzleArranger {
   void add_place(PuzzlePlace place, Arrangement& in) const;
   void add_places_beside(const LaidPiece& laid, Arrangement& in) const;
   Arrangement with_open_frame(Arrangement one) const;
-  void branch(const Arrangement& one, bool with_rivals, std::vector<Arrangement>& next) const;
+  void branch(const Arrangement& one, bool with_excluded, std::vector<Arrangement>& next) const;
   bool same(const Arrangement& a, const Arrangement& b) const;
   void keep_best(std::vector<Arrangement>& all, int width) const;
 

@@ -11,7 +11,7 @@ constexpr float kContactReach = 2;
 /// A weak pull towards a piece's present pose, in boundary points. It only matters where no neighbour pulls.
 constexpr double kKeeping = 1e-3;
 
-/// How a boundary point moves along a normal with the two shifts and the turn of its piece.
+/// The derivative of a boundary point along a normal, by the two shifts and the turn of its piece.
 Eigen::Vector3d by_pose(Vec2 p, Vec2 centre, Vec2 normal, double arm) {
   return {normal.x, normal.y, cross(p - centre, normal) / arm};
 }

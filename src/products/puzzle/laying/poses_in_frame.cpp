@@ -11,7 +11,7 @@ namespace {
 /// The number of turns that are tried. Between two of them a boundary two pieces from the centre moves by less than a tenth
 /// of a piece.
 constexpr int kTurns = 128;
-/// How many of these are followed.
+/// The number of the best turns that are followed.
 constexpr std::size_t kMostPoses = 8;
 /// Gauss-Newton steps until a pose is settled.
 constexpr int kSteps = 30;

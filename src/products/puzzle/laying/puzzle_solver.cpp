@@ -28,7 +28,7 @@ constexpr std::size_t kMostBeginnings = 16;
 constexpr int kMostFollowed = 2'000;
 /// The most arrangements that are followed at a time, also beside pieces that were moved into the frame.
 constexpr int kWidest = 64, kWidestBesideMoved = 8;
-/// The same where pieces may be grown in several ways: the cheap search is made for all ways first.
+/// The most arrangements if pieces may be grown in several ways. The cheap search is made for all ways first.
 constexpr std::array<int, 2> kWidestInTurn = {1, 8};
 /// The part of a frame that counts as full, because outlines are not exact; other pieces are foreign.
 constexpr double kFull = 0.985;
@@ -38,7 +38,7 @@ constexpr std::size_t kMostMoves = 4;
 constexpr double kSameScale = 0.01;
 /// A piece of which less than this part touches others may hang outside by a straight side, while its place is a hole.
 constexpr float kLeastHeld = 0.5f;
-/// How often holes are filled, and the least gain of coherence each time.
+/// The largest number of fillings of holes, and the least gain of coherence each time.
 constexpr int kMostFillings = 8;
 constexpr double kLeastFuller = 1e-6;
 /// Larger frames to try where nearly all pieces lie, and the growth from one to the next.
@@ -360,8 +360,8 @@ class Solver {
   int exchange_alike(Arrangement& in) const {
     const std::size_t first = arranger_.is_frame(in.laid.front()) ? 1 : 0;
     const std::vector<PosedPiece> all = arranger_.laid_pieces(in);
-    const ExchangedPieces now =
-        exchanged({all.begin() + std::ptrdiff_t(first), all.end()}, scale_, [&] { report_laying(arranger_.placed(in)); });
+    const ExchangedPieces now = exchanged({all.begin() + std::ptrdiff_t(first), all.end()}, scale_,
+                                          [&] { report_laying(arranger_.placed(in)); });
     bool moved = false;
     for (std::size_t i = first; i < in.laid.size(); ++i) {
       moved = moved || !(in.laid[i].pose == now.poses[i - first]);
@@ -412,7 +412,7 @@ class Solver {
   PuzzleArranger arranger_;
 };
 
-/// By how much the pieces become longer when they are grown: the ratio of the square roots of their areas.
+/// The factor by which growing makes the pieces longer: the ratio of the square roots of their areas.
 double times_grown(const std::vector<std::vector<Vec2>>& before, const std::vector<std::vector<Vec2>>& after) {
   double area_before = 0, area_after = 0;
   for (const std::vector<Vec2>& polygon : before) area_before += signed_area(polygon);

@@ -20,7 +20,7 @@ constexpr std::size_t kMostErosions = 12;
 constexpr std::size_t kPassesWithoutGain = 3;
 /// Pieces whose boundaries are followed; they are compared with all.
 constexpr std::size_t kSample = 16;
-/// How much longer boundaries must agree before pieces count as eroded. Chance brings some per cent; a lost pixel on pieces
+/// The factor by which boundaries must agree longer before pieces count as eroded. Chance brings some per cent; a lost pixel on pieces
 /// of 60 to 160 px with tabs brings 45 to 100.
 constexpr double kLeastGain = 1.2;
 /// The best pairs, one in so many, are examined: pairs that belong together are among them.
@@ -46,7 +46,7 @@ std::vector<PuzzlePiece> grown_pieces(const Polygons& polygons, float distance, 
   return pieces;
 }
 
-/// How much more the pieces must grow: the median over the pairs that meet best.
+/// The growth that the pieces still need: the median over the pairs that meet best.
 float missing_growth(const std::vector<PuzzlePiece>& pieces, const PuzzleScale& scale, const StopCheck& check_stop) {
   std::vector<GrowthBetween> found;
   for (const SideMatch& side : sampled_sides(pieces, kSample, scale, check_stop)) {

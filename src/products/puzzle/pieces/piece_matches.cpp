@@ -18,7 +18,7 @@ constexpr int kLeastSteps = 6;
 constexpr int kRound = 2;
 /// Difference, in steps, of sides that count as equally long.
 constexpr float kSameLength = 1;
-/// How many of the longest matches of each corner and side are compared with the outlines.
+/// The number of the longest matches of each corner and side that are compared with the outlines.
 constexpr std::size_t kMostTried = 24;
 /// Usually all of them where there are few pieces, so that no arrangement is missed.
 constexpr std::size_t kMostTriedOfFew = 96;

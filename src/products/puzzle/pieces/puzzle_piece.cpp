@@ -68,7 +68,7 @@ Vec2 point_at(const std::vector<Vec2>& points, float at) {
   return points[k] + (points[(k + 1) % points.size()] - points[k]) * (at - whole);
 }
 
-/// Where the lines along the boundary on either side of corner k meet, as a place along it.
+/// The exact place of corner k along the boundary: where the lines along its two sides meet.
 float exact_corner(const std::vector<Vec2>& points, std::size_t k) {
   const float c = float(k);
   constexpr float kNear = 2, kFar = 6;
