@@ -72,6 +72,8 @@ void append_loop(CheckpointColumns& to, const CheckpointState& state) {
   to.size_factors = {state.sizes.factor, state.sizes.too_large, state.sizes.fits, state.best.factor};
   to.best_missing = {state.best.missing};
   to.empty_passes.push_back(std::uint8_t(state.empty_passes));
+  to.batch_pieces.push_back(state.batch_pieces);
+  to.batch_worth.push_back(state.batch_worth);
   RunStatistics statistics = state.statistics;
   copy_to_statistics(statistics, state.loop);
   for (const auto count : kCounts) to.counts.push_back(statistics.*count);
@@ -151,6 +153,8 @@ void check_values(const CheckpointColumns& c) {
   for (const auto* column : {&c.moving_pose, &c.moving_score, &c.moving_matched}) require_finite(*column, "/moving");
   for (const auto* column : {&c.size_factors, &c.best_pose, &c.best_score, &c.best_matched})
     require_finite(*column, "/sizes");
+  require_finite(c.batch_worth, "/batch");
+  require(c.batch_worth[0] >= 0, "/batch/worth: a value is out of range");
   require(c.stage[3] <= 1, "/stage: a value is out of range");
   for (const auto* column : {&c.pose, &c.terms, &c.score, &c.shape_size}) require_finite(*column, "/candidates");
   require_finite(c.matched_pad, "/samples/matched_pad");
@@ -165,8 +169,9 @@ void check_values(const CheckpointColumns& c) {
 /// Checks that all columns of a table have the same number of rows.
 void check_rows(const CheckpointColumns& c) {
   require(c.digests.size() == 4 && c.improving.size() == 1 && c.stage.size() == 6 && c.empty_passes.size() == 1 &&
-              c.replaced.size() == 1 && c.size_factors.size() == 4 && c.best_missing.size() == 1 &&
-              c.counts.size() == std::size(kCounts) && c.measures.size() == std::size(kMeasures),
+              c.batch_pieces.size() == 1 && c.batch_worth.size() == 1 && c.replaced.size() == 1 &&
+              c.size_factors.size() == 4 && c.best_missing.size() == 1 && c.counts.size() == std::size(kCounts) &&
+              c.measures.size() == std::size(kMeasures),
           "a list of fixed length has another one");
   const std::size_t placed = c.placed_shape.size();
   require(c.placed_pose.size() == 4 * placed && c.placed_score.size() == placed && c.placed_matched.size() == placed,
@@ -208,6 +213,8 @@ void read_loop(const CheckpointColumns& from, CheckpointState& state) {
   state.best.missing = from.best_missing[0];
   state.begun_with = from.stage[4] | std::uint64_t(from.stage[5]) << 32;
   state.empty_passes = from.empty_passes[0];
+  state.batch_pieces = from.batch_pieces[0];
+  state.batch_worth = from.batch_worth[0];
   for (std::size_t i = 0; i < std::size(kCounts); ++i) state.statistics.*kCounts[i] = from.counts[i];
   for (std::size_t i = 0; i < std::size(kMeasures); ++i) state.statistics.*kMeasures[i] = from.measures[i];
   state.loop.trials = state.statistics.trials;

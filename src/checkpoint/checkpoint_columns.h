@@ -14,6 +14,8 @@ struct CheckpointColumns {
   std::vector<std::uint8_t> improving;
   std::vector<std::uint32_t> stage;
   std::vector<std::uint8_t> empty_passes;
+  std::vector<std::uint32_t> batch_pieces;
+  std::vector<float> batch_worth;
   std::vector<std::uint64_t> counts;
   std::vector<double> measures;
   std::vector<std::uint32_t> placed_shape;
@@ -51,6 +53,10 @@ void each_column(Columns& c, Visit visit) {
       "region that is being filled, pieces that were given to it, attempt at its sizes, 1: the last one, digest of the "
       "pieces that the job gives (lower half, upper half)");
   visit("/empty_passes", c.empty_passes, 1, "", "how often all samples were matched again since the last piece");
+  visit(
+      "/batch/pieces", c.batch_pieces, 1, "",
+      "how many of the last placements belong to the open batch: candidates near them are still to be measured again");
+  visit("/batch/worth", c.batch_worth, 1, "", "what the first of them was worth");
   visit("/statistics/counts", c.counts, 1, "",
         "shapes, rounds, docking choices, dockings evaluated, refined, target samples, trials, trials kept");
   visit("/statistics/measures", c.measures, 1, "",

@@ -82,8 +82,9 @@ Collage::Collage(const Canvas& canvas, const CollageSettings& settings, const Ma
       apart_(settings, shapes, canvas.period),
       settling_(shapes, free_, outlines_, open_shapes_.context()),
       schedule_(free_, curve_, growth_),
-      changed_nodes_(free_.field().value.bounds()) {
-  retrace(changed_nodes_);
+      batch_(free_.grid(), settings_.pieces) {
+  note_changed(free_.field().value.bounds());
+  retrace(free_.field().value.bounds());
   update_open_shapes();
 }
 
@@ -108,10 +109,16 @@ void Collage::update_open_shapes() {
   for (const SampleId id : ids) review(id, [this](const Candidate& c) { return open_shapes_.allows(c); });
 }
 
-Window Collage::take_changed_nodes() {
-  const Window changed = changed_nodes_;
-  changed_nodes_ = {};
-  return changed;
+std::vector<Window> Collage::take_changed_nodes() { return std::exchange(changed_nodes_, {}); }
+
+/// Notes nodes for take_changed_nodes(). Once the list is longer than the field, the field itself stands for all of it.
+void Collage::note_changed(const Window& nodes) {
+  const Window whole = free_.field().value.bounds();
+  const auto area = [](const Window& w) { return std::int64_t(w.width()) * w.height(); };
+  changed_nodes_.push_back(nodes);
+  std::int64_t sum = 0;
+  for (const Window& w : changed_nodes_) sum += area(w);
+  if (sum > area(whole)) changed_nodes_ = {whole};
 }
 
 float Collage::score(const Candidate& candidate) const {
@@ -143,7 +150,8 @@ void Collage::add_candidates(const std::vector<TargetSample>& samples, const Mat
   }
 }
 
-Window Collage::place(const Candidate& candidate) {
+void Collage::place(const Candidate& candidate) {
+  const float worth_now = worth(candidate);
   const Shape& shape = shapes_.shape(candidate.shape);
   placements_.push_back({candidate.shape, candidate.canvas_from_shape, candidate.score, candidate.terms.matched_px});
   outlines_.add(placements_.back(), shape.outline, line_radius(shape.field, shape.perimeter));
@@ -151,12 +159,16 @@ Window Collage::place(const Candidate& candidate) {
   apart_.add(placements_.back());
   covered_px2_ += area_px2(placements_.back());
   const Window changed = free_.stamp(shape, candidate.canvas_from_shape);
-  changed_nodes_ = free_.grid().united(changed_nodes_, changed);
+  note_changed(changed);
   retrace(changed);
   drop_candidates_near(placements_.back());
   update_open_shapes();
-  return piece_window(shape.outline, candidate.canvas_from_shape, free_.field().origin,
-                      2 + kept_distance_px(settings_.pieces));
+  batch_.add(touched_window(shape, candidate.canvas_from_shape), worth_now);
+}
+
+/// The nodes within which a piece changes the terms of candidates.
+Window Collage::touched_window(const Shape& shape, const Similarity& canvas_from_shape) const {
+  return piece_window(shape.outline, canvas_from_shape, free_.field().origin, 2 + kept_distance_px(settings_.pieces));
 }
 
 Window Collage::replace_placements(std::vector<Placement> placements) {
@@ -172,11 +184,12 @@ Window Collage::replace_placements(std::vector<Placement> placements) {
     covered_px2_ += area_px2(p);
   }
   pool_ = {};
+  batch_.end();
   checks_.forget_all();
   schedule_.clear();
   curve_.set_matched_pads({});
   const Window restamped = restamp(changed);
-  changed_nodes_ = free_.grid().united(changed_nodes_, restamped);
+  note_changed(restamped);
   retrace(restamped);
   update_open_shapes();
   Window window;
@@ -234,42 +247,36 @@ void Collage::drop_candidates_near(const Placement& placement) {
   for (const SampleId id : ids) review(id, may_stay);
 }
 
-/// The target samples that may have candidates whose windows overlap an image of `changed`.
-std::vector<SampleId> Collage::pooled_near(const Window& changed) const {
+/// The target samples that may have candidates which the pieces of the batch touch.
+std::set<SampleId> Collage::touched_samples() const {
   const PeriodicGrid& grid = free_.grid();
-  if (!grid.period().repeats()) return pool_.reached_by(changed);
   std::set<SampleId> near;
-  for (const Window& image : grid.images(changed, grid.nodes())) {
-    const std::vector<SampleId> reached = pool_.reached_by(image);
-    near.insert(reached.begin(), reached.end());
+  for (const Window& changed : batch_.changed()) {
+    const bool repeats = grid.period().repeats();
+    for (const Window& image : repeats ? grid.images(changed, grid.nodes()) : std::vector{changed}) {
+      const std::vector<SampleId> reached = pool_.reached_by(image);
+      near.insert(reached.begin(), reached.end());
+    }
   }
-  return {near.begin(), near.end()};
+  return near;
 }
 
-std::vector<Docking> Collage::touched_by(const Window& changed) const {
+std::vector<Docking> Collage::touched() const {
   std::vector<Docking> touched;
-  for (const SampleId id : pooled_near(changed)) {
+  for (const SampleId id : touched_samples()) {
     for (const Candidate& c : pool_.entries().at(id).candidates) {
-      if (!free_.grid().overlap(changed, c.window)) continue;
+      if (!batch_.changes(c.window)) continue;
       touched.push_back({0, c.shape, c.source, c.stance, 0, c.canvas_from_shape});
     }
   }
   return touched;
 }
 
-std::vector<DockingTerms> Collage::measure(const std::vector<Docking>& dockings) {
-  std::vector<DockingTerms> terms;
-  for (const Docking& docking : dockings) {
-    terms.push_back(docking_terms(docking.canvas_from_shape, shapes_.model(docking.shape), free_.view(), context()));
-  }
-  return terms;
-}
-
-void Collage::rescore(const Window& changed, const std::vector<DockingTerms>& terms) {
+void Collage::rescore(const std::vector<DockingTerms>& terms) {
   auto measured = terms.begin();
-  for (const SampleId id : pooled_near(changed)) {
+  for (const SampleId id : touched_samples()) {
     review(id, [&](Candidate& c) {
-      if (!free_.grid().overlap(changed, c.window)) return true;
+      if (!batch_.changes(c.window)) return true;
       if (measured == terms.end()) throw std::logic_error("fewer candidates were measured than touched");
       c.terms = *measured++;
       if (!acceptable(c)) return false;
@@ -278,6 +285,8 @@ void Collage::rescore(const Window& changed, const std::vector<DockingTerms>& te
       return true;
     });
   }
+  batch_.end();
+  pool_.bring_back();
 }
 
 /// Drops the candidates of a sample that `keep` refuses. Where few are left and matching had found more, the sample is

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,7 @@
 #include "core/settings/settings.h"
 #include "core/shape/shape_source.h"
 #include "master/exact_checks.h"
+#include "master/rules/batch.h"
 #include "master/rules/kept_apart.h"
 #include "master/rules/open_shapes.h"
 #include "master/rules/outward_growth.h"
@@ -49,9 +51,9 @@ class Collage {
   /// The target samples that are to be matched.
   SampleSchedule& schedule() { return schedule_; }
 
-  /// The nodes of the free field that changed since the last call; at first these are all nodes. On a seamless canvas this
-  /// window, like all windows below, stands for all of its images (PeriodicGrid).
-  Window take_changed_nodes();
+  /// The windows of the free field that changed since the last call; at first this is the whole field. On a seamless canvas
+  /// a window, here and below, stands for all of its images (PeriodicGrid).
+  std::vector<Window> take_changed_nodes();
 
   /// Puts the candidates that were found for these samples into the pool, as far as they may stand.
   void add_candidates(const std::vector<TargetSample>& samples, const MatchRound& round);
@@ -68,20 +70,20 @@ class Collage {
   bool choose_in_gap(Candidate& best, const Window& window, const StopCheck& check_stop);
 
   /// Finds the best candidate of the pool, after it has checked the finalists exactly, moved them clear of their neighbours
-  /// and grown them. False where no candidate of the pool fits. It calls `check_stop` often, which may throw: the pool is
-  /// then in a state from which the next call finds the same candidate.
+  /// and grown them. Where a batch is open, only candidates count that may join it. False where no candidate of the pool
+  /// fits. It calls `check_stop` often, which may throw: the pool is then in a state from which the next call finds the same
+  /// candidate.
   bool choose(Candidate& best, const StopCheck& check_stop = never_stop);
 
-  /// Merges the candidate: places it, takes it out of the free region and updates the target curve. Returns the nodes
-  /// within which candidates have to be measured again.
-  Window place(const Candidate& candidate);
-  /// The candidates whose windows overlap `changed`.
-  std::vector<Docking> touched_by(const Window& changed) const;
-  /// The terms of these candidates, computed by the master where the matcher no longer answers. They agree with the
-  /// matcher's to the bit.
-  std::vector<DockingTerms> measure(const std::vector<Docking>& dockings);
-  /// Gives the candidates of touched_by(changed) their new terms, which come in the same order.
-  void rescore(const Window& changed, const std::vector<DockingTerms>& terms);
+  /// Merges the candidate: places it, takes it out of the free region and updates the target curve. The piece belongs to the
+  /// open batch, or opens one.
+  void place(const Candidate& candidate);
+  /// Whether pieces were placed since rescore().
+  bool batch_is_open() const { return batch_.is_open(); }
+  /// The candidates that the pieces of the batch touch.
+  std::vector<Docking> touched() const;
+  /// Ends the batch: gives the candidates of touched() their new terms, which come in the same order.
+  void rescore(const std::vector<DockingTerms>& terms);
 
   /// Makes the collage one of `placements`, which may lack some of the present pieces and hold new ones. Forgets the pool
   /// and the samples that wait for matching, but for samples that the change renewed: so what comes next follows from the
@@ -122,16 +124,19 @@ class Collage {
   bool choose_first(Candidate& first, const StopCheck& check_stop);
   const MatchingContext& context() const { return open_shapes_.context(); }
   float score(const Candidate& candidate) const;
+  float worth(const Candidate& candidate) const { return candidate.score * scoring_.preference(candidate); }
   ExactAreas check_exactly(Candidate& candidate);
   enum class Settled { unfit, touches_too_little, fit };
   Settled settle(Candidate& candidate);
   Window stamp_window(const Placement& placement);
+  Window touched_window(const Shape& shape, const Similarity& canvas_from_shape) const;
+  void note_changed(const Window& nodes);
   Window restamp(const std::vector<Placement>& changed);
   void update_open_shapes();
   bool keeps_apart(const Candidate& candidate);
   std::vector<ShapeId> shut_out_shapes() const;
   void drop_candidates_near(const Placement& placement);
-  std::vector<SampleId> pooled_near(const Window& changed) const;
+  std::set<SampleId> touched_samples() const;
   template <class Keep>
   void review(SampleId id, Keep keep);
   void retrace(const Window& changed);
@@ -153,8 +158,9 @@ class Collage {
   Settling settling_;
   std::optional<OutwardGrowth> growth_;
   SampleSchedule schedule_;
+  Batch batch_;
   double covered_px2_ = 0;
-  Window changed_nodes_;
+  std::vector<Window> changed_nodes_;
 };
 
 }  // namespace tessera::master

@@ -61,6 +61,7 @@ class StateChecks {
     }
     check_moving();
     check_best();
+    check_batch();
     for (const PooledSample& sample : state_.pool) {
       for (const Candidate& c : sample.candidates) check_candidate(c);
     }
@@ -91,6 +92,12 @@ class StateChecks {
     if (!sane(c.window, free_.field().value.bounds()) || !sane(c.perimeter, c.radius)) {
       fail(state_, "a candidate with an impossible size or place");
     }
+  }
+
+  /// Checks that the pieces of the batch were placed here.
+  void check_batch() const {
+    if (state_.batch_pieces <= state_.placements.size() - open_shapes_.given()) return;
+    fail(state_, "more pieces in a batch than were placed");
   }
 
   /// Checks the pieces of a replacement phase: the given ones come first and have not moved, the others cover the canvas
@@ -147,6 +154,8 @@ void Collage::save(CheckpointState& state) const {
   std::sort(state.pool.begin(), state.pool.end(),
             [](const PooledSample& a, const PooledSample& b) { return a.id < b.id; });
   schedule_.save(state);
+  state.batch_pieces = std::uint32_t(batch_.pieces());
+  state.batch_worth = batch_.is_open() ? batch_.first_worth() : 0;
   state.matched = curve_.matched_pads();
   state.rebuilt_digest = rebuilt_digest();
 }
@@ -161,6 +170,10 @@ void Collage::restore(const CheckpointState& state) {
   }
   for (const PooledSample& sample : state.pool) pool_.put_back(sample.id, sample.candidates, sample.truncated);
   schedule_.restore(state);
+  for (std::size_t i = placements_.size() - state.batch_pieces; i < placements_.size(); ++i) {
+    const Placement& piece = placements_[i];
+    batch_.add(touched_window(shapes_.shape(piece.shape), piece.canvas_from_shape), state.batch_worth);
+  }
   curve_.set_matched_pads(state.matched);
   changed_nodes_ = free_.field().value.bounds();
 }

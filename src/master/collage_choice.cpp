@@ -18,12 +18,16 @@ constexpr std::uint64_t kFirstPiece = 0x6669727374;  // keeps these random numbe
 
 }  // namespace
 
+/// The best candidates, of which no two look the same. While a batch is open, these are candidates that may join it.
 std::vector<Pool::Ranked> Collage::finalists() {
+  using Visit = Pool::Visit;
   std::vector<Pool::Ranked> chosen;
   std::vector<const Candidate*> looks;
   int examined = 0;
-  const auto worth = [&](const Candidate& c) { return c.score * scoring_.preference(c); };
-  pool_.best_first(worth, [&](const Pool::Ranked& ranked, const Candidate& c) {
+  const auto worth_of = [&](const Candidate& c) { return worth(c); };
+  pool_.best_first(worth_of, [&](const Pool::Ranked& ranked, const Candidate& c) {
+    if (ranked.value < batch_.least_worth()) return Visit::last;
+    if (batch_.is_near(c.window)) return Visit::set_aside;
     const bool repeated = std::any_of(looks.begin(), looks.end(), [&](const Candidate* other) {
       return scoring_.look_alike(other->shape, c.shape) &&
              near_copy(other->canvas_from_shape, c.canvas_from_shape, kSameCandidate);
@@ -32,7 +36,7 @@ std::vector<Pool::Ranked> Collage::finalists() {
       chosen.push_back(ranked);
       looks.push_back(&c);
     }
-    return ++examined < kFinalistsExamined && chosen.size() < kFinalists;
+    return ++examined < kFinalistsExamined && chosen.size() < kFinalists ? Visit::next : Visit::last;
   });
   return chosen;
 }
@@ -173,7 +177,7 @@ std::vector<Collage::Finalist> Collage::checked_finalists(const StopCheck& check
     check_stop();
     Finalist finalist{ranked, pool_.at(ranked)};
     if (!finalist.candidate.exact) check_exactly(finalist.candidate);
-    finalist.ranked.value = finalist.candidate.score * scoring_.preference(finalist.candidate);
+    finalist.ranked.value = worth(finalist.candidate);
     checked.push_back(finalist);
   }
   std::sort(checked.begin(), checked.end(), [](const Finalist& a, const Finalist& b) { return a.ranked < b.ranked; });
@@ -185,14 +189,14 @@ std::vector<Collage::Finalist> Collage::checked_finalists(const StopCheck& check
 bool Collage::settle_best(std::vector<Finalist>& finalists, Candidate& best, const StopCheck& check_stop) {
   float best_value = -1;
   for (Finalist& finalist : finalists) {
-    if (best_value >= finalist.ranked.value) break;
+    if (best_value >= finalist.ranked.value || finalist.ranked.value < batch_.least_worth()) break;
     check_stop();
     Candidate settled = finalist.candidate;
     if (settle(settled) != Settled::fit) {
       finalist.given_up = true;
       continue;
     }
-    const float value = settled.score * scoring_.preference(settled);
+    const float value = worth(settled);
     if (value <= best_value) continue;
     best_value = value;
     best = settled;
@@ -213,7 +217,7 @@ void Collage::keep_checks(std::vector<Finalist>& finalists) {
   }
 }
 
-/// Takes finalists from the pool, eight at a time, until one fits or the pool is empty. The pool changes only after all
+/// Takes finalists from the pool, eight at a time, until one fits or none is left. The pool changes only after all
 /// eight are judged, so a run that goes on after an interruption does the same.
 bool Collage::choose(Candidate& best, const StopCheck& check_stop) {
   if (needs_first_piece()) return choose_first(best, check_stop);
@@ -227,7 +231,7 @@ bool Collage::choose(Candidate& best, const StopCheck& check_stop) {
       best = finalists.front().candidate;
     }
     keep_checks(finalists);
-    if (found) return true;
+    if (found) return worth(best) >= batch_.least_worth();
   }
 }
 

@@ -18,12 +18,21 @@ constexpr int kFirstDrawnPasses = 1;
 
 }  // namespace
 
-/// One round of the paper (section 4, Fig. 15): match the samples that are new, choose the best candidate, merge it.
+/// One piece. A round of the paper (section 4, Fig. 15) is a batch of pieces here: match the samples that are new, then
+/// choose and merge the best candidate and others far from it.
 bool Filling::place_one() {
   Candidate best;
-  if (!find(best)) return false;
-  merge(best);
+  if (!find_further(best) && !find(best)) return false;
+  place(best);
   return true;
+}
+
+/// Chooses another piece for the open batch. Where there is none, the batch ends.
+bool Filling::find_further(Candidate& best) {
+  if (!collage_.batch_is_open()) return false;
+  if (choose(best)) return true;
+  end_batch();
+  return false;
 }
 
 /// Chooses the best candidate. Where there is none, it matches all samples of the region again. A piece found by
@@ -39,6 +48,19 @@ bool Filling::find(Candidate& best) {
     ++empty_passes_;
     collage_.schedule().mark(region_);
   }
+}
+
+void Filling::end_batch() {
+  if (!collage_.batch_is_open()) return;
+  Stopwatch watch;
+  send_changes();
+  const std::vector<Docking> touched = collage_.touched();
+  statistics_->merge_s += watch.lap();
+  matcher_.post_measure(touched);
+  const std::vector<DockingTerms> terms = matcher_.take_measure();
+  statistics_->dock_s += watch.lap();
+  collage_.rescore(terms);
+  statistics_->merge_s += watch.lap();
 }
 
 void Filling::match_samples() {
@@ -64,44 +86,10 @@ bool Filling::choose(Candidate& best) {
   return found;
 }
 
-/// Merges the piece. Where the matcher is interrupted the piece stands already: the round ends before the interruption is
-/// thrown on.
-void Filling::merge(const Candidate& best) {
-  const Window changed = place(best);
-  const Remeasured now = measure(changed);
-  rescore(changed, now.terms);
-  ++statistics_->rounds;
-  if (now.interrupted) throw *now.interrupted;
-}
-
-Window Filling::place(const Candidate& best) {
+void Filling::place(const Candidate& best) {
   Stopwatch watch;
-  const Window changed = collage_.place(best);
-  statistics_->merge_s += watch.lap();
-  return changed;
-}
-
-/// Measures the candidates that the new piece touches. Where the matcher is interrupted, the master measures them.
-Filling::Remeasured Filling::measure(const Window& changed) {
-  Stopwatch watch;
-  Remeasured now;
-  try {
-    send_changes();
-    const std::vector<Docking> touched = collage_.touched_by(changed);
-    statistics_->merge_s += watch.lap();
-    matcher_.post_measure(touched);
-    now.terms = matcher_.take_measure();
-  } catch (const Interrupted& interruption) {
-    now.interrupted = interruption;
-    now.terms = collage_.measure(collage_.touched_by(changed));
-  }
-  statistics_->dock_s += watch.lap();
-  return now;
-}
-
-void Filling::rescore(const Window& changed, const std::vector<DockingTerms>& terms) {
-  Stopwatch watch;
-  collage_.rescore(changed, terms);
+  if (!collage_.batch_is_open()) ++statistics_->rounds;
+  collage_.place(best);
   statistics_->merge_s += watch.lap();
 }
 
@@ -160,8 +148,10 @@ void Filling::send_changes() {
   const OpenShapes& open = collage_.open_shapes();
   if (std::exchange(sent_version_, open.version()) != open.version()) matcher_.limit(open.limits());
   const FreeField& free = collage_.free();
-  for (const Window& part : free.grid().images(collage_.take_changed_nodes(), free.grid().nodes())) {
-    matcher_.update_field(read_patch(free.field().value, part));
+  for (const Window& changed : collage_.take_changed_nodes()) {
+    for (const Window& part : free.grid().images(changed, free.grid().nodes())) {
+      matcher_.update_field(read_patch(free.field().value, part));
+    }
   }
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "core/base/stop.h"
@@ -22,12 +21,16 @@ class Filling {
   /// Pieces are wanted at these nodes from now on. Before the first call that is the whole canvas.
   void start(const Window& region);
 
-  /// Places the best piece. Where no candidate of the pool fits, it matches the region's samples again with other random
-  /// dockings. Where a wide gap is left, one of these passes keeps the dockings that were drawn first. At last it searches
-  /// wide gaps for a pose that holds a piece of the smallest size. False when that finds nothing either. Throws Interrupted
-  /// where the matcher or `check_stop` does. It then undoes the question, or ends the round of the piece that stands
-  /// already, so that the collage can be saved.
+  /// Places the next piece of the batch (batch.h). Where none may join, it ends the batch, matches the samples that wait, and
+  /// begins another batch with the best piece. Where no candidate of the pool fits, it matches the region's samples again
+  /// with other random dockings. Where a wide gap is left, one of these passes keeps the dockings that were drawn first. At
+  /// last it searches wide gaps for a pose that holds a piece of the smallest size. False when that finds nothing either.
+  /// Throws Interrupted where the matcher or `check_stop` does. It then undoes the question, so that the collage can be
+  /// saved.
   bool place_one();
+  /// Ends the batch, if one is open: the next piece begins another. It measures the candidates that the pieces of the batch
+  /// touch. Where the matcher throws Interrupted, the batch stays open.
+  void end_batch();
 
   /// The number of times the region's samples were matched again since the last piece. The collage's checkpoint holds it, because an
   /// interruption may come between two such passes.
@@ -39,19 +42,11 @@ class Filling {
   void count_into(RunStatistics& statistics) { statistics_ = &statistics; }
 
  private:
-  /// The terms of the candidates that a new piece touches, in the order of Collage::touched_by.
-  struct Remeasured {
-    std::vector<DockingTerms> terms;
-    std::optional<Interrupted> interrupted = {};  // thrown while the matcher was asked
-  };
-
+  bool find_further(Candidate& best);
   bool find(Candidate& best);
   void match_samples();
   bool choose(Candidate& best);
-  void merge(const Candidate& best);
-  Window place(const Candidate& best);
-  Remeasured measure(const Window& changed);
-  void rescore(const Window& changed, const std::vector<DockingTerms>& terms);
+  void place(const Candidate& best);
   bool may_match_again();
   MatchPlan plan();
   void check_ahead();

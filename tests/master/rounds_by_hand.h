@@ -27,8 +27,13 @@ class RoundsByHand {
     return collage_.choose(best);
   }
 
-  /// The present terms of the candidates that `changed` touches.
-  std::vector<DockingTerms> measure(const Window& changed) { return measure(collage_.touched_by(changed)); }
+  /// The present terms of the candidates that the pieces of the batch touch.
+  std::vector<DockingTerms> measure() { return measure(collage_.touched()); }
+  /// Places the piece in a batch of its own.
+  void place(const Candidate& piece) {
+    collage_.place(piece);
+    collage_.rescore(measure());
+  }
 
   std::vector<DockingTerms> measure(const std::vector<Docking>& dockings) {
     send_field();

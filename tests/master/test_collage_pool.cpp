@@ -1,6 +1,7 @@
 // The pool's candidates when a piece is placed beside them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <tuple>
@@ -45,14 +46,14 @@ TEST_F(CollagePool, ASampleThatIsRenewedLosesItsCandidatesAndIsMatchedAgain) {
   Candidate best;
   for (int round = 0; round < kRounds && rounds_.choose(best); ++round) {
     const Samples pooled_before = samples_of(rounds_.state().pool);
-    const Window changed = collage_.place(best);
+    collage_.place(best);
     const CheckpointState after = rounds_.state();
     const Samples pooled = samples_of(after.pool);
     for (const SampleId id : after.stale) {
       EXPECT_FALSE(pooled.contains(id)) << edge_number(id);
       renewed += pooled_before.contains(id);
     }
-    collage_.rescore(changed, rounds_.measure(changed));
+    collage_.rescore(rounds_.measure());
   }
   EXPECT_GT(renewed, 20) << "the test needs samples that had candidates";
 }
@@ -93,6 +94,7 @@ TEST_F(CollagePool, ASampleThatIsGoneIsNotMatchedAgain) {
     collage_.schedule().mark(collage_.free().field().value.bounds());
     collage_.place(best);
     EXPECT_EQ(rounds_.state().stale.size(), collage_.open_samples());
+    collage_.rescore(rounds_.measure());
   }
 }
 
@@ -130,15 +132,15 @@ TEST_F(CollagePool, WhatIsMeasuredAgainIsScoredAgainAndCheckedAgain) {
   int exact_before = 0;
   Candidate best;
   for (int round = 0; round < kRounds && rounds_.choose(best); ++round) {
-    const Window changed = collage_.place(best);
+    collage_.place(best);
     const std::map<Name, Candidate> before = candidates_by_name(rounds_.state());
-    const std::vector<Docking> touched = collage_.touched_by(changed);
-    const std::vector<DockingTerms> terms = rounds_.measure(changed);
+    const std::vector<Docking> touched = collage_.touched();
+    const std::vector<DockingTerms> terms = rounds_.measure(touched);
     std::map<Name, DockingTerms> measured;
     for (std::size_t i = 0; i < touched.size(); ++i) {
       measured[name_of(touched[i].shape, touched[i].source, touched[i].canvas_from_shape)] = terms[i];
     }
-    collage_.rescore(changed, terms);
+    collage_.rescore(terms);
     for (const auto& [name, c] : candidates_by_name(rounds_.state())) {
       const Candidate& then = before.at(name);
       if (!measured.contains(name)) {
@@ -162,17 +164,18 @@ TEST_F(CollagePool, WhatIsNotTouchedIsStillTrue) {
   std::size_t untouched = 0;
   Candidate best;
   for (int round = 0; round < kRounds && rounds_.choose(best); ++round) {
-    const Window changed = collage_.place(best);
-    collage_.rescore(changed, rounds_.measure(changed));
+    collage_.place(best);
+    const std::size_t touched = collage_.touched().size();
+    collage_.rescore(rounds_.measure());
     std::vector<Docking> all;
     std::vector<DockingTerms> expected;
     for (const PooledSample& sample : rounds_.state().pool) {
       for (const Candidate& c : sample.candidates) {
         all.push_back({0, c.shape, c.source, c.stance, 0, c.canvas_from_shape});
         expected.push_back(c.terms);
-        untouched += !c.window.overlaps(changed);
       }
     }
+    untouched += all.size() - std::min(all.size(), touched);
     EXPECT_EQ(rounds_.measure(all), expected);
   }
   EXPECT_GT(untouched, 20u);
@@ -183,11 +186,11 @@ TEST_F(CollagePool, ASampleIsMatchedAgainWhenItHasLessThanTwoLeftAndThereWereMor
   std::map<std::size_t, int> seen;  // the samples that lost candidates, by the number left
   Candidate best;
   for (int round = 0; round < kRounds && rounds_.choose(best); ++round) {
-    const Window changed = collage_.place(best);
+    collage_.place(best);
     const CheckpointState before = rounds_.state();
-    std::vector<DockingTerms> terms = rounds_.measure(changed);
+    std::vector<DockingTerms> terms = rounds_.measure();
     for (std::size_t i = 0; i < terms.size(); i += 2) terms[i].overlap_px2 = 1e9f;  // gives up every other candidate
-    collage_.rescore(changed, terms);
+    collage_.rescore(terms);
     const CheckpointState after = rounds_.state();
     Samples expected(before.stale.begin(), before.stale.end());
     ASSERT_EQ(after.pool.size(), before.pool.size());

@@ -90,6 +90,11 @@ TEST_F(ForeignState, MorePassesThanThereCanBe) {
             "starts again");
 }
 
+TEST_F(ForeignState, MorePiecesInABatchThanWerePlaced) {
+  state_.batch_pieces = std::uint32_t(state_.placements.size()) + 1;
+  expect_complaint("more pieces in a batch than were placed");
+}
+
 TEST_F(ForeignState, TargetSamplesThatDoNotExist) {
   state_.stale.push_back(SampleId{4'000'000'000u});
   expect_complaint("there is no target sample 4000000000");

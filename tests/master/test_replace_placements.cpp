@@ -15,8 +15,7 @@ class ReplacePlacements : public testing::Test {
   void SetUp() override {
     for (int round = 0; round < 20 && rounds_.state().matched.empty(); ++round) {
       ASSERT_TRUE(rounds_.choose(next_));
-      const Window changed = rounds_.collage().place(next_);
-      rounds_.collage().rescore(changed, rounds_.measure(changed));
+      rounds_.place(next_);
     }
     ASSERT_FALSE(rounds_.state().matched.empty()) << "the test needs samples that changed a little";
     ASSERT_TRUE(rounds_.choose(next_));

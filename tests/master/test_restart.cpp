@@ -94,6 +94,30 @@ TEST(Restart, AtAnyTrialGivesTheSameCollage) { check_random_interruptions(improv
 
 TEST(Restart, WithOtherSettingsToo) { check_random_interruptions(with_few_uses()); }
 
+/// The interruptions come within batches, too. There the candidates near the pieces of the batch wait to be measured.
+TEST(Restart, WithinABatchGivesTheSameCollage) {
+  static const Canvas wide = make_rectangle_canvas(420, 300);
+  CollageSettings s = settings();
+  s.pieces.max_scale_px = 40;
+  SilentObserver silent;
+  const CollageResult whole = run(s, {}, silent, {}, wide);
+  ASSERT_LT(whole.statistics.rounds + 20, whole.placements.size()) << "the test needs batches of several pieces";
+  std::size_t within = 0;
+  for (std::size_t steps = 1; steps < whole.placements.size(); steps += 3) {
+    KeepLatest keeper;
+    StopAfter stop(steps);
+    ASSERT_TRUE(run(s, {}, stop, {nullptr, &keeper}, wide).unfinished);
+    const CheckpointState state = keeper.latest;
+    EXPECT_GT(state.batch_pieces, 0u);
+    within += state.batch_pieces > 1;
+    const CollageResult found = run(s, {5}, silent, {&state, nullptr}, wide);
+    EXPECT_EQ(found.placements, whole.placements) << steps;
+    EXPECT_EQ(found.statistics.rounds, whole.statistics.rounds) << steps;
+    EXPECT_EQ(found.statistics.target_samples, whole.statistics.target_samples) << steps;
+  }
+  EXPECT_GT(within, 5u);
+}
+
 TEST(Restart, AfterEveryRoundAndTrialGivesTheSameCollage) {
   for (const CollageSettings& s : {improved(), with_few_uses()}) {
     const Whole whole(s);

@@ -42,10 +42,10 @@ std::vector<Placement> placed_in_rounds(const Canvas& canvas, int rounds, bool c
     if (checking_ahead) collage.check_ahead();
     Candidate best;
     if (!collage.choose(best)) break;
-    const Window changed = collage.place(best);
+    collage.place(best);
     matcher.update_field(read_patch(field.value, field.value.bounds()));
-    matcher.post_measure(collage.touched_by(changed));
-    collage.rescore(changed, matcher.take_measure());
+    matcher.post_measure(collage.touched());
+    collage.rescore(matcher.take_measure());
   }
   return collage.placements();
 }
@@ -69,8 +69,7 @@ TEST(Rounds, ASettledPieceIsScoredWhereItEnds) {
       EXPECT_FLOAT_EQ(best.score, objective(with_exact_areas(best.terms, areas), size, s.objective));
       EXPECT_EQ(best.terms, docking_terms(best.canvas_from_shape, shapes.model(best.shape), collage.free().view(),
                                           rounds.context()));
-      const Window changed = collage.place(best);
-      collage.rescore(changed, rounds.measure(changed));
+      rounds.place(best);
     }
   }
 }
@@ -93,8 +92,7 @@ TEST(Rounds, ASeamlessCollageMeasuresWhatEachPieceTouches) {
   int outdated = 0;
   Candidate best;
   for (int round = 0; round < 12 && rounds.choose(best); ++round) {
-    const Window changed = collage.place(best);
-    collage.rescore(changed, rounds.measure(changed));
+    rounds.place(best);
     for (const PooledSample& sample : rounds.state().pool) {
       for (const Candidate& c : sample.candidates) {
         const DockingTerms now =

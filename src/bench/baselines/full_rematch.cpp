@@ -19,15 +19,19 @@ master::CollageResult make_collage_afresh(const Canvas& canvas, const CollageSet
   master::Collage collage(canvas, settings, context, shapes);
   const CanvasField& field = collage.free().field();
   matcher.start_field(field.value.width(), field.value.height(), field.origin);
+  const auto send_field = [&] { matcher.update_field(read_patch(field.value, field.value.bounds())); };
+  send_field();
   RunStatistics statistics;
   for (int empty = 0; empty < kEmptyRounds;) {
     collage.schedule().mark(collage.free().field().value.bounds());
-    matcher.update_field(read_patch(field.value, field.value.bounds()));
     const std::vector<TargetSample> samples = collage.schedule().take();
     collage.add_candidates(samples, match(matcher, samples, plan, pads, statistics));
     Candidate best;
     if (collage.choose(best)) {
       collage.place(best);
+      send_field();
+      matcher.post_measure(collage.touched());
+      collage.rescore(matcher.take_measure());
       empty = 0;
     } else {
       ++empty;

@@ -40,6 +40,7 @@ Shape CollageStage::with_levels(ShapeId id) const {
 void CollageStage::place(std::size_t pieces) {
   while (collage_.placements().size() < pieces && filling_.place_one()) {
   }
+  filling_.end_batch();
 }
 
 Vec2 CollageStage::middle_of_view(Vec2 centre, float view_px) const {

@@ -24,7 +24,7 @@ class CollageStage {
   /// A rectangle without pieces, for pieces of these sizes. `library` outlives it.
   CollageStage(const LibraryFile& library, const std::string& devices_use, std::array<float, 2> scale_px);
 
-  /// Places pieces until so many stand, or none fits.
+  /// Places pieces until so many stand, or none fits. Then it ends the batch.
   void place(std::size_t pieces);
 
   const Canvas& canvas() const { return canvas_; }

@@ -50,6 +50,8 @@ struct CheckpointState {
   std::uint64_t begun_with = 0;       // digest of the pieces that the job gives
   int empty_passes = 0;               // while filling: how often all samples were matched again since the last piece
   std::vector<Placement> placements;  // in the order in which they were placed
+  std::uint32_t batch_pieces = 0;     // the last placements, which belong to the open batch
+  float batch_worth = 0;              // of the first of them
   std::vector<PooledSample> pool;     // samples ascending, as in the lists below
   std::vector<SampleId> stale;        // target samples to be matched
   std::vector<SamplePasses> passes;

@@ -64,6 +64,11 @@ void Pool::rank_again(Ranked& ranked) {
   ranked.stamp = candidate.stamp;
 }
 
+void Pool::bring_back() {
+  for (const Ranked& ranked : aside_) push(ranked);
+  aside_.clear();
+}
+
 Candidate* Pool::find(const Ranked& ranked) {
   const auto entry = entries_.find(ranked.sample);
   if (entry == entries_.end()) return nullptr;

@@ -55,11 +55,18 @@ class Pool {
   /// Must be called after the candidate's score has changed.
   void rank_again(Ranked& ranked);
 
-  /// Calls visit(ranked, candidate) in descending order of worth(candidate) while it returns true. A candidate's worth
-  /// is at most its score and may only fall while its score stays. The queue corrects its order lazily, when it reaches
-  /// a candidate.
-  template <class Worth, class Visit>
-  void best_first(Worth worth, Visit visit);
+  /// What a visit by best_first() decides.
+  enum class Visit {
+    next,       // visits the next candidate
+    set_aside,  // the same, and does not visit this candidate again before bring_back()
+    last,       // ends
+  };
+  /// Calls visit(ranked, candidate) in descending order of worth(candidate). A candidate's worth is at most its score and
+  /// may only fall while its score stays. The queue corrects its order lazily, when it reaches a candidate.
+  template <class Worth, class Visitor>
+  void best_first(Worth worth, Visitor visit);
+  /// Makes best_first() visit the candidates that were set aside again.
+  void bring_back();
 
  private:
   static bool ranks_after(const Ranked& a, const Ranked& b) { return b < a; }  // order of the queue's heap
@@ -75,7 +82,8 @@ class Pool {
   int widest_ = 0;   // largest width of all reaches up to now, nodes
   int highest_ = 0;
   std::vector<Ranked> queue_;  // heap of upper bounds of worth; entries with an outdated stamp are ignored
-  std::size_t swept_ = 0;      // size of the queue when outdated entries were last removed
+  std::vector<Ranked> aside_;
+  std::size_t swept_ = 0;  // size of the queue when outdated entries were last removed
   std::uint64_t last_stamp_ = 0;
 };
 
@@ -94,11 +102,11 @@ bool Pool::review(SampleId sample, Keep keep) {
   return dropped;
 }
 
-template <class Worth, class Visit>
-void Pool::best_first(Worth worth, Visit visit) {
+template <class Worth, class Visitor>
+void Pool::best_first(Worth worth, Visitor visit) {
   sweep();
   std::vector<Ranked> visited;
-  for (bool more = true; more && !queue_.empty();) {
+  for (Visit then = Visit::next; then != Visit::last && !queue_.empty();) {
     Ranked first = pop();
     const Candidate* candidate = find(first);
     if (candidate == nullptr) continue;
@@ -108,8 +116,8 @@ void Pool::best_first(Worth worth, Visit visit) {
       push(first);
       continue;
     }
-    visited.push_back(first);
-    more = visit(first, *candidate);
+    then = visit(first, *candidate);
+    (then == Visit::set_aside ? aside_ : visited).push_back(first);
   }
   for (const Ranked& ranked : visited) push(ranked);
 }

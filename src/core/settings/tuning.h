@@ -166,6 +166,11 @@ inline constexpr int kFinalistsExamined = 64;       // candidates examined to fi
 inline constexpr float kSameCandidate = 0.07f;      // of the scale: two finalists would look the same
 inline constexpr int kEmptyPasses = 2;  // passes over all samples, with new random dockings, until the region is full
 
+// Batches: the pieces that are placed before candidates are matched again.
+inline constexpr float kBatchWorth = 0.85f;  // of the first piece's worth: the least for another one
+inline constexpr float kBatchClearance =
+    0.5f;  // of the largest piece: least distance between the windows of two pieces
+
 // The first piece of a canvas without edges: shapes are drawn until one can stand, each draw a little smaller.
 inline constexpr std::uint64_t kFirstPieceDraws = 64;
 inline constexpr float kFirstPieceShrink = 0.95f;

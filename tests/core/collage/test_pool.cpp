@@ -87,7 +87,7 @@ TEST(Pool, BestFirstIsTheSortedOrderWhateverHappenedBefore) {
       pool.best_first([&](const Candidate& c) { return c.score * factor[index_of(c.shape)]; },
                       [&](const Pool::Ranked& ranked, const Candidate&) {
                         found.push_back(ranked);
-                        return found.size() < wanted;
+                        return found.size() < wanted ? Pool::Visit::next : Pool::Visit::last;
                       });
       RC_ASSERT(found.size() == std::min(wanted, expected.size()));
       for (std::size_t i = 0; i < found.size(); ++i) {
@@ -121,7 +121,7 @@ TEST(Pool, PutBackElsewhereKeepsTheOrder) {
       of.best_first([](const Candidate& c) { return c.score; },
                     [&](const Pool::Ranked& r, const Candidate& c) {
                       found.emplace_back(r.sample, c.shape, c.source);
-                      return true;
+                      return Pool::Visit::next;
                     });
       return found;
     };
@@ -136,7 +136,10 @@ TEST(Pool, ForgetsOutdatedRankings) {
   const auto best = [&] {
     std::vector<SampleId> samples;
     pool.best_first([](const Candidate& k) { return k.score; },
-                    [&](const Pool::Ranked& r, const Candidate&) { return samples.push_back(r.sample), true; });
+                    [&](const Pool::Ranked& r, const Candidate&) {
+                      samples.push_back(r.sample);
+                      return Pool::Visit::next;
+                    });
     return samples;
   };
   for (int i = 0; i < 5000; ++i) {
@@ -159,9 +162,41 @@ TEST(Pool, IsInOrderAfterASweep) {
   }
   std::vector<float> scores;
   pool.best_first([](const Candidate& c) { return c.score; },
-                  [&](const Pool::Ranked& r, const Candidate&) { return scores.push_back(r.value), true; });
+                  [&](const Pool::Ranked& r, const Candidate&) {
+                    scores.push_back(r.value);
+                    return Pool::Visit::next;
+                  });
   EXPECT_EQ(scores.size(), 1500u);
   EXPECT_TRUE(std::is_sorted(scores.rbegin(), scores.rend()));
+}
+
+/// The rest comes in the same order as without them.
+TEST(Pool, WhatIsSetAsideComesAgainWhenItIsBroughtBack) {
+  EXPECT_TRUE(rc::check([] {
+    Pool pool;
+    for (int i = 0; i < 30; ++i) put_any(pool, 12);
+    const auto stamps = [&](std::uint32_t set_aside) {
+      std::vector<std::uint64_t> found;
+      pool.best_first([](const Candidate& c) { return c.score; },
+                      [&](const Pool::Ranked& r, const Candidate& c) {
+                        if (index_of(c.shape) == set_aside) return Pool::Visit::set_aside;
+                        found.push_back(r.stamp);
+                        return Pool::Visit::next;
+                      });
+      return found;
+    };
+    constexpr std::uint32_t kNone = 99;
+    const std::vector<std::uint64_t> all = stamps(kNone);
+    const std::vector<std::uint64_t> without = stamps(2);
+    RC_ASSERT(stamps(kNone) == without);
+    pool.bring_back();
+    RC_ASSERT(stamps(kNone) == all);
+    std::size_t of_shape = 0;
+    for (const auto& [id, entry] : pool.entries()) {
+      for (const Candidate& c : entry.candidates) of_shape += index_of(c.shape) == 2;
+    }
+    RC_ASSERT(without.size() + of_shape == all.size());
+  }));
 }
 
 TEST(Pool, FindsWhatAChangeReaches) {

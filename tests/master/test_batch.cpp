@@ -1,0 +1,135 @@
+// Batches: the pieces that are placed before anything is matched or measured again.
+#include "master/rules/batch.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "master/filling.h"
+#include "rounds_by_hand.h"
+#include "whole_collage.h"
+
+namespace tessera::master {
+namespace test_batch {
+
+using namespace whole_collage;
+
+CollageSettings small_pieces() {
+  CollageSettings s = settings();
+  s.pieces.min_scale_px = 15;
+  s.pieces.max_scale_px = 40;
+  return s;
+}
+
+const Canvas& wide_canvas() {
+  static const Canvas wide = make_rectangle_canvas(500, 400);
+  return wide;
+}
+
+TEST(Batch, TheFirstPieceDecidesWhatOthersMustBeWorth) {
+  const PeriodicGrid grid(Window{0, 0, 1000, 1000});
+  Batch batch(grid, small_pieces().pieces);
+  EXPECT_FALSE(batch.is_open());
+  EXPECT_EQ(batch.least_worth(), 0);
+  batch.add({0, 0, 10, 10}, 2);
+  batch.add({500, 500, 510, 510}, 1.8f);
+  EXPECT_TRUE(batch.is_open());
+  EXPECT_EQ(batch.pieces(), 2u);
+  EXPECT_FLOAT_EQ(batch.least_worth(), 2 * kBatchWorth);
+  batch.end();
+  EXPECT_FALSE(batch.is_open());
+  EXPECT_EQ(batch.least_worth(), 0);
+}
+
+TEST(Batch, KeepsHalfALargestPieceBetweenWindows) {
+  const PeriodicGrid grid(Window{0, 0, 1000, 1000});
+  Batch batch(grid, small_pieces().pieces);
+  batch.add({100, 100, 150, 140}, 1);
+  batch.add({700, 700, 710, 710}, 1);
+  EXPECT_TRUE(batch.changes({149, 139, 160, 160}));
+  EXPECT_FALSE(batch.changes({150, 139, 160, 160}));
+  EXPECT_TRUE(batch.is_near({169, 100, 200, 140}));
+  EXPECT_FALSE(batch.is_near({170, 100, 200, 140}));
+  EXPECT_TRUE(batch.is_near({729, 690, 760, 720}));
+  EXPECT_FALSE(batch.is_near({730, 690, 760, 720}));
+}
+
+TEST(Batch, SeesWhatIsNearAcrossASeam) {
+  const Canvas canvas = make_seamless_canvas(400, 300, true, true);
+  const FreeField free(canvas, small_pieces().pieces);
+  const Window& period = free.grid().one_period();
+  Batch batch(free.grid(), small_pieces().pieces);
+  batch.add({period.x0, period.y0 + 100, period.x0 + 20, period.y0 + 120}, 1);
+  EXPECT_TRUE(batch.is_near({period.x1 - 30, period.y0 + 100, period.x1 - 10, period.y0 + 120}));
+  EXPECT_FALSE(batch.is_near({period.x1 - 60, period.y0 + 100, period.x1 - 40, period.y0 + 120}));
+}
+
+/// Every piece of a batch stands far from the others and is worth nearly as much as the first. Its terms are those of the
+/// present field, although nothing was measured in between.
+TEST(Batch, ItsPiecesAreGoodAndFarApart) {
+  const CollageSettings s = small_pieces();
+  test::RoundsByHand rounds(wide_canvas(), s, library());
+  test::VectorShapes shapes(library());
+  Collage& collage = rounds.collage();
+  int joined = 0;
+  for (int round = 0; round < 6; ++round) {
+    Candidate best;
+    ASSERT_TRUE(rounds.choose(best));
+    const float first_score = best.score;  // its preference is 1 at most
+    std::vector<Window> stand;
+    do {
+      for (const Window& w : stand) EXPECT_FALSE(w.grown(int(s.pieces.max_scale_px / 4)).overlaps(best.window));
+      stand.push_back(best.window);
+      EXPECT_EQ(best.terms, docking_terms(best.canvas_from_shape, shapes.model(best.shape), collage.free().view(),
+                                          rounds.context()));
+      collage.place(best);
+      EXPECT_TRUE(collage.batch_is_open());
+      ++joined;
+    } while (collage.choose(best) && best.score >= 0);
+    --joined;
+    EXPECT_GT(first_score, 0);
+    collage.rescore(rounds.measure());
+    EXPECT_FALSE(collage.batch_is_open());
+  }
+  EXPECT_GT(joined, 6);
+}
+
+/// What stood too near to join competes again.
+TEST(Batch, WhenItEndsAllCandidatesCountAgain) {
+  test::RoundsByHand rounds(wide_canvas(), small_pieces(), library());
+  Collage& collage = rounds.collage();
+  Candidate best;
+  ASSERT_TRUE(rounds.choose(best));
+  do collage.place(best);
+  while (collage.choose(best));
+  std::vector<DockingTerms> as_before;  // as if the pieces had touched nothing
+  std::map<ShapeId, int> seen;
+  for (const PooledSample& sample : rounds.state().pool) {
+    for (const Candidate& c : sample.candidates) ++seen[c.shape];
+  }
+  ASSERT_FALSE(seen.empty());
+  for (std::size_t i = collage.touched().size(); i > 0; --i) as_before.push_back({.matched_px = 1e4f});
+  ASSERT_FALSE(as_before.empty());
+  collage.rescore(as_before);
+  EXPECT_TRUE(collage.choose(best));
+}
+
+/// A batch lasts until nothing may join, with one question for all that its pieces touch.
+TEST(Batch, ALargeCanvasNeedsFewRounds) {
+  const CollageResult result = run(wide_canvas(), small_pieces());
+  EXPECT_GT(result.placements.size(), 60u);
+  EXPECT_LT(double(result.statistics.rounds), 0.7 * double(result.placements.size()));
+  EXPECT_GT(quality(wide_canvas(), result).coverage, 0.7);
+}
+
+/// With one piece a round a canvas without room for two looks the same.
+TEST(Batch, HasOnePieceWhereThereIsNoRoomForMore) {
+  const Canvas small = make_rectangle_canvas(90, 70);
+  CollageSettings s = settings();
+  s.pieces.min_scale_px = 20;
+  const CollageResult result = run(small, s);
+  EXPECT_EQ(result.statistics.rounds, result.placements.size());
+}
+
+}  // namespace test_batch
+}  // namespace tessera::master
