@@ -29,7 +29,7 @@ struct Scene {
   Scene() {
     const OpenedField opened(free, settings.pieces);
     TargetCurve curve(settings.pieces, settings.match.pad);
-    curve.retrace(opened, free.field().origin, free.field().value.bounds());
+    curve.retrace(opened, free.field().origin, {free.field().value.bounds()});
     for (const SampleId id : curve.samples()) {
       if (samples.size() < kSamples) samples.push_back(curve.sample(id));
     }

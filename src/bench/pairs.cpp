@@ -55,7 +55,7 @@ void set_scene(PairScene& scene, const std::vector<Shape>& laid, std::size_t sam
   lay_grid(free, laid, size_px);
   const OpenedField opened(free, scene.settings.pieces);
   TargetCurve curve(scene.settings.pieces, scene.settings.match.pad);
-  curve.retrace(opened, free.field().origin, free.field().value.bounds());
+  curve.retrace(opened, free.field().origin, {free.field().value.bounds()});
   for (const SampleId id : curve.samples()) {
     if (scene.samples.size() < samples) scene.samples.push_back(curve.sample(id));
   }

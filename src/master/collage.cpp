@@ -84,7 +84,7 @@ Collage::Collage(const Canvas& canvas, const CollageSettings& settings, const Ma
       schedule_(free_, curve_, growth_),
       batch_(free_.grid(), settings_.pieces) {
   note_changed(free_.field().value.bounds());
-  retrace(free_.field().value.bounds());
+  retrace({free_.field().value.bounds()});
   update_open_shapes();
 }
 
@@ -100,7 +100,8 @@ std::vector<ShapeId> Collage::shut_out_shapes() const {
   return apart_.shut_out(context().library_shapes, [this](const auto& holds) { return curve_.any_position(holds); });
 }
 
-/// Updates the open shapes, which follow from the placements alone, and drops candidates that may no longer stand.
+/// Updates the open shapes, which follow from the placements alone, and drops candidates that may no longer stand. It
+/// looks at the whole library, so within a batch only jobs that limit uses call it.
 void Collage::update_open_shapes() {
   if (!scoring_.limits_uses() && !apart_.matters()) return;
   if (!open_shapes_.update(shut_out_shapes(), double(free_.free_256ths_px2()) / 256)) return;
@@ -152,19 +153,26 @@ void Collage::add_candidates(const std::vector<TargetSample>& samples, const Mat
 
 void Collage::place(const Candidate& candidate) {
   const float worth_now = worth(candidate);
-  const Shape& shape = shapes_.shape(candidate.shape);
   placements_.push_back({candidate.shape, candidate.canvas_from_shape, candidate.score, candidate.terms.matched_px});
-  outlines_.add(placements_.back(), shape.outline, line_radius(shape.field, shape.perimeter));
-  scoring_.count(placements_.back());
-  apart_.add(placements_.back());
-  covered_px2_ += area_px2(placements_.back());
-  const Window changed = free_.stamp(shape, candidate.canvas_from_shape);
-  note_changed(changed);
-  retrace(changed);
+  add_to_batch(placements_.back(), worth_now);
   drop_candidates_near(placements_.back());
-  update_open_shapes();
-  batch_.add(touched_window(shape, candidate.canvas_from_shape), worth_now);
+  if (scoring_.limits_uses()) update_open_shapes();
 }
+
+/// Adds the piece to what stands, but for the target curve, which merge_batch() brings up to date.
+void Collage::add_to_batch(const Placement& piece, float worth) {
+  const Shape& shape = shapes_.shape(piece.shape);
+  outlines_.add(piece, shape.outline, line_radius(shape.field, shape.perimeter));
+  scoring_.count(piece);
+  apart_.add(piece);
+  covered_px2_ += area_px2(piece);
+  const Window stamped = free_.stamp(shape, piece.canvas_from_shape);
+  note_changed(stamped);
+  checks_.forget(stamped);
+  batch_.add(touched_window(shape, piece.canvas_from_shape), stamped, worth);
+}
+
+void Collage::merge_batch() { retrace(batch_.stamped()); }
 
 /// The nodes within which a piece changes the terms of candidates.
 Window Collage::touched_window(const Shape& shape, const Similarity& canvas_from_shape) const {
@@ -184,13 +192,14 @@ Window Collage::replace_placements(std::vector<Placement> placements) {
     covered_px2_ += area_px2(p);
   }
   pool_ = {};
-  batch_.end();
   checks_.forget_all();
   schedule_.clear();
   curve_.set_matched_pads({});
-  const Window restamped = restamp(changed);
-  note_changed(restamped);
-  retrace(restamped);
+  std::vector<Window> renewed = batch_.stamped();
+  renewed.push_back(restamp(changed));
+  batch_.end();
+  note_changed(renewed.back());
+  retrace(renewed);
   update_open_shapes();
   Window window;
   for (const Placement& p : changed) {
@@ -222,10 +231,11 @@ Window Collage::stamp_window(const Placement& p) {
   return free_.stamp_window(shapes_.shape(p.shape), p.canvas_from_shape);
 }
 
-void Collage::retrace(const Window& changed) {
-  const Window window = opened_.update(free_, changed);
-  checks_.forget(window);
-  const TargetCurve::Change change = curve_.retrace(opened_, free_.field().origin, window);
+/// Brings opened field, target curve, pool and schedule up to date with these nodes of the free field.
+void Collage::retrace(const std::vector<Window>& changed) {
+  const std::vector<Window> windows = opened_.update(free_, changed);
+  for (const Window& window : windows) checks_.forget(window);
+  const TargetCurve::Change change = curve_.retrace(opened_, free_.field().origin, windows);
   for (const SampleId id : change.removed) pool_.erase(id);
   for (const SampleId id : change.renewed) pool_.erase(id);
   schedule_.follow(change);
@@ -235,25 +245,22 @@ bool Collage::keeps_apart(const Candidate& candidate) {
   return apart_.may_stand(candidate.shape, candidate.canvas_from_shape, candidate.radius);
 }
 
+/// Drops candidates that are too near to the placed piece, which is their like.
 void Collage::drop_candidates_near(const Placement& placement) {
   if (!apart_.concerns(placement.shape)) return;
-  const auto may_stay = [&](const Candidate& c) {
-    return !apart_.are_like(c.shape, placement.shape) || keeps_apart(c);
-  };
-  std::vector<SampleId> ids;
-  for (const auto& [id, entry] : pool_.entries()) {
-    if (!std::all_of(entry.candidates.begin(), entry.candidates.end(), may_stay)) ids.push_back(id);
-  }
-  for (const SampleId id : ids) review(id, may_stay);
+  const int reach = int(std::ceil(apart_.distance_px(placement.shape)));
+  const Window near = touched_window(shapes_.shape(placement.shape), placement.canvas_from_shape).grown(reach);
+  for (const SampleId id : pooled_near({near}))
+    review(id, [&](const Candidate& c) { return !apart_.are_like(c.shape, placement.shape) || keeps_apart(c); });
 }
 
-/// The target samples that may have candidates which the pieces of the batch touch.
-std::set<SampleId> Collage::touched_samples() const {
+/// The target samples that may have candidates whose windows overlap images of these windows.
+std::set<SampleId> Collage::pooled_near(const std::vector<Window>& windows) const {
   const PeriodicGrid& grid = free_.grid();
+  const bool repeats = grid.period().repeats();
   std::set<SampleId> near;
-  for (const Window& changed : batch_.changed()) {
-    const bool repeats = grid.period().repeats();
-    for (const Window& image : repeats ? grid.images(changed, grid.nodes()) : std::vector{changed}) {
+  for (const Window& window : windows) {
+    for (const Window& image : repeats ? grid.images(window, grid.nodes()) : std::vector{window}) {
       const std::vector<SampleId> reached = pool_.reached_by(image);
       near.insert(reached.begin(), reached.end());
     }
@@ -263,20 +270,27 @@ std::set<SampleId> Collage::touched_samples() const {
 
 std::vector<Docking> Collage::touched() const {
   std::vector<Docking> touched;
-  for (const SampleId id : touched_samples()) {
+  for (const SampleId id : pooled_near(batch_.touched())) {
     for (const Candidate& c : pool_.entries().at(id).candidates) {
-      if (!batch_.changes(c.window)) continue;
-      touched.push_back({0, c.shape, c.source, c.stance, 0, c.canvas_from_shape});
+      if (batch_.touches(c.window)) touched.push_back({0, c.shape, c.source, c.stance, 0, c.canvas_from_shape});
     }
   }
   return touched;
 }
 
-void Collage::rescore(const std::vector<DockingTerms>& terms) {
+std::vector<DockingTerms> Collage::measure(const std::vector<Docking>& dockings) {
+  std::vector<DockingTerms> terms;
+  for (const Docking& docking : dockings) {
+    terms.push_back(docking_terms(docking.canvas_from_shape, shapes_.model(docking.shape), free_.view(), context()));
+  }
+  return terms;
+}
+
+void Collage::end_batch(const std::vector<DockingTerms>& terms) {
   auto measured = terms.begin();
-  for (const SampleId id : touched_samples()) {
+  for (const SampleId id : pooled_near(batch_.touched())) {
     review(id, [&](Candidate& c) {
-      if (!batch_.changes(c.window)) return true;
+      if (!batch_.touches(c.window)) return true;
       if (measured == terms.end()) throw std::logic_error("fewer candidates were measured than touched");
       c.terms = *measured++;
       if (!acceptable(c)) return false;
@@ -287,6 +301,7 @@ void Collage::rescore(const std::vector<DockingTerms>& terms) {
   }
   batch_.end();
   pool_.bring_back();
+  update_open_shapes();
 }
 
 /// Drops the candidates of a sample that `keep` refuses. Where few are left and matching had found more, the sample is

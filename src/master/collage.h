@@ -75,15 +75,23 @@ class Collage {
   /// candidate.
   bool choose(Candidate& best, const StopCheck& check_stop = never_stop);
 
-  /// Merges the candidate: places it, takes it out of the free region and updates the target curve. The piece belongs to the
-  /// open batch, or opens one.
+  /// Places the candidate: takes it out of the free region. The piece joins the open batch, or opens one.
   void place(const Candidate& candidate);
-  /// Whether pieces were placed since rescore().
+  /// Whether pieces were placed since end_batch().
   bool batch_is_open() const { return batch_.is_open(); }
+
+  // The end of a batch, in three steps:
+
+  /// Brings the target curve up to date with the pieces of the batch. The samples that this renewed are to be matched.
+  void merge_batch();
   /// The candidates that the pieces of the batch touch.
   std::vector<Docking> touched() const;
-  /// Ends the batch: gives the candidates of touched() their new terms, which come in the same order.
-  void rescore(const std::vector<DockingTerms>& terms);
+  /// Gives the candidates of touched() their new terms, which come in the same order.
+  void end_batch(const std::vector<DockingTerms>& terms);
+
+  /// The terms of these candidates, computed by the master where the matcher no longer answers. They agree with the
+  /// matcher's to the bit.
+  std::vector<DockingTerms> measure(const std::vector<Docking>& dockings);
 
   /// Makes the collage one of `placements`, which may lack some of the present pieces and hold new ones. Forgets the pool
   /// and the samples that wait for matching, but for samples that the change renewed: so what comes next follows from the
@@ -131,15 +139,16 @@ class Collage {
   Window stamp_window(const Placement& placement);
   Window touched_window(const Shape& shape, const Similarity& canvas_from_shape) const;
   void note_changed(const Window& nodes);
+  void add_to_batch(const Placement& piece, float worth);
   Window restamp(const std::vector<Placement>& changed);
   void update_open_shapes();
   bool keeps_apart(const Candidate& candidate);
   std::vector<ShapeId> shut_out_shapes() const;
   void drop_candidates_near(const Placement& placement);
-  std::set<SampleId> touched_samples() const;
+  std::set<SampleId> pooled_near(const std::vector<Window>& windows) const;
   template <class Keep>
   void review(SampleId id, Keep keep);
-  void retrace(const Window& changed);
+  void retrace(const std::vector<Window>& changed);
   std::uint64_t rebuilt_digest() const;
 
   CollageSettings settings_;

@@ -160,22 +160,25 @@ void Collage::save(CheckpointState& state) const {
   state.rebuilt_digest = rebuilt_digest();
 }
 
+/// Target curve, pool and schedule are those before the open batch.
 void Collage::restore(const CheckpointState& state) {
   const StateChecks checks(state, settings_, open_shapes_, free_);
   checks.check_pieces();
-  replace_placements(state.placements);
+  const auto first_of_batch = state.placements.end() - std::ptrdiff_t(state.batch_pieces);
+  replace_placements({state.placements.begin(), first_of_batch});
   checks.check_samples(curve_);
+  for (auto piece = first_of_batch; piece != state.placements.end(); ++piece) {
+    placements_.push_back(*piece);
+    add_to_batch(*piece, state.batch_worth);
+  }
   if (rebuilt_digest() != state.rebuilt_digest) {
     fail(state, "its pieces leave another free region than the saved one");
   }
   for (const PooledSample& sample : state.pool) pool_.put_back(sample.id, sample.candidates, sample.truncated);
   schedule_.restore(state);
-  for (std::size_t i = placements_.size() - state.batch_pieces; i < placements_.size(); ++i) {
-    const Placement& piece = placements_[i];
-    batch_.add(touched_window(shapes_.shape(piece.shape), piece.canvas_from_shape), state.batch_worth);
-  }
   curve_.set_matched_pads(state.matched);
-  changed_nodes_ = free_.field().value.bounds();
+  if (scoring_.limits_uses()) update_open_shapes();
+  changed_nodes_ = {free_.field().value.bounds()};
 }
 
 std::uint64_t Collage::rebuilt_digest() const {

@@ -1,6 +1,7 @@
 // Rounds: place_one() comes first, then its steps: match, choose and merge.
 #include "master/filling.h"
 
+#include <optional>
 #include <utility>
 
 #include "core/base/processor_time.h"
@@ -50,17 +51,28 @@ bool Filling::find(Candidate& best) {
   }
 }
 
+/// An interruption before the merge leaves the batch open. Afterwards the master itself measures the candidates, so that the
+/// batch ends before the interruption is thrown on.
 void Filling::end_batch() {
   if (!collage_.batch_is_open()) return;
   Stopwatch watch;
   send_changes();
+  collage_.merge_batch();
   const std::vector<Docking> touched = collage_.touched();
   statistics_->merge_s += watch.lap();
-  matcher_.post_measure(touched);
-  const std::vector<DockingTerms> terms = matcher_.take_measure();
+  std::vector<DockingTerms> terms;
+  std::optional<Interrupted> interrupted;
+  try {
+    matcher_.post_measure(touched);
+    terms = matcher_.take_measure();
+  } catch (const Interrupted& interruption) {
+    interrupted = interruption;
+    terms = collage_.measure(touched);
+  }
   statistics_->dock_s += watch.lap();
-  collage_.rescore(terms);
+  collage_.end_batch(terms);
   statistics_->merge_s += watch.lap();
+  if (interrupted) throw *interrupted;
 }
 
 void Filling::match_samples() {

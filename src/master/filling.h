@@ -25,11 +25,11 @@ class Filling {
   /// begins another batch with the best piece. Where no candidate of the pool fits, it matches the region's samples again
   /// with other random dockings. Where a wide gap is left, one of these passes keeps the dockings that were drawn first. At
   /// last it searches wide gaps for a pose that holds a piece of the smallest size. False when that finds nothing either.
-  /// Throws Interrupted where the matcher or `check_stop` does. It then undoes the question, so that the collage can be
-  /// saved.
+  /// Throws Interrupted where the matcher or `check_stop` does. It then undoes the question, or ends the batch, so that the
+  /// collage can be saved.
   bool place_one();
-  /// Ends the batch, if one is open: the next piece begins another. It measures the candidates that the pieces of the batch
-  /// touch. Where the matcher throws Interrupted, the batch stays open.
+  /// Ends the batch, if one is open: the next piece begins another. It brings the target curve up to date and measures the
+  /// candidates that the pieces of the batch touch.
   void end_batch();
 
   /// The number of times the region's samples were matched again since the last piece. The collage's checkpoint holds it, because an

@@ -53,7 +53,7 @@ void stamp_ring(FreeField& free, const std::vector<Shape>& shapes) {
 std::vector<TargetSample> samples_of(const FreeField& free, const CollageSettings& settings) {
   const OpenedField opened(free, settings.pieces);
   TargetCurve curve(settings.pieces, settings.match.pad);
-  curve.retrace(opened, free.field().origin, opened.contour().bounds());
+  curve.retrace(opened, free.field().origin, {opened.contour().bounds()});
   const std::vector<SampleId> ids = curve.samples();
   const std::size_t count = std::min(ids.size(), kMostSamples);
   std::vector<TargetSample> samples;

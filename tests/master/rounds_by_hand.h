@@ -32,7 +32,12 @@ class RoundsByHand {
   /// Places the piece in a batch of its own.
   void place(const Candidate& piece) {
     collage_.place(piece);
-    collage_.rescore(measure());
+    end_batch();
+  }
+
+  void end_batch() {
+    collage_.merge_batch();
+    collage_.end_batch(measure());
   }
 
   std::vector<DockingTerms> measure(const std::vector<Docking>& dockings) {

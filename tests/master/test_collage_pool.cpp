@@ -47,13 +47,14 @@ TEST_F(CollagePool, ASampleThatIsRenewedLosesItsCandidatesAndIsMatchedAgain) {
   for (int round = 0; round < kRounds && rounds_.choose(best); ++round) {
     const Samples pooled_before = samples_of(rounds_.state().pool);
     collage_.place(best);
+    collage_.merge_batch();
     const CheckpointState after = rounds_.state();
     const Samples pooled = samples_of(after.pool);
     for (const SampleId id : after.stale) {
       EXPECT_FALSE(pooled.contains(id)) << edge_number(id);
       renewed += pooled_before.contains(id);
     }
-    collage_.rescore(rounds_.measure());
+    collage_.end_batch(rounds_.measure());
   }
   EXPECT_GT(renewed, 20) << "the test needs samples that had candidates";
 }
@@ -92,9 +93,8 @@ TEST_F(CollagePool, ASampleThatIsGoneIsNotMatchedAgain) {
   Candidate best;
   for (int round = 0; round < kRounds && rounds_.choose(best); ++round) {
     collage_.schedule().mark(collage_.free().field().value.bounds());
-    collage_.place(best);
+    rounds_.place(best);
     EXPECT_EQ(rounds_.state().stale.size(), collage_.open_samples());
-    collage_.rescore(rounds_.measure());
   }
 }
 
@@ -133,6 +133,7 @@ TEST_F(CollagePool, WhatIsMeasuredAgainIsScoredAgainAndCheckedAgain) {
   Candidate best;
   for (int round = 0; round < kRounds && rounds_.choose(best); ++round) {
     collage_.place(best);
+    collage_.merge_batch();
     const std::map<Name, Candidate> before = candidates_by_name(rounds_.state());
     const std::vector<Docking> touched = collage_.touched();
     const std::vector<DockingTerms> terms = rounds_.measure(touched);
@@ -140,7 +141,7 @@ TEST_F(CollagePool, WhatIsMeasuredAgainIsScoredAgainAndCheckedAgain) {
     for (std::size_t i = 0; i < touched.size(); ++i) {
       measured[name_of(touched[i].shape, touched[i].source, touched[i].canvas_from_shape)] = terms[i];
     }
-    collage_.rescore(terms);
+    collage_.end_batch(terms);
     for (const auto& [name, c] : candidates_by_name(rounds_.state())) {
       const Candidate& then = before.at(name);
       if (!measured.contains(name)) {
@@ -165,8 +166,9 @@ TEST_F(CollagePool, WhatIsNotTouchedIsStillTrue) {
   Candidate best;
   for (int round = 0; round < kRounds && rounds_.choose(best); ++round) {
     collage_.place(best);
+    collage_.merge_batch();
     const std::size_t touched = collage_.touched().size();
-    collage_.rescore(rounds_.measure());
+    collage_.end_batch(rounds_.measure());
     std::vector<Docking> all;
     std::vector<DockingTerms> expected;
     for (const PooledSample& sample : rounds_.state().pool) {
@@ -187,10 +189,11 @@ TEST_F(CollagePool, ASampleIsMatchedAgainWhenItHasLessThanTwoLeftAndThereWereMor
   Candidate best;
   for (int round = 0; round < kRounds && rounds_.choose(best); ++round) {
     collage_.place(best);
+    collage_.merge_batch();
     const CheckpointState before = rounds_.state();
     std::vector<DockingTerms> terms = rounds_.measure();
     for (std::size_t i = 0; i < terms.size(); i += 2) terms[i].overlap_px2 = 1e9f;  // gives up every other candidate
-    collage_.rescore(terms);
+    collage_.end_batch(terms);
     const CheckpointState after = rounds_.state();
     Samples expected(before.stale.begin(), before.stale.end());
     ASSERT_EQ(after.pool.size(), before.pool.size());

@@ -44,8 +44,9 @@ std::vector<Placement> placed_in_rounds(const Canvas& canvas, int rounds, bool c
     if (!collage.choose(best)) break;
     collage.place(best);
     matcher.update_field(read_patch(field.value, field.value.bounds()));
+    collage.merge_batch();
     matcher.post_measure(collage.touched());
-    collage.rescore(matcher.take_measure());
+    collage.end_batch(matcher.take_measure());
   }
   return collage.placements();
 }

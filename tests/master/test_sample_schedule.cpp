@@ -11,7 +11,7 @@ namespace test_sample_schedule {
 /// A schedule for the boundary of an empty canvas.
 class SampleScheduleTest : public testing::Test {
  protected:
-  SampleScheduleTest() { schedule_.follow(curve_.retrace(opened_, free_.field().origin, all_)); }
+  SampleScheduleTest() { schedule_.follow(curve_.retrace(opened_, free_.field().origin, {all_})); }
 
   std::vector<std::uint32_t> passes_taken() {
     std::vector<std::uint32_t> passes;
@@ -116,7 +116,7 @@ TEST(SampleSchedule, NoSampleCountsWherePiecesMayNotDock) {
     std::optional<OutwardGrowth> growth;
     if (outward) growth.emplace(canvas, pieces, std::vector<Placement>{}, none);
     SampleSchedule schedule(free, curve, growth);
-    curve.retrace(opened, free.field().origin, free.field().value.bounds());
+    curve.retrace(opened, free.field().origin, {free.field().value.bounds()});
     schedule.mark(free.field().value.bounds());
     EXPECT_EQ(schedule.take().empty(), outward);
     EXPECT_EQ(schedule.any_may_dock(), !outward);

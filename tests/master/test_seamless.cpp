@@ -225,7 +225,7 @@ TEST(Seamless, ExactAreasAreThoseOfTheFieldAsItIs) {
   candidate.canvas_from_shape = {60, 0, 10, 90};
   checks.compute_ahead(candidate);
   EXPECT_EQ(checks.areas(candidate).overlap_px2, 0);
-  checks.forget(opened.update(free, free.stamp(library()[4], {60, 0, 225, 90})));
+  checks.forget(opened.update(free, {free.stamp(library()[4], {60, 0, 225, 90})}).front());
   EXPECT_GT(checks.areas(candidate).overlap_px2, 500);
 }
 

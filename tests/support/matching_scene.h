@@ -78,7 +78,7 @@ inline void stamp_shapes(FreeField& free, const std::vector<Shape>& shapes, int 
 inline std::vector<TargetSample> trace_samples(const FreeField& free, const CollageSettings& settings, int most) {
   const OpenedField opened(free, settings.pieces);
   TargetCurve curve(settings.pieces, settings.match.pad);
-  curve.retrace(opened, free.field().origin, opened.contour().bounds());
+  curve.retrace(opened, free.field().origin, {opened.contour().bounds()});
   const std::vector<SampleId> ids = curve.samples();
   const std::size_t count = std::min(ids.size(), std::size_t(most));
   std::vector<TargetSample> samples;

@@ -30,8 +30,9 @@ master::CollageResult make_collage_afresh(const Canvas& canvas, const CollageSet
     if (collage.choose(best)) {
       collage.place(best);
       send_field();
+      collage.merge_batch();
       matcher.post_measure(collage.touched());
-      collage.rescore(matcher.take_measure());
+      collage.end_batch(matcher.take_measure());
       empty = 0;
     } else {
       ++empty;

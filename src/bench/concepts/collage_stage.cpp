@@ -82,7 +82,7 @@ TracedTarget::TracedTarget(const FreeField& free, const CollageSettings& setting
 }
 
 TargetCurve::Change TracedTarget::update(const FreeField& free, const Window& changed) {
-  return curve.retrace(opened, free.field().origin, opened.update(free, changed));
+  return curve.retrace(opened, free.field().origin, opened.update(free, {changed}));
 }
 
 std::vector<TargetSample> TracedTarget::samples() const {

@@ -27,7 +27,7 @@ TargetStretches::TargetStretches(const PieceSettings& pieces) : pieces_(without_
 void TargetStretches::trace(const CanvasField& free) {
   const OpenedField opened(FreeField(canvas_of(free), pieces_), pieces_);
   curve_.emplace(target_sigma_px(pieces_));
-  curve_->retrace(opened.contour(), opened.grid(), free.origin, opened.contour().bounds());
+  curve_->retrace(opened.contour(), opened.grid(), free.origin, {opened.contour().bounds()});
 }
 
 /// The vertices after `from` that are nearer to it than `length_px` along the curve. Nullopt where the walk meets
@@ -37,7 +37,7 @@ std::optional<std::vector<int>> TargetStretches::walk(int from, float length_px,
   float walked_px = 0;
   for (int at = from;;) {
     const int next = forward ? curve_->vertex(at).next : curve_->vertex(at).previous;
-    walked_px += curve_->measured(forward ? at : next).edge_after;
+    walked_px += curve_->vertex(forward ? at : next).edge_after;
     if (walked_px >= length_px) return passed;
     if (next == last) return std::nullopt;
     passed.push_back(next);
@@ -54,9 +54,9 @@ std::vector<Vec2> TargetStretches::around(const TargetSample& sample, int level)
   const auto left = walk(middle, sample.pyramid.left[at], false, right->empty() ? middle : right->back());
   if (!left) return {};
   std::vector<Vec2> stretch;
-  for (auto v = left->rbegin(); v != left->rend(); ++v) stretch.push_back(curve_->measured(*v).smooth);
-  stretch.push_back(curve_->measured(middle).smooth);
-  for (const int v : *right) stretch.push_back(curve_->measured(v).smooth);
+  for (auto v = left->rbegin(); v != left->rend(); ++v) stretch.push_back(curve_->vertex(*v).smooth);
+  stretch.push_back(curve_->vertex(middle).smooth);
+  for (const int v : *right) stretch.push_back(curve_->vertex(v).smooth);
   return stretch;
 }
 

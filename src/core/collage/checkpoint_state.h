@@ -1,4 +1,4 @@
-// The state of the collage's loop between two rounds or trials, as far as it does not follow from job, library and
+// The state of the collage's loop between two pieces or trials, as far as it does not follow from job, library and
 // canvas. Free field, target curve, poses and covered area are rebuilt from the placements and are not part of it.
 #pragma once
 
@@ -50,10 +50,10 @@ struct CheckpointState {
   std::uint64_t begun_with = 0;       // digest of the pieces that the job gives
   int empty_passes = 0;               // while filling: how often all samples were matched again since the last piece
   std::vector<Placement> placements;  // in the order in which they were placed
-  std::uint32_t batch_pieces = 0;     // the last placements, which belong to the open batch
-  float batch_worth = 0;              // of the first of them
-  std::vector<PooledSample> pool;     // samples ascending, as in the lists below
-  std::vector<SampleId> stale;        // target samples to be matched
+  std::uint32_t batch_pieces = 0;  // the last placements, which belong to the open batch; the curve does not know them
+  float batch_worth = 0;           // of the first of them
+  std::vector<PooledSample> pool;  // samples ascending, as in the lists below
+  std::vector<SampleId> stale;     // target samples to be matched
   std::vector<SamplePasses> passes;
   std::vector<MatchedPad> matched;
   RunStatistics statistics;          // up to now, with the loop's trials and times; stopped_by is empty

@@ -38,6 +38,12 @@ float with_rounding_margin(float needed_px) {
 /// The box of a piece that was taken out: near to nothing.
 constexpr Box kNowhere{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
 
+bool is_anywhere(const Box& box) { return box.low.x <= box.high.x; }
+
+TileIndex::Tile tile_of(const Box& box) {
+  return TileIndex::tile_at(int(std::floor(box.low.x)), int(std::floor(box.low.y)));
+}
+
 bool within(const Box& box, Vec2 p) {
   return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
 }
@@ -121,7 +127,29 @@ PlacedOutlines::PlacedOutlines(const FreeField& free, const PieceSettings& piece
 
 void PlacedOutlines::add(const Placement& placement, const Outline& outline, float line_radius) {
   const auto placed = std::make_shared<PolygonIndex>(placed_outline(outline, placement.canvas_from_shape));
-  placed_.push_back({placement, placed, placed->box(), line_radius});
+  placed_.push_back({placement, placed, kNowhere, line_radius});
+  set_box(placed_.size() - 1, placed->box());
+}
+
+void PlacedOutlines::set_box(std::size_t index, const Box& box) {
+  Box& known = placed_[index].box;
+  if (is_anywhere(known)) index_.erase(tile_of(known), std::uint32_t(index));
+  known = box;
+  if (!is_anywhere(box)) return;
+  index_.insert(tile_of(box), std::uint32_t(index));
+  largest_px_ = {std::max(largest_px_.x, box.width()), std::max(largest_px_.y, box.height())};
+}
+
+std::vector<std::size_t> PlacedOutlines::near(const Box& piece, float reach_px) const {
+  const auto below = [](float at) { return int(std::floor(at)); };
+  const Window corners{below(piece.low.x - largest_px_.x - reach_px), below(piece.low.y - largest_px_.y - reach_px),
+                       below(piece.high.x + reach_px) + 1, below(piece.high.y + reach_px) + 1};
+  std::vector<std::size_t> found;
+  index_.each(corners, [&](std::uint32_t i) {
+    if (within_reach(piece, placed_[i].box, reach_px)) found.push_back(i);
+  });
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 float PlacedOutlines::required_distance_px(float needed_px, float line_radius_px) {
@@ -132,12 +160,12 @@ void PlacedOutlines::move(std::size_t index, const Similarity& canvas_from_shape
   Placed& placed = placed_[index];
   placed.placement.canvas_from_shape = canvas_from_shape;
   placed.outline = std::make_shared<PolygonIndex>(placed_outline(outline, canvas_from_shape));
-  placed.box = placed.outline->box();
+  set_box(index, placed.outline->box());
 }
 
 void PlacedOutlines::take_out(std::size_t index) {
   placed_[index].outline.reset();
-  placed_[index].box = kNowhere;
+  set_box(index, kNowhere);
 }
 
 void PlacedOutlines::replace(const std::vector<Placement>& placements, ShapeSource& shapes) {
@@ -146,6 +174,7 @@ void PlacedOutlines::replace(const std::vector<Placement>& placements, ShapeSour
     if (placed.outline) known.emplace(key_of(placed.placement), placed);
   }
   placed_.clear();
+  index_ = {};
   for (const Placement& p : placements) {
     const auto found = known.find(key_of(p));
     if (found == known.end()) {
@@ -154,6 +183,8 @@ void PlacedOutlines::replace(const std::vector<Placement>& placements, ShapeSour
     } else {
       placed_.push_back(found->second);
       placed_.back().placement = p;
+      placed_.back().box = kNowhere;
+      set_box(placed_.size() - 1, found->second.box);
     }
   }
 }
@@ -203,11 +234,6 @@ bool PlacedOutlines::holds_a_zone(const PolygonIndex& piece, float needed_px) co
   return false;
 }
 
-bool PlacedOutlines::any_near(const Box& piece, float reach_px) const {
-  return std::any_of(placed_.begin(), placed_.end(),
-                     [&](const Placed& placed) { return within_reach(piece, placed.box, reach_px); });
-}
-
 /// Tests the box: a piece longer than the period may not stand, even if it could pass its own image.
 bool PlacedOutlines::reaches_itself(const Box& piece) const {
   const Period& period = free_.grid().period();
@@ -220,8 +246,8 @@ void PlacedOutlines::add_neighbours(const Shape& shape, const Similarity& canvas
                                     float needed_px, std::vector<Vec2>& ways) const {
   const PieceDistance distance(shape, canvas_from_shape, 0);
   const FieldView free = free_.view();
-  for (const Placed& placed : placed_) {
-    if (!within_reach(piece.box(), placed.box, std::max(needed_px, 0.f))) continue;
+  for (const std::size_t i : near(piece.box(), std::max(needed_px, 0.f))) {
+    const Placed& placed = placed_[i];
     const PolygonIndex& other = *placed.outline;
     const auto in_others = [&](Vec2 p) { return field_value(free, p) < kSuspect_px; };
     const auto in_piece = [&](Vec2 p) { return distance.at(p) < kSuspect_px; };
@@ -250,7 +276,7 @@ std::vector<Vec2> PlacedOutlines::conflicts(const Shape& shape, const Similarity
   std::vector<Vec2> ways;
   add_neighbours(shape, canvas_from_shape, piece, needed_px, ways);
   for (const Vec2 offset : free_.grid().period().offsets()) {
-    if (offset == Vec2{} || !any_near({piece.box().low + offset, piece.box().high + offset}, reach_px)) continue;
+    if (offset == Vec2{} || near({piece.box().low + offset, piece.box().high + offset}, reach_px).empty()) continue;
     const Similarity image = moved(canvas_from_shape, offset);
     add_neighbours(shape, image, PolygonIndex(placed_outline(shape.outline, image)), needed_px, ways);
   }
@@ -278,11 +304,12 @@ std::vector<Vec2> PlacedOutlines::conflicts_with_others(std::size_t index, const
   for (const Vec2 offset : free_.grid().period().offsets()) {
     const bool own_place = offset == Vec2{};
     const Box box{piece.box().low + offset, piece.box().high + offset};
-    if (!own_place && !any_near(box, reach_px)) continue;
+    const std::vector<std::size_t> others = near(box, reach_px);
+    if (!own_place && others.empty()) continue;
     std::optional<PolygonIndex> image;
     if (!own_place) image.emplace(moved(piece.outline(), offset));
-    for (std::size_t i = 0; i < placed_.size(); ++i) {
-      if ((own_place && i == index) || !within_reach(box, placed_[i].box, reach_px)) continue;
+    for (const std::size_t i : others) {
+      if (own_place && i == index) continue;
       const auto in_piece = [&](Vec2 p) { return distance_px(index, p - offset) < kSuspectPlaced_px; };
       const auto in_other = [&](Vec2 p) { return distance_px(i, p) < kSuspectPlaced_px; };
       const float needed_px = with_rounding_margin(required_distance_px(own_needed_px, placed_[i].line_radius_px()));

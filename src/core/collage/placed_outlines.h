@@ -2,6 +2,7 @@
 // may stand beside them: polygon against polygon, where fields and boundary points only estimate.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "core/collage/placement.h"
 #include "core/field/free_field.h"
 #include "core/geometry/polygon_index.h"
+#include "core/geometry/tile_index.h"
 #include "core/settings/settings.h"
 #include "core/shape/shape_source.h"
 
@@ -64,7 +66,9 @@ class PlacedOutlines {
   template <class InPiece, class InOther>
   void add_ways(const PolygonIndex& piece, InPiece in_piece, const PolygonIndex& other, InOther in_other,
                 float needed_px, std::vector<Vec2>& ways) const;
-  bool any_near(const Box& piece, float reach_px) const;
+  /// The pieces whose boxes are within reach of this box, in the order in which they were added.
+  std::vector<std::size_t> near(const Box& piece, float reach_px) const;
+  void set_box(std::size_t index, const Box& box);
   bool reaches_itself(const Box& piece) const;
   static bool too_near(const PolygonIndex& piece, const PolygonIndex& other, float needed_px, Vec2& way);
   bool too_near_the_edge(const PolygonIndex& piece, float needed_px, Vec2& way) const;
@@ -73,6 +77,8 @@ class PlacedOutlines {
   const FreeField& free_;
   float needed_px_;  // between the boundaries; negative: largest depth of one in the other
   std::vector<Placed> placed_;
+  TileIndex index_;        // of placed_, by the lower corner of the box, canvas px
+  Vec2 largest_px_{0, 0};  // width and height that no box has exceeded
 };
 
 }  // namespace tessera

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/base/rank_pool.h"
 #include "core/geometry/bit_grid.h"
 #include "core/pad/pyramid.h"
 
@@ -43,19 +44,22 @@ void each_crossed(const Grid<float>& contour, const Window& cells, F f) {
 
 }  // namespace
 
-void LinkedContour::retrace(const Grid<float>& contour, const PeriodicGrid& grid, Vec2 origin, const Window& window) {
+void LinkedContour::retrace(const Grid<float>& contour, const PeriodicGrid& grid, Vec2 origin,
+                            const std::vector<Window>& windows) {
   if (width_ == 0) {
     grid_ = grid;
     width_ = contour.width();
     vertex_of_edge_ = EdgeTable(width_, contour.height());
   }
-  cut_window(window);
   const Window known = grid_.with_next_nodes();
   const Window all_cells{known.x0, known.y0, known.x1 - 1, known.y1 - 1};
-  for (const Window& cells : grid_.images({window.x0 - 1, window.y0 - 1, window.x1, window.y1}, all_cells)) {
-    each_crossed(contour, cells, [&](int x, int y) { trace_cell(contour, origin, x, y); });
+  for (const Window& window : windows) {
+    cut_window(window);
+    for (const Window& cells : grid_.images({window.x0 - 1, window.y0 - 1, window.x1, window.y1}, all_cells)) {
+      each_crossed(contour, cells, [&](int x, int y) { trace_cell(contour, origin, x, y); });
+    }
   }
-  forget_smoothing(window);
+  smooth(windows);
 }
 
 GridEdge LinkedContour::in_one_period(const GridEdge& edge) const {
@@ -87,11 +91,18 @@ void LinkedContour::remove_vertex(int v) {
 }
 
 void LinkedContour::cut_window(const Window& window) {
+  for (const int v : vertices_in({window})) remove_vertex(v);
+}
+
+/// Each vertex once, although an edge may touch several windows.
+std::vector<int> LinkedContour::vertices_in(const std::vector<Window>& windows) const {
   std::vector<int> inside;
-  each(window, [&](const GridEdge&, int v) { inside.push_back(v); });
-  std::sort(inside.begin(), inside.end());  // an edge may touch several parts of the window
+  for (const Window& window : windows) {
+    each(window, [&](const GridEdge&, int v) { inside.push_back(v); });
+  }
+  std::sort(inside.begin(), inside.end());
   inside.erase(std::unique(inside.begin(), inside.end()), inside.end());
-  for (const int v : inside) remove_vertex(v);
+  return inside;
 }
 
 void LinkedContour::trace_cell(const Grid<float>& contour, Vec2 origin, int x, int y) {
@@ -131,31 +142,25 @@ void LinkedContour::link(const Grid<float>& contour, Vec2 origin, const GridEdge
   vertices_[b].raw = crossing(contour, origin, edge_b);
 }
 
-/// The margin is two more than the reach of the smoothing: values of a vertex also depend on its neighbours' positions.
-void LinkedContour::forget_smoothing(const Window& window) {
-  each(window.grown(int(3 * sigma_px_) + 5), [&](const GridEdge&, int v) {
-    vertices_[v].smoothed = false;
-    vertices_[v].measured = false;
-  });
+/// Smooths the line around the windows. The margin is two more than the reach of the smoothing: values of a vertex also
+/// depend on its neighbours' positions.
+void LinkedContour::smooth(const std::vector<Window>& windows) {
+  constexpr std::size_t kPortion = 256;
+  std::vector<Window> reached;
+  for (const Window& window : windows) reached.push_back(window.grown(int(3 * sigma_px_) + 5));
+  const std::vector<int> changed = vertices_in(reached);
+  parallel_for_portions(changed.size(), kPortion,
+                        [&](std::size_t i) { vertices_[changed[i]].smooth = smoothed_at(changed[i]); });
+  parallel_for_portions(changed.size(), kPortion, [&](std::size_t i) { measure(changed[i]); });
 }
 
-Vec2 LinkedContour::smooth_position(int v) {
-  Vertex& vertex = vertices_[v];
-  if (!vertex.smoothed) {
-    vertex.smooth = smoothed_at(v);
-    vertex.smoothed = true;
-  }
-  return vertex.smooth;
-}
-
-/// Stores the values, as every walk that passes a vertex needs them.
 void LinkedContour::measure(int v) {
-  const Vec2 here = smooth_position(v);
-  const Vec2 before = grid_.period().nearest(smooth_position(vertices_[v].previous), here);
-  const Vec2 after = grid_.period().nearest(smooth_position(vertices_[v].next), here);
-  vertices_[v].edge_after = norm(after - here);
-  vertices_[v].turning_rad = std::abs(turning_rad(before, here, after));
-  vertices_[v].measured = true;
+  Vertex& vertex = vertices_[v];
+  const Vec2 here = vertex.smooth;
+  const Vec2 before = grid_.period().nearest(vertices_[vertex.previous].smooth, here);
+  const Vec2 after = grid_.period().nearest(vertices_[vertex.next].smooth, here);
+  vertex.edge_after = norm(after - here);
+  vertex.turning_rad = std::abs(turning_rad(before, here, after));
 }
 
 float LinkedContour::length_px(int from, int to) const {

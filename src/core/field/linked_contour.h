@@ -26,20 +26,19 @@ class LinkedContour {
   /// Positions and lengths are canvas px; positive nodes lie on the left of the line.
   struct Vertex {
     GridEdge edge;
-    bool smoothed = false;
-    bool measured = false;
     int next = -1;
     int previous = -1;
-    Vec2 raw;               // on the line itself
-    Vec2 smooth;            // valid if `smoothed`; the members below are valid if `measured`
+    Vec2 raw;  // on the line itself
+    Vec2 smooth;
     float edge_after = 0;   // length of the smoothed line to the next vertex
     float turning_rad = 0;  // turning of the smoothed line here, absolute value
   };
 
-  /// Traces the nodes of `window` again; all others are unchanged. `origin` is the canvas position of node (0, 0).
+  /// Traces the nodes of `windows` again; all others are unchanged. `origin` is the canvas position of node (0, 0).
   /// `grid` is the same in each call. If it repeats, the line continues from one end of the period to the other. Its
-  /// vertices lie in the one period, and `field` must be valid at grid.with_next_nodes().
-  void retrace(const Grid<float>& field, const PeriodicGrid& grid, Vec2 origin, const Window& window);
+  /// vertices lie in the one period, and `field` must be valid at grid.with_next_nodes(). The nodes at the border of the
+  /// grid that does not repeat lie outside the line. Uses the rank's threads.
+  void retrace(const Grid<float>& field, const PeriodicGrid& grid, Vec2 origin, const std::vector<Window>& windows);
 
   const PeriodicGrid& grid() const { return grid_; }
   int width() const { return width_; }  // of the node grid; 0 before the first retrace
@@ -49,15 +48,9 @@ class LinkedContour {
   void each(const Window& window, Visit visit) const {
     for (const Window& part : grid_.images(window, grid_.with_next_nodes())) vertex_of_edge_.each(part, visit);
   }
-  /// A vertex of which only edge, links and `raw` are valid.
   const Vertex& vertex(int v) const { return vertices_[v]; }
   /// Distance between neighbours on the line itself, canvas px.
   float length_px(int from, int to) const;
-  /// A vertex with all members valid. Its line must be closed.
-  const Vertex& measured(int v) {
-    if (!vertices_[v].measured) measure(v);
-    return vertices_[v];
-  }
 
  private:
   int vertex_at(const GridEdge& edge);
@@ -65,9 +58,9 @@ class LinkedContour {
   void cut_window(const Window& window);
   void trace_cell(const Grid<float>& contour, Vec2 origin, int x, int y);
   void link(const Grid<float>& contour, Vec2 origin, const GridEdge& from, const GridEdge& to);
-  void forget_smoothing(const Window& window);
+  void smooth(const std::vector<Window>& windows);
+  std::vector<int> vertices_in(const std::vector<Window>& windows) const;
   GridEdge in_one_period(const GridEdge& edge) const;
-  Vec2 smooth_position(int v);
   Vec2 smoothed_at(int v) const;
   void measure(int v);
 

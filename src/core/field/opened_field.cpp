@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/rank_pool.h"
 #include "core/geometry/bit_grid.h"
 #include "core/settings/tuning.h"
 
@@ -14,6 +15,8 @@ namespace {
 constexpr float kClosed = -0.3f;
 /// Discs are centred on nodes whose distance exceeds the radius by 0 up to this.
 constexpr float kDiscBand_px = 1.5f;
+/// Rows of a task. A task also reads the rows around its own.
+constexpr int kStripRows = 64;
 
 /// Distances of the nodes within `reach`, in both directions, to the node in the middle.
 Grid<float> distances_to_middle(int reach) {
@@ -33,19 +36,30 @@ OpenedField::OpenedField(const FreeField& free, const PieceSettings& pieces)
       contour_(free.field().value.width(), free.field().value.height(), kClosed),
       reachable_(contour_.width(), contour_.height(), 0),
       to_middle_(distances_to_middle(int(opening_px_ + kDiscBand_px) + 2)) {
-  update(free, contour_.bounds());
+  update(free, {contour_.bounds()});
 }
 
-Window OpenedField::update(const FreeField& free, const Window& changed) {
-  const Grid<float>& distance = free.field().value;
+std::vector<Window> OpenedField::update(const FreeField& free, const std::vector<Window>& changed) {
   const int reach = int(2 * std::max(opening_px_, reachable_px_)) + 5;
-  const Window window = grid_.clipped(changed.grown(reach));
-  for (const Window& part : grid_.images(window, grid_.one_period())) {
-    open(distance, part);
-    mark_reachable(distance, part);
+  std::vector<Window> windows;
+  for (const Window& nodes : changed) {
+    const Window window = grid_.clipped(nodes.grown(reach));
+    for (const Window& part : grid_.images(window, grid_.one_period())) update_part(free.field().value, part);
+    grid_.spread(contour_, window, grid_.with_next_nodes());
+    windows.push_back(window);
   }
-  grid_.spread(contour_, window, grid_.with_next_nodes());
-  return window;
+  return windows;
+}
+
+/// Each task has some rows, as windows may overlap.
+void OpenedField::update_part(const Grid<float>& distance, const Window& part) {
+  const auto strips = std::size_t((part.height() + kStripRows - 1) / kStripRows);
+  parallel_for(strips, [&](std::size_t i) {
+    const int y0 = part.y0 + int(i) * kStripRows;
+    const Window strip{part.x0, y0, part.x1, std::min(part.y1, y0 + kStripRows)};
+    open(distance, strip);
+    mark_reachable(distance, strip);
+  });
 }
 
 void OpenedField::open(const Grid<float>& distance, const Window& window) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "core/field/free_field.h"
 
@@ -12,9 +13,9 @@ class OpenedField {
  public:
   OpenedField(const FreeField& free, const PieceSettings& pieces);
 
-  /// Recomputes everything that depends on the nodes of `changed`. Returns the nodes of the result that may have
-  /// changed.
-  Window update(const FreeField& free, const Window& changed);
+  /// Recomputes everything that depends on the nodes of these windows, on the rank's threads. Returns the windows of the
+  /// result that may have changed, one for each.
+  std::vector<Window> update(const FreeField& free, const std::vector<Window>& changed);
 
   const PeriodicGrid& grid() const { return grid_; }
   /// The free field opened by discs of opening_radius_px: positive where such a disc fits over the node. It is valid at
@@ -24,6 +25,7 @@ class OpenedField {
   bool reachable(int x, int y) const { return reachable_(grid_.column(x), grid_.row(y)) != 0; }
 
  private:
+  void update_part(const Grid<float>& distance, const Window& part);
   void open(const Grid<float>& distance, const Window& window);
   void mark_reachable(const Grid<float>& distance, const Window& window);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/rank_pool.h"
 #include "core/pad/pyramid.h"
 #include "core/settings/tuning.h"
 
@@ -29,7 +30,7 @@ MatchedPad matched_pad(SampleId id, const ArclengthPyramid& pyramid) {
 /// A walk over the smoothed vertices of the curve; adds everything it visits to `support`.
 class TargetCurve::Walk {
  public:
-  Walk(TargetCurve& curve, int at, TileIndex::Region& support) : curve_(&curve), at_(at), support_(&support) {
+  Walk(const TargetCurve& curve, int at, TileIndex::Region& support) : curve_(&curve), at_(at), support_(&support) {
     visit();
   }
 
@@ -37,25 +38,25 @@ class TargetCurve::Walk {
   Vec2 position() const { return here().smooth + beyond_px_; }
   float turning_rad() const { return here().turning_rad; }
   float edge_forward() const { return here().edge_after; }
-  float edge_backward() const { return curve_->contour_.measured(here().previous).edge_after; }
+  float edge_backward() const { return curve_->contour_.vertex(here().previous).edge_after; }
   void forward() { go(curve_->contour_.vertex(at_).next); }
   void backward() { go(curve_->contour_.vertex(at_).previous); }
   bool operator==(const Walk& o) const { return at_ == o.at_; }
 
  private:
-  const LinkedContour::Vertex& here() const { return curve_->contour_.measured(at_); }
+  const LinkedContour::Vertex& here() const { return curve_->contour_.vertex(at_); }
   void visit() { curve_->visit(at_, *support_); }
   void go(int to) {
     const Period& period = curve_->contour_.grid().period();
     if (period.repeats()) {  // without this test 1 % of a run's time on other canvases
-      const Vec2 next = curve_->contour_.measured(to).smooth;
+      const Vec2 next = curve_->contour_.vertex(to).smooth;
       beyond_px_ = beyond_px_ + (period.nearest(next, here().smooth) - next);
     }
     at_ = to;
     visit();
   }
 
-  TargetCurve* curve_;
+  const TargetCurve* curve_;
   int at_;
   TileIndex::Region* support_;
   Vec2 beyond_px_;  // whole periods since the walk began
@@ -95,44 +96,64 @@ void TargetCurve::set_matched_pads(const std::vector<MatchedPad>& pads) {
   }
 }
 
-TargetCurve::Change TargetCurve::retrace(const OpenedField& opened, Vec2 origin, const Window& window) {
-  contour_.retrace(opened.contour(), opened.grid(), origin, window);
+TargetCurve::Change TargetCurve::retrace(const OpenedField& opened, Vec2 origin, const std::vector<Window>& windows) {
+  constexpr std::size_t kPortion = 8;
+  contour_.retrace(opened.contour(), opened.grid(), origin, windows);
+  const std::vector<SampleId> reached = reached_by(windows);
+  std::vector<Place> places(reached.size());
+  parallel_for_portions(reached.size(), kPortion, [&](std::size_t i) { places[i] = look_at(reached[i], opened); });
   Change change;
-  for (const SampleId id : reached_by(window)) {
-    const GridEdge e = GridEdge::of(edge_number(id), contour_.width());
-    const int v = contour_.find(e);
-    const auto old = samples_.find(id);
-    const bool reachable = opened.reachable(e.x, e.y) || opened.reachable(e.x + 1, e.y + 1);
-    TileIndex::Region support;
-    const bool present = v != LinkedContour::kNone && reachable;
-    const bool rejected = present && on_short_loop(v, support);
-    reject(id, rejected ? std::move(support).tiles() : std::vector<TileIndex::Tile>());
-    if (!present || rejected) {
-      if (old == samples_.end()) continue;
-      drop(id);
-      change.removed.push_back(id);
-      continue;
-    }
-    SampleEntry held = make_sample(v, std::move(support));
-    const bool fresh = old == samples_.end();
-    const bool renewed = fresh || changed_much(old->second.matched, held.sample.pyramid, pad_.levels);
-    if (!renewed) held.matched = old->second.matched;
-    hold(id, std::move(held));
-    if (renewed) change.renewed.push_back(id);
-  }
+  for (std::size_t i = 0; i < reached.size(); ++i) renew(reached[i], std::move(places[i]), change);
   return change;
 }
 
+TargetCurve::Place TargetCurve::look_at(SampleId id, const OpenedField& opened) const {
+  const GridEdge e = GridEdge::of(edge_number(id), contour_.width());
+  const int v = contour_.find(e);
+  const bool reachable = opened.reachable(e.x, e.y) || opened.reachable(e.x + 1, e.y + 1);
+  Place place;
+  if (v == LinkedContour::kNone || !reachable) return place;
+  TileIndex::Region support;
+  if (on_short_loop(v, support)) {
+    place.kind = Place::Kind::short_loop;
+    place.entry.support = std::move(support).tiles();
+  } else {
+    place.kind = Place::Kind::sample;
+    place.entry = make_sample(v, std::move(support));
+  }
+  return place;
+}
+
+/// Holds, keeps or drops the sample, by what is at its place now.
+void TargetCurve::renew(SampleId id, Place place, Change& change) {
+  const bool short_loop = place.kind == Place::Kind::short_loop;
+  reject(id, short_loop ? std::move(place.entry.support) : std::vector<TileIndex::Tile>());
+  const auto old = samples_.find(id);
+  if (place.kind != Place::Kind::sample) {
+    if (old == samples_.end()) return;
+    drop(id);
+    change.removed.push_back(id);
+    return;
+  }
+  const bool fresh = old == samples_.end();
+  const bool renewed = fresh || changed_much(old->second.matched, place.entry.sample.pyramid, pad_.levels);
+  if (!renewed) place.entry.matched = old->second.matched;
+  hold(id, std::move(place.entry));
+  if (renewed) change.renewed.push_back(id);
+}
+
 /// Samples that may have to be made, made again or dropped: ascending.
-std::vector<SampleId> TargetCurve::reached_by(const Window& window) const {
+std::vector<SampleId> TargetCurve::reached_by(const std::vector<Window>& windows) const {
   std::vector<SampleId> ids;
   const PeriodicGrid& grid = contour_.grid();
-  for (const Window& part : grid.images(window, grid.one_period().grown(support_nodes()))) {
-    supports_.each(part, [&](std::uint32_t thing) { ids.push_back(SampleId{thing}); });
+  for (const Window& window : windows) {
+    for (const Window& part : grid.images(window, grid.one_period().grown(support_nodes()))) {
+      supports_.each(part, [&](std::uint32_t thing) { ids.push_back(SampleId{thing}); });
+    }
+    contour_.each(window, [&](const GridEdge& e, int) {
+      if (on_raster(e)) ids.push_back(SampleId{e.number(contour_.width())});
+    });
   }
-  contour_.each(window, [&](const GridEdge& e, int) {
-    if (on_raster(e)) ids.push_back(SampleId{e.number(contour_.width())});
-  });
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   return ids;
@@ -180,7 +201,7 @@ void TargetCurve::visit(int v, TileIndex::Region& support) const {
   support.add(Window{e.x, e.y, e.x + 2, e.y + 2}.grown(support_nodes()));
 }
 
-TargetCurve::SampleEntry TargetCurve::make_sample(int v, TileIndex::Region support) {
+TargetCurve::SampleEntry TargetCurve::make_sample(int v, TileIndex::Region support) const {
   SampleEntry held;
   const GridEdge& e = contour_.vertex(v).edge;
   held.sample.id = SampleId{e.number(contour_.width())};

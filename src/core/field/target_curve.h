@@ -28,9 +28,9 @@ class TargetCurve {
     std::vector<SampleId> renewed;  // samples that are new or whose PAD changed much, ascending
   };
 
-  /// Traces the nodes of `window` again; all others are unchanged. If the opened field repeats, the curve is that of
-  /// one period, and its PADs continue beyond it. `origin` is the canvas position of node (0, 0).
-  Change retrace(const OpenedField& opened, Vec2 origin, const Window& window);
+  /// Traces the nodes of `windows` again; all others are unchanged. If the opened field repeats, the curve is that of
+  /// one period, and its PADs continue beyond it. `origin` is the canvas position of node (0, 0). Uses the rank's threads.
+  Change retrace(const OpenedField& opened, Vec2 origin, const std::vector<Window>& windows);
 
   const TargetSample& sample(SampleId id) const { return samples_.at(id).sample; }
   std::size_t sample_count() const { return samples_.size(); }
@@ -55,15 +55,22 @@ class TargetCurve {
     ArclengthPyramid matched;              // as it was when the sample was last reported as renewed
     std::vector<TileIndex::Tile> support;  // tiles of the nodes that the sample depends on
   };
+  /// A place on the curve as it is now.
+  struct Place {
+    enum class Kind { none, short_loop, sample } kind = Kind::none;
+    SampleEntry entry;  // of a short loop: its support alone
+  };
   class Walk;
 
-  std::vector<SampleId> reached_by(const Window& window) const;
+  std::vector<SampleId> reached_by(const std::vector<Window>& windows) const;
+  Place look_at(SampleId id, const OpenedField& opened) const;
+  void renew(SampleId id, Place place, Change& change);
   bool on_raster(const GridEdge& e) const { return (e.down ? e.x : e.y) % spacing_px_ == 0; }
   /// A smoothed position depends on up to three sigma along the curve.
   int support_nodes() const { return int(3 * sigma_px_) + 3; }
   void visit(int v, TileIndex::Region& support) const;
   bool on_short_loop(int v, TileIndex::Region& support) const;
-  SampleEntry make_sample(int v, TileIndex::Region support);
+  SampleEntry make_sample(int v, TileIndex::Region support) const;
   void hold(SampleId id, SampleEntry held);
   void drop(SampleId id);
   void reject(SampleId id, std::vector<TileIndex::Tile> support);

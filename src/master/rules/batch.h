@@ -20,36 +20,41 @@ class Batch {
       : grid_(grid),
         clearance_px_(int(kBatchClearance * pieces.max_scale_px)) {}
 
-  /// Adds a piece that was placed. Within the nodes `changed` it changed what candidates are worth. The worth of the first
-  /// piece decides which others may join.
-  void add(const Window& changed, float worth) {
+  /// Adds a piece that was placed. It changed the nodes `stamped` of the free field, and the terms of candidates whose
+  /// windows overlap `touched`. The worth of the first piece decides which others may join.
+  void add(const Window& touched, const Window& stamped, float worth) {
     if (!is_open()) first_worth_ = worth;
-    changed_.push_back(changed);
+    touched_.push_back(touched);
+    stamped_.push_back(stamped);
   }
-  void end() { changed_.clear(); }
+  void end() {
+    touched_.clear();
+    stamped_.clear();
+  }
 
-  bool is_open() const { return !changed_.empty(); }
-  std::size_t pieces() const { return changed_.size(); }
+  bool is_open() const { return !touched_.empty(); }
+  std::size_t pieces() const { return touched_.size(); }
   float first_worth() const { return first_worth_; }
-  /// The windows within which candidates have to be measured again.
-  const std::vector<Window>& changed() const { return changed_; }
+  const std::vector<Window>& touched() const { return touched_; }
+  const std::vector<Window>& stamped() const { return stamped_; }
 
   /// The least worth of a candidate that may join.
   float least_worth() const { return is_open() ? kBatchWorth * first_worth_ : 0; }
   /// Whether a candidate with this window stands too near to join.
   bool is_near(const Window& candidate) const { return any_overlaps(candidate.grown(clearance_px_)); }
-  /// Whether the candidate with this window has to be measured again.
-  bool changes(const Window& candidate) const { return any_overlaps(candidate); }
+  /// Whether a piece touches the candidate with this window, so that it has to be measured again.
+  bool touches(const Window& candidate) const { return any_overlaps(candidate); }
 
  private:
   bool any_overlaps(const Window& window) const {
-    return std::any_of(changed_.begin(), changed_.end(),
-                       [&](const Window& changed) { return grid_.overlap(changed, window); });
+    return std::any_of(touched_.begin(), touched_.end(),
+                       [&](const Window& touched) { return grid_.overlap(touched, window); });
   }
 
   const PeriodicGrid& grid_;
   int clearance_px_;
-  std::vector<Window> changed_;
+  std::vector<Window> touched_;
+  std::vector<Window> stamped_;
   float first_worth_ = 0;
 };
 

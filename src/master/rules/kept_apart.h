@@ -29,7 +29,8 @@ class KeptApart {
   /// Whether there is any rule: pieces keep a distance, or do not come back to where they lay.
   bool matters() const { return matters_; }
   /// Whether pieces of this shape keep a distance from their like.
-  bool concerns(ShapeId shape) const { return company_of(shape).distance_px > 0; }
+  bool concerns(ShapeId shape) const { return distance_px(shape) > 0; }
+  float distance_px(ShapeId shape) const { return company_of(shape).distance_px; }
 
   /// Whether pieces of these two shapes keep a distance from each other.
   bool are_like(ShapeId a, ShapeId b) const { return company_of(a).key() == company_of(b).key(); }

@@ -164,7 +164,7 @@ TEST(PieceOnField, ExactAreasCountEveryNode) {
     const PieceSettings pieces = any_pieces();
     FreeField free(make_rectangle_canvas(200, 170), pieces);
     OpenedField opened(free, pieces);
-    for (int i = 0; i < 3; ++i) opened.update(free, free.stamp(any_shape(), any_pose()));
+    for (int i = 0; i < 3; ++i) opened.update(free, {free.stamp(any_shape(), any_pose())});
     const Shape& shape = any_shape();
     const Similarity pose = any_pose();
     const ExactAreas areas = exact_areas(shape, pose, free, opened, pieces);

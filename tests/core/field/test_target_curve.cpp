@@ -43,7 +43,7 @@ TEST(LinkedContour, HasAVertexOnEveryEdgeThatIsCrossed) {
       const int x = *rc::gen::inRange(1, inner.x1);
       const Window window = step == 0 ? inner : Window{x, 2, x + *rc::gen::inRange(1, 70), 5}.intersected(inner);
       scatter(field, window);
-      contour.retrace(field, PeriodicGrid(field.bounds()), {}, step == 0 ? field.bounds() : window);
+      contour.retrace(field, PeriodicGrid(field.bounds()), {}, {step == 0 ? field.bounds() : window});
       for (int y = 0; y + 1 < field.height(); ++y) {
         for (int i = 0; i + 1 < field.width(); ++i) {
           const bool here = field(i, y) > 0;
@@ -94,7 +94,7 @@ TEST(TargetCurve, ALoopThatIsJoinedGetsItsSamples) {
     Target updated(slit_canvas(pieces, joining), pieces);
     updated.place({*rc::gen::inRange(0, 4), joining});
     TargetCurve afresh(pieces, PadParameters{});
-    afresh.retrace(updated.opened, updated.free.field().origin, updated.free.grid().nodes());
+    afresh.retrace(updated.opened, updated.free.field().origin, {updated.free.grid().nodes()});
     RC_ASSERT(updated.curve.samples() == afresh.samples());
   }));
 }
