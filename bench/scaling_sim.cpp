@@ -118,14 +118,16 @@ std::string validation(const RoundModel& model, const std::vector<SimulatedRound
   return table.text();
 }
 
-std::string prediction_table(const std::vector<Prediction>& predictions) {
-  TextTable table({"shapes", "hosts", "ms a round", "speed-up", "efficiency", "master busy %", "asking all itself"});
+std::string prediction_table(const std::vector<Prediction>& predictions, double pieces_of_a_round) {
+  TextTable table(
+      {"shapes", "hosts", "ms a round", "ms a piece", "speed-up", "efficiency", "master busy %", "asking all itself"});
   const Prediction* one = nullptr;
   for (const Prediction& p : predictions) {
     if (p.job.workers == 1) one = &p;
     const double e = efficiency(one->tree, p.tree, p.job.workers);
     table.add({std::to_string(p.job.shapes), std::to_string(p.job.workers), fixed(1000 * p.tree.round_s, 2),
-               fixed(e * p.job.workers, 1), fixed(e, 3), fixed(100 * p.tree.master_busy_s / p.tree.round_s, 1),
+               fixed(1000 * p.tree.round_s / pieces_of_a_round, 2), fixed(e * p.job.workers, 1), fixed(e, 3),
+               fixed(100 * p.tree.master_busy_s / p.tree.round_s, 1),
                fixed(efficiency(one->tree, p.star, p.job.workers), 3)});
   }
   return table.text();
@@ -191,7 +193,7 @@ void run(const Options& options) {
   plot(predictions, options);
   std::printf("%s\n%s\nwritten to %s.csv, .svg and .png\n",
               validation(model, {rounds.begin(), rounds.begin() + measured}).c_str(),
-              prediction_table(predictions).c_str(), options.out.c_str());
+              prediction_table(predictions, model.pieces_of_a_round()).c_str(), options.out.c_str());
 }
 
 }  // namespace

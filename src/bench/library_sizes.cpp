@@ -21,6 +21,7 @@ namespace {
 
 struct Grown {
   RunStatistics statistics;
+  std::size_t pieces = 0;
   double start_s = 0;        // until the matcher is ready
   double first_piece_s = 0;  // from the start, without the making of shapes
   std::uint64_t peak_bytes = 0;
@@ -76,7 +77,9 @@ Grown run_size(const LibraryFile& library, std::uint32_t count, const Canvas& ca
   grown.first_piece_s = grown.start_s + first.seconds();
   // The run is repeated: making shapes takes as long as much of a round, while the device works.
   master::SilentObserver silent;
-  grown.statistics = master::make_collage(canvas, settings, *matcher, kept, silent).statistics;
+  const master::CollageResult result = master::make_collage(canvas, settings, *matcher, kept, silent);
+  grown.statistics = result.statistics;
+  grown.pieces = result.placements.size();
   grown.peak_bytes = peak_memory_bytes();
   grown.device_bytes = worker::shard_bytes(context, count, models->supports_random_access()).device;
   return grown;
@@ -92,14 +95,15 @@ std::vector<std::uint32_t> chosen_sizes(std::vector<std::uint32_t> sizes, bool q
 
 void add_size(TextTable& table, Json& sizes, std::uint32_t size, const Grown& grown) {
   const RunStatistics& s = grown.statistics;
-  const double pieces = double(std::max<std::uint64_t>(1, s.rounds));
+  const double pieces = double(std::max<std::size_t>(1, grown.pieces));
   const double master_s = s.objective_s + s.merge_s;
   const auto ms = [&](double seconds) { return fixed(1000 * seconds / pieces, 1); };
   const auto megabytes = [](std::uint64_t bytes) { return fixed(double(bytes) / 1e6, 0); };
   table.add({std::to_string(size), ms(s.total_s), ms(s.prune_s), ms(s.dock_s), ms(master_s), fixed(grown.start_s, 1),
              fixed(grown.first_piece_s, 1), megabytes(grown.peak_bytes), megabytes(grown.device_bytes)});
   sizes.push_back({{"shapes", size},
-                   {"pieces", s.rounds},
+                   {"pieces", grown.pieces},
+                   {"rounds", s.rounds},
                    {"target_samples", s.target_samples},
                    {"s_per_piece", s.total_s / pieces},
                    {"prune_s", rounded(s.prune_s)},

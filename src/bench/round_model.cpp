@@ -103,7 +103,7 @@ RoundModel::RoundModel(std::vector<ScalingCase> cases, Clock clock) : cases_(std
   if (clock == Clock::processor) std::transform(cases_.begin(), cases_.end(), cases_.begin(), on_processor_time);
   using C = const ScalingCase&;
   samples_ = median_over(cases_, [](C c) { return c.samples; });
-  rounds_ = median_over(cases_, [](C c) { return c.rounds; });
+  pieces_of_a_round_ = median_over(cases_, [](C c) { return c.pieces / c.rounds; });
   counts_ = std::max(1., std::round(median_over(cases_, [](C c) { return c.counts / c.rounds; })));
   notice_s_ =
       clock == Clock::processor  // the processor clock does not tell how long a rank slept

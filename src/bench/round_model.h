@@ -58,6 +58,8 @@ class RoundModel {
 
   /// The costs with as many samples as in the measured loops.
   RoundCosts costs(int workers, std::uint64_t shapes) const;
+  /// Pieces that a round places, the median of the cases.
+  double pieces_of_a_round() const { return pieces_of_a_round_; }
   /// The cases, with the times of the model's clock.
   const std::vector<ScalingCase>& cases() const { return cases_; }
 
@@ -72,7 +74,7 @@ class RoundModel {
   Part fit(Figure figure, Features features) const;
 
   std::vector<ScalingCase> cases_;  // with the times of the clock
-  double rounds_ = 0;
+  double pieces_of_a_round_ = 1;
   double samples_ = 0;
   double notice_s_ = 0;
   double imbalance_ = 0;

@@ -121,7 +121,10 @@ Json run_once(const Plan& plan, int workers, std::uint32_t shapes, const std::st
   command.insert(command.end(), {"-n", std::to_string(workers + 1), plan.options.program, "collage",
                                  write_job(plan, library), "--quiet", "--out", out});
   run_program(command);
-  return Json::parse(read_result_file(out, "card.json")).at("ranks");
+  const Json card = Json::parse(read_result_file(out, "card.json"));
+  Json ranks = card.at("ranks");
+  ranks["pieces"] = card.at("quality").at("pieces");
+  return ranks;
 }
 
 void check_same_pieces(const Plan& plan) {

@@ -26,6 +26,7 @@ ScalingCase scaling_case(const Json& ranks, std::uint32_t shapes, const std::str
   c.shapes = shapes;
   c.loop_s = value("/loop_s");
   c.rounds = value("/rounds");
+  c.pieces = value("/pieces");
   c.samples = value("/samples");
   c.objective_s = master("objective");
   c.merge_s = master("merge");

@@ -16,6 +16,7 @@ struct ScalingCase {
   std::uint32_t shapes = 0;
   double loop_s = 0;
   double rounds = 0;
+  double pieces = 0;
   double samples = 0;  // number of matched samples
 
   double objective_s = 0;  // of the master, up to master_processor_s
@@ -51,7 +52,7 @@ struct ScalingCase {
   double undisturbed_s() const { return master_processor_s - ahead_s + greatest_processor_s; }
 };
 
-/// Reads section "ranks" of a card.json. Throws InputError that names the missing key.
+/// Reads section "ranks" of a card.json, to which `pieces` was added. Throws InputError that names the missing key.
 ScalingCase scaling_case(const Json& ranks, std::uint32_t shapes, const std::string& name);
 
 /// Reads the cases in a report of `tessera bench scaling`. Throws InputError.

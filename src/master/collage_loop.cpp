@@ -1,4 +1,4 @@
-// The outline of the algorithm. Each round of filling matches, chooses and merges (Filling::place_one).
+// The outline of the algorithm. Filling places one piece after the other (Filling::place_one).
 #include "master/collage_loop.h"
 
 #include "core/base/stop.h"

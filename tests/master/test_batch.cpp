@@ -104,7 +104,9 @@ TEST(Batch, WhenItEndsAllCandidatesCountAgain) {
     Candidate expected;
     const bool any = fresh.collage().choose(expected);
     ASSERT_EQ(rounds.collage().choose(best), any);
-    if (any) EXPECT_EQ(best.canvas_from_shape, expected.canvas_from_shape);
+    if (any) {
+      EXPECT_EQ(best.canvas_from_shape, expected.canvas_from_shape);
+    }
   }
 }
 

@@ -141,7 +141,10 @@ TEST(Seamless, WorkersGetAllImagesOfAPiece) {
   RunStatistics statistics;
   Filling filling(collage, context, s, matcher, statistics);
   matcher.offers = {test::piece(3, 40, {238, 5}), test::piece(4, 40, {4, 90}), test::piece(5, 40, {120, 218})};
-  while (filling.place_one()) EXPECT_EQ(matcher.field.data(), collage.free().field().value.data());
+  while (filling.place_one()) {
+    filling.end_batch();
+    EXPECT_EQ(matcher.field.data(), collage.free().field().value.data());
+  }
   EXPECT_EQ(collage.placements().size(), 4u) << "the first piece, and those that are offered";
 }
 

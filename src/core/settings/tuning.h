@@ -167,7 +167,7 @@ inline constexpr float kSameCandidate = 0.07f;      // of the scale: two finalis
 inline constexpr int kEmptyPasses = 2;  // passes over all samples, with new random dockings, until the region is full
 
 // Batches: the pieces that are placed before candidates are matched again.
-inline constexpr float kBatchWorth = 0.85f;  // of the first piece's worth: the least for another one
+inline constexpr float kBatchWorth = 0.75f;  // of the first piece's worth: the least for another one
 inline constexpr float kBatchClearance =
     0.5f;  // of the largest piece: least distance between the windows of two pieces
 
