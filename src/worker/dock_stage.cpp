@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <numeric>
 
+#include "core/base/rank_pool.h"
 #include "worker/devices/kernel_options.h"
 #include "worker/docked_shortlist.h"
 #include "worker/list_room.h"
@@ -12,6 +13,7 @@
 namespace tessera::worker {
 namespace {
 
+constexpr std::size_t kSamplesOfATask = 32;
 constexpr std::size_t kPairsPerGroup = 32;  // where the kernel does not need groups of a docking's lanes
 
 static_assert(sizeof(Docking) == sizeof(DockingRecord) && offsetof(Docking, key) == offsetof(DockingRecord, key) &&
@@ -127,11 +129,12 @@ DockReply DockStage::take() {
   for (const DockingRecord& record : dockings_.read(count)) {
     of_sample[record.sample].push_back(std::bit_cast<Docking>(record));
   }
-  for (std::vector<Docking>& dockings : of_sample) {
-    if (first_drawn_) rank_by_draw(dockings);
-    keep_docked_shortlist(dockings);
+  parallel_for_portions(of_sample.size(), kSamplesOfATask, [&](std::size_t i) {
+    if (first_drawn_) rank_by_draw(of_sample[i]);
+    keep_docked_shortlist(of_sample[i]);
+  });
+  for (const std::vector<Docking>& dockings : of_sample)
     reply.dockings.insert(reply.dockings.end(), dockings.begin(), dockings.end());
-  }
   return reply;
 }
 

@@ -17,8 +17,6 @@ class RandomState {
     CheckpointState state;
     const bool improving = below(2) == 1;
     state.empty_passes = int(below(4));
-    state.batch_pieces = below(100);
-    state.batch_worth = 0.01f * float(below(100));
     for (std::uint32_t i = below(20); i > 0; --i) {
       state.placements.push_back({ShapeId{below(100)}, pose(), number(), number()});
     }
@@ -44,6 +42,8 @@ class RandomState {
     for (std::uint32_t i = below(20); i > 0; --i) {
       state.best.placements.push_back({ShapeId{below(100)}, pose(), number(), number()});
     }
+    state.batch_pieces = below(100);
+    state.batch_worth = 0.01f * float(below(100));
     return state;
   }
 

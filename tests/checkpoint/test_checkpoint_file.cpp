@@ -223,7 +223,7 @@ TEST_F(DamagedCheckpoint, OtherFiles) {
 
 TEST_F(DamagedCheckpoint, AnotherVersionNamesBothAndTheCure) {
   std::fstream(path_, std::ios::binary | std::ios::in | std::ios::out).seekp(27).put('2');
-  expect_complaint("format version 27, this program reads version 18; continue with the program that wrote it");
+  expect_complaint("format version 28, this program reads version 18; continue with the program that wrote it");
 }
 
 TEST_F(DamagedCheckpoint, AHugeHoleIsNotRead) {
@@ -328,6 +328,13 @@ TEST_F(DamagedCheckpoint, NotANumber) {
 TEST_F(DamagedCheckpoint, TimesBelowZero) {
   put<double>("/statistics/measures", H5T_NATIVE_DOUBLE, {0, -1e-9});
   expect_complaint("/statistics/measures: a value is below 0");
+}
+
+TEST_F(DamagedCheckpoint, WorthOfABatch) {
+  put<float>("/batch/worth", H5T_NATIVE_FLOAT, {-1e-9f});
+  expect_complaint("/batch/worth: a value is out of range");
+  put<float>("/batch/worth", H5T_NATIVE_FLOAT, {-INFINITY});
+  expect_complaint("damaged: /batch: a value is no number");
 }
 
 TEST_F(DamagedCheckpoint, FlagsAndOrder) {

@@ -69,13 +69,17 @@ std::string choice_figure(CollageStage& stage) {
                        {.stroke = kPaleInk, .width_px = 0.6, .opacity = 0.35});
   for (const Candidate& c : finalists_of(ranked))
     stage.draw_piece(sheet, sheet_from_canvas, c.shape, c.canvas_from_shape, {.stroke = kOrange, .width_px = 1.6});
+  master::Collage& collage = stage.collage();
   Candidate best;
-  if (stage.collage().choose(best))
+  while (collage.choose(best)) {
     stage.draw_piece(sheet, sheet_from_canvas, best.shape, best.canvas_from_shape,
                      {.stroke = kGreen, .width_px = 2.4, .fill = "#009e7340"});
+    collage.place(best);
+  }
+  stage.place(collage.placements().size());
   sheet.text({kMargin_px, float(stage.canvas().height_px) + 2 * kMargin_px + 8},
              "grey: " + std::to_string(ranked.size()) + " candidates; orange: the " + std::to_string(kFinalists) +
-                 " finalists; green: the piece that is placed");
+                 " finalists; green: the pieces that are placed");
   return sheet.finish();
 }
 

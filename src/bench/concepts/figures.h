@@ -20,7 +20,7 @@ std::string pairs_figure(CollageStage& stage);
 /// rounds, for which this places pieces. Throws InputError where no piece comes from a pair of PADs.
 std::string dockings_figure(CollageStage& stage);
 
-/// All candidates of a round, the finalists among them, and the piece that is chosen.
+/// All candidates of a round, the finalists among them, and the pieces of the batch.
 std::string choice_figure(CollageStage& stage);
 
 /// Target samples before and after a piece is merged. Places that piece.

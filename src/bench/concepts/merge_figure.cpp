@@ -20,12 +20,14 @@ void draw_curves(FigureSheet& sheet, const Similarity& sheet_from_canvas, const 
 std::string merge_figure(CollageStage& stage) {
   master::Collage& collage = stage.collage();
   FigureSheet sheet(900, 500);
-  Candidate best;
-  if (!collage.choose(best)) return sheet.finish();
   FreeField free = collage.free();
+  const std::vector<Placement> standing = collage.placements();
+  stage.place(standing.size() + 1);
+  if (collage.placements().size() == standing.size()) return sheet.finish();
+  const Placement& placed = collage.placements().back();
   TracedTarget target(free, stage.settings());
   const std::vector<TargetSample> before = target.samples();
-  const Vec2 centre = stage.middle_of_view(best.canvas_from_shape.translation(), kMergePanel_px / kMergeZoom);
+  const Vec2 centre = stage.middle_of_view(placed.canvas_from_shape.translation(), kMergePanel_px / kMergeZoom);
   const auto frame = [&](int panel) {
     const Vec2 corner{20 + 435 * float(panel), 36};
     sheet.begin_clip({corner, corner + Vec2{kMergePanel_px, kMergePanel_px}});
@@ -34,11 +36,11 @@ std::string merge_figure(CollageStage& stage) {
   };
 
   Similarity sheet_from_canvas = frame(0);
-  stage.draw(sheet, sheet_from_canvas);
-  stage.draw_piece(sheet, sheet_from_canvas, best.shape, best.canvas_from_shape,
+  stage.draw(sheet, sheet_from_canvas, standing);
+  stage.draw_piece(sheet, sheet_from_canvas, placed.shape, placed.canvas_from_shape,
                    {.stroke = kGreen, .width_px = 1.6, .fill = "#009e7326", .dashed = true});
   draw_curves(sheet, sheet_from_canvas, target, free);
-  const Window changed = free.stamp(stage.shapes().shape(best.shape), best.canvas_from_shape);
+  const Window changed = free.stamp(stage.shapes().shape(placed.shape), placed.canvas_from_shape);
   TargetCurve::Change change = target.update(free, changed);
   for (const TargetSample& s : before)
     sheet.dot(sheet_from_canvas.apply(s.position), 4, is_among(change.removed, s.id) ? kOrange : kPaleInk);
@@ -46,8 +48,6 @@ std::string merge_figure(CollageStage& stage) {
 
   sheet_from_canvas = frame(1);
   stage.draw(sheet, sheet_from_canvas);
-  stage.draw_piece(sheet, sheet_from_canvas, best.shape, best.canvas_from_shape,
-                   {.stroke = kPaleInk, .width_px = 0.7, .fill = kPiece});
   draw_curves(sheet, sheet_from_canvas, target, free);
   for (const TargetSample& s : target.samples()) {
     const bool known =
@@ -59,7 +59,6 @@ std::string merge_figure(CollageStage& stage) {
   sheet.text({20, 24}, "before: orange samples are cut out", 15);
   sheet.text({455, 24}, "after: green ones are pasted in, blue ones changed", 15);
   sheet.text({20, 486}, "Grey samples keep their PADs.", 14);
-  stage.place(collage.placements().size() + 1);
   return sheet.finish();
 }
 
