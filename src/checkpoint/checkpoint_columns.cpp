@@ -74,6 +74,7 @@ void append_loop(CheckpointColumns& to, const CheckpointState& state) {
   to.empty_passes.push_back(std::uint8_t(state.empty_passes));
   to.batch_pieces.push_back(state.batch_pieces);
   to.batch_worth.push_back(state.batch_worth);
+  to.batch_taken = state.batch_taken;
   RunStatistics statistics = state.statistics;
   copy_to_statistics(statistics, state.loop);
   for (const auto count : kCounts) to.counts.push_back(statistics.*count);
@@ -155,6 +156,7 @@ void check_values(const CheckpointColumns& c) {
     require_finite(*column, "/sizes");
   require_finite(c.batch_worth, "/batch");
   require(c.batch_worth[0] >= 0, "/batch/worth: a value is out of range");
+  require_flags(c.batch_taken, "/batch/taken");
   require(c.stage[3] <= 1, "/stage: a value is out of range");
   for (const auto* column : {&c.pose, &c.terms, &c.score, &c.shape_size}) require_finite(*column, "/candidates");
   require_finite(c.matched_pad, "/samples/matched_pad");
@@ -215,6 +217,7 @@ void read_loop(const CheckpointColumns& from, CheckpointState& state) {
   state.empty_passes = from.empty_passes[0];
   state.batch_pieces = from.batch_pieces[0];
   state.batch_worth = from.batch_worth[0];
+  state.batch_taken = from.batch_taken;
   for (std::size_t i = 0; i < std::size(kCounts); ++i) state.statistics.*kCounts[i] = from.counts[i];
   for (std::size_t i = 0; i < std::size(kMeasures); ++i) state.statistics.*kMeasures[i] = from.measures[i];
   state.loop.trials = state.statistics.trials;

@@ -16,6 +16,7 @@ struct CheckpointColumns {
   std::vector<std::uint8_t> empty_passes;
   std::vector<std::uint32_t> batch_pieces;
   std::vector<float> batch_worth;
+  std::vector<std::uint8_t> batch_taken;
   std::vector<std::uint64_t> counts;
   std::vector<double> measures;
   std::vector<std::uint32_t> placed_shape;
@@ -57,6 +58,8 @@ void each_column(Columns& c, Visit visit) {
       "/batch/pieces", c.batch_pieces, 1, "",
       "how many of the last placements belong to the open batch: candidates near them are still to be measured again");
   visit("/batch/worth", c.batch_worth, 1, "", "what the first of them was worth");
+  visit("/batch/taken", c.batch_taken, 1, "",
+        "1: a cell of 8 x 8 nodes of the free field that no other piece of the batch may touch; row by row");
   visit("/statistics/counts", c.counts, 1, "",
         "shapes, rounds, docking choices, dockings evaluated, refined, target samples, trials, trials kept");
   visit("/statistics/measures", c.measures, 1, "",

@@ -82,7 +82,7 @@ Collage::Collage(const Canvas& canvas, const CollageSettings& settings, const Ma
       apart_(settings, shapes, canvas.period),
       settling_(shapes, free_, outlines_, open_shapes_.context()),
       schedule_(free_, curve_, growth_),
-      batch_(free_.grid(), settings_.pieces) {
+      batch_(free_.grid(), settings_) {
   note_changed(free_.field().value.bounds());
   retrace({free_.field().value.bounds()});
   update_open_shapes();

@@ -119,6 +119,7 @@ class Collage {
     Pool::Ranked ranked;
     Candidate candidate;
     bool given_up = false;
+    bool waits = false;  // for the end of the batch
   };
 
   std::vector<Pool::Ranked> finalists();

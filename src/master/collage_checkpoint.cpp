@@ -155,7 +155,10 @@ void Collage::save(CheckpointState& state) const {
             [](const PooledSample& a, const PooledSample& b) { return a.id < b.id; });
   schedule_.save(state);
   state.batch_pieces = std::uint32_t(batch_.pieces());
-  state.batch_worth = batch_.is_open() ? batch_.first_worth() : 0;
+  if (batch_.is_open()) {
+    state.batch_worth = batch_.first_worth();
+    state.batch_taken = batch_.taken();
+  }
   state.matched = curve_.matched_pads();
   state.rebuilt_digest = rebuilt_digest();
 }
@@ -171,6 +174,7 @@ void Collage::restore(const CheckpointState& state) {
     placements_.push_back(*piece);
     add_to_batch(*piece, state.batch_worth);
   }
+  if (batch_.is_open() && !batch_.set_taken(state.batch_taken)) fail(state, "a batch on another canvas");
   if (rebuilt_digest() != state.rebuilt_digest) {
     fail(state, "its pieces leave another free region than the saved one");
   }

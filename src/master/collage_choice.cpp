@@ -27,7 +27,10 @@ std::vector<Pool::Ranked> Collage::finalists() {
   const auto worth_of = [&](const Candidate& c) { return worth(c); };
   pool_.best_first(worth_of, [&](const Pool::Ranked& ranked, const Candidate& c) {
     if (ranked.value < batch_.least_worth()) return Visit::last;
-    if (batch_.is_near(c.window)) return Visit::set_aside;
+    if (batch_.is_open() && !batch_.has_room_for(c.window)) {
+      batch_.wait_for(c.window);
+      return Visit::set_aside;
+    }
     const bool repeated = std::any_of(looks.begin(), looks.end(), [&](const Candidate* other) {
       return scoring_.look_alike(other->shape, c.shape) &&
              near_copy(other->canvas_from_shape, c.canvas_from_shape, kSameCandidate);
@@ -185,11 +188,11 @@ std::vector<Collage::Finalist> Collage::checked_finalists(const StopCheck& check
 }
 
 /// Settles finalists until none of the rest can be worth more than the best settled one: settling may lower what a
-/// candidate is worth.
+/// candidate is worth. What is worth too little for the open batch waits.
 bool Collage::settle_best(std::vector<Finalist>& finalists, Candidate& best, const StopCheck& check_stop) {
   float best_value = -1;
   for (Finalist& finalist : finalists) {
-    if (best_value >= finalist.ranked.value || finalist.ranked.value < batch_.least_worth()) break;
+    if (best_value >= finalist.ranked.value) break;
     check_stop();
     Candidate settled = finalist.candidate;
     if (settle(settled) != Settled::fit) {
@@ -197,7 +200,8 @@ bool Collage::settle_best(std::vector<Finalist>& finalists, Candidate& best, con
       continue;
     }
     const float value = worth(settled);
-    if (value <= best_value) continue;
+    finalist.waits = value < batch_.least_worth();
+    if (finalist.waits || value <= best_value) continue;
     best_value = value;
     best = settled;
   }
@@ -213,7 +217,12 @@ void Collage::keep_checks(std::vector<Finalist>& finalists) {
       pooled.exact = true;
       pool_.rank_again(finalist.ranked);
     }
-    if (finalist.given_up) pool_.erase(finalist.ranked);
+    if (finalist.given_up) {
+      pool_.erase(finalist.ranked);
+    } else if (finalist.waits) {
+      batch_.wait_for(pooled.window);
+      pool_.set_aside(finalist.ranked);
+    }
   }
 }
 
@@ -231,7 +240,7 @@ bool Collage::choose(Candidate& best, const StopCheck& check_stop) {
       best = finalists.front().candidate;
     }
     keep_checks(finalists);
-    if (found) return worth(best) >= batch_.least_worth();
+    if (found) return true;
   }
 }
 

@@ -44,6 +44,7 @@ class RandomState {
     }
     state.batch_pieces = below(100);
     state.batch_worth = 0.01f * float(below(100));
+    for (std::uint32_t i = below(20); i > 0; --i) state.batch_taken.push_back(std::uint8_t(below(2)));
     return state;
   }
 

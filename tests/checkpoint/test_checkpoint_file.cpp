@@ -52,8 +52,8 @@ bool same(const RunStatistics& a, const RunStatistics& b) {
 bool same(const CheckpointState& a, const CheckpointState& b) {
   return a.loop == b.loop && a.given == b.given && a.sizes == b.sizes && a.best == b.best &&
          a.empty_passes == b.empty_passes && a.batch_pieces == b.batch_pieces && a.batch_worth == b.batch_worth &&
-         a.placements == b.placements && a.stale == b.stale && a.passes == b.passes && a.matched == b.matched &&
-         a.rebuilt_digest == b.rebuilt_digest && same(a.statistics, b.statistics) &&
+         a.batch_taken == b.batch_taken && a.placements == b.placements && a.stale == b.stale && a.passes == b.passes &&
+         a.matched == b.matched && a.rebuilt_digest == b.rebuilt_digest && same(a.statistics, b.statistics) &&
          std::equal(a.pool.begin(), a.pool.end(), b.pool.begin(), b.pool.end(),
                     [](const PooledSample& p, const PooledSample& q) { return same(p, q); });
 }

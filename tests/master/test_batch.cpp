@@ -5,6 +5,7 @@
 
 #include "master/filling.h"
 #include "rounds_by_hand.h"
+#include "support/colours.h"
 #include "whole_collage.h"
 
 namespace tessera::master {
@@ -26,11 +27,11 @@ const Canvas& wide_canvas() {
 
 TEST(Batch, TheFirstPieceDecidesWhatOthersMustBeWorth) {
   const PeriodicGrid grid(Window{0, 0, 1000, 1000});
-  Batch batch(grid, small_pieces().pieces);
+  Batch batch(grid, small_pieces());
   EXPECT_FALSE(batch.is_open());
   EXPECT_EQ(batch.least_worth(), 0);
   batch.add({0, 0, 10, 10}, {}, 2);
-  batch.add({500, 500, 510, 510}, {}, 1.8f);
+  batch.add({500, 500, 510, 510}, {}, 2.5f);
   EXPECT_TRUE(batch.is_open());
   EXPECT_EQ(batch.pieces(), 2u);
   EXPECT_FLOAT_EQ(batch.least_worth(), 2 * kBatchWorth);
@@ -39,27 +40,51 @@ TEST(Batch, TheFirstPieceDecidesWhatOthersMustBeWorth) {
   EXPECT_EQ(batch.least_worth(), 0);
 }
 
+/// Many colours of a picture are hard to match. They are no reason to wait.
+TEST(Batch, WhereAPictureIsShownLittleIsEnough) {
+  const PeriodicGrid grid(Window{0, 0, 1000, 1000});
+  CollageSettings s = small_pieces();
+  s.colour.target = test::picture(8, 8, [](Vec2) { return test::opaque({50, 0, 0}); });
+  Batch batch(grid, s);
+  batch.add({0, 0, 10, 10}, {}, 2);
+  EXPECT_FLOAT_EQ(batch.least_worth(), 2 * kBatchWorthInPicture);
+}
+
+/// Cells of eight nodes are taken as a whole.
 TEST(Batch, KeepsHalfALargestPieceBetweenWindows) {
   const PeriodicGrid grid(Window{0, 0, 1000, 1000});
-  Batch batch(grid, small_pieces().pieces);
+  Batch batch(grid, small_pieces());
   batch.add({100, 100, 150, 140}, {}, 1);
   batch.add({700, 700, 710, 710}, {}, 1);
   EXPECT_TRUE(batch.touches({149, 139, 160, 160}));
   EXPECT_FALSE(batch.touches({150, 139, 160, 160}));
-  EXPECT_TRUE(batch.is_near({169, 100, 200, 140}));
-  EXPECT_FALSE(batch.is_near({170, 100, 200, 140}));
-  EXPECT_TRUE(batch.is_near({729, 690, 760, 720}));
-  EXPECT_FALSE(batch.is_near({730, 690, 760, 720}));
+  EXPECT_FALSE(batch.has_room_for({169, 100, 200, 140}));
+  EXPECT_TRUE(batch.has_room_for({177, 100, 200, 140}));
+  EXPECT_FALSE(batch.has_room_for({729, 690, 760, 720}));
+  EXPECT_TRUE(batch.has_room_for({737, 690, 760, 720}));
+}
+
+TEST(Batch, WhatOverlapsABetterCandidateThatWaitsHasToWaitToo) {
+  const PeriodicGrid grid(Window{0, 0, 1000, 1000});
+  Batch batch(grid, small_pieces());
+  batch.add({0, 0, 10, 10}, {}, 1);
+  const Window beside{300, 300, 340, 340};
+  EXPECT_TRUE(batch.has_room_for(beside));
+  batch.wait_for({330, 330, 400, 400});
+  EXPECT_FALSE(batch.has_room_for(beside));
+  EXPECT_FALSE(batch.touches(beside));
+  batch.end();
+  EXPECT_TRUE(batch.has_room_for(beside));
 }
 
 TEST(Batch, SeesWhatIsNearAcrossASeam) {
   const Canvas canvas = make_seamless_canvas(400, 300, true, true);
   const FreeField free(canvas, small_pieces().pieces);
   const Window& period = free.grid().one_period();
-  Batch batch(free.grid(), small_pieces().pieces);
+  Batch batch(free.grid(), small_pieces());
   batch.add({period.x0, period.y0 + 100, period.x0 + 20, period.y0 + 120}, {}, 1);
-  EXPECT_TRUE(batch.is_near({period.x1 - 30, period.y0 + 100, period.x1 - 10, period.y0 + 120}));
-  EXPECT_FALSE(batch.is_near({period.x1 - 60, period.y0 + 100, period.x1 - 40, period.y0 + 120}));
+  EXPECT_FALSE(batch.has_room_for({period.x1 - 30, period.y0 + 100, period.x1 - 10, period.y0 + 120}));
+  EXPECT_TRUE(batch.has_room_for({period.x1 - 60, period.y0 + 100, period.x1 - 40, period.y0 + 120}));
 }
 
 /// Every piece of a batch stands far from the others. Its terms are those of the present field, although nothing was measured

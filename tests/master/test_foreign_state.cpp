@@ -95,6 +95,12 @@ TEST_F(ForeignState, MorePiecesInABatchThanWerePlaced) {
   expect_complaint("more pieces in a batch than were placed");
 }
 
+TEST_F(ForeignState, ABatchOnAnotherCanvas) {
+  ASSERT_GT(state_.batch_pieces, 0u);
+  state_.batch_taken.push_back(0);
+  expect_complaint("a batch on another canvas");
+}
+
 TEST_F(ForeignState, TargetSamplesThatDoNotExist) {
   state_.stale.push_back(SampleId{4'000'000'000u});
   expect_complaint("there is no target sample 4000000000");

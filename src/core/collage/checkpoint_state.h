@@ -52,6 +52,8 @@ struct CheckpointState {
   std::vector<Placement> placements;  // in the order in which they were placed
   std::uint32_t batch_pieces = 0;  // the last placements, which belong to the open batch; the curve does not know them
   float batch_worth = 0;           // of the first of them
+  std::vector<std::uint8_t> batch_taken =
+      {};                          // cells of the field where no other piece may join, row by row; empty: none
   std::vector<PooledSample> pool;  // samples ascending, as in the lists below
   std::vector<SampleId> stale;     // target samples to be matched
   std::vector<SamplePasses> passes;

@@ -64,6 +64,14 @@ void Pool::rank_again(Ranked& ranked) {
   ranked.stamp = candidate.stamp;
 }
 
+/// Leaves an outdated entry in the queue.
+void Pool::set_aside(Ranked& ranked) {
+  Candidate& candidate = at(ranked);
+  candidate.stamp = ranked.stamp = ++last_stamp_;
+  ranked.value = candidate.score;
+  aside_.push_back(ranked);
+}
+
 void Pool::bring_back() {
   for (const Ranked& ranked : aside_) push(ranked);
   aside_.clear();

@@ -65,6 +65,8 @@ class Pool {
   /// may only fall while its score stays. The queue corrects its order lazily, when it reaches a candidate.
   template <class Worth, class Visitor>
   void best_first(Worth worth, Visitor visit);
+  /// best_first() does not visit this candidate again before bring_back().
+  void set_aside(Ranked& ranked);
   /// Makes best_first() visit the candidates that were set aside again.
   void bring_back();
 

@@ -166,8 +166,10 @@ inline constexpr int kFinalistsExamined = 64;       // candidates examined to fi
 inline constexpr float kSameCandidate = 0.07f;      // of the scale: two finalists would look the same
 inline constexpr int kEmptyPasses = 2;  // passes over all samples, with new random dockings, until the region is full
 
-// Batches: the pieces that are placed before candidates are matched again.
-inline constexpr float kBatchWorth = 0.75f;  // of the first piece's worth: the least for another one
+// Batches: the pieces that are placed before candidates are matched again. Of the first piece's worth another one needs at
+// least a part. Where a picture is shown, colours decide about worth, and no neighbour that comes later changes them.
+inline constexpr float kBatchWorth = 0.7f;
+inline constexpr float kBatchWorthInPicture = 1.f / 64;
 inline constexpr float kBatchClearance =
     0.5f;  // of the largest piece: least distance between the windows of two pieces
 

@@ -1,36 +1,29 @@
-// A batch: the pieces that are placed before candidates are matched and measured again. The first one is the best
-// candidate. The others are worth nearly as much and stand far from all earlier ones, so that they would have been chosen
-// soon, at the same place. Without batches a canvas would need as many rounds as it has pieces.
+// A batch: the pieces that are placed before candidates are matched and measured again. Each is the best candidate of its
+// surroundings and stands far from the others, so that it would have been chosen soon, at the same place. Without batches a
+// canvas would need as many rounds as it has pieces.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "core/geometry/periodic_grid.h"
 #include "core/settings/settings.h"
-#include "core/settings/tuning.h"
 
 namespace tessera::master {
 
 class Batch {
  public:
   /// `grid`: of the free field; it outlives the batch.
-  Batch(const PeriodicGrid& grid, const PieceSettings& pieces)
-      : grid_(grid),
-        clearance_px_(int(kBatchClearance * pieces.max_scale_px)) {}
+  Batch(const PeriodicGrid& grid, const CollageSettings& settings);
 
   /// Adds a piece that was placed. It changed the nodes `stamped` of the free field, and the terms of candidates whose
   /// windows overlap `touched`. The worth of the first piece decides which others may join.
-  void add(const Window& touched, const Window& stamped, float worth) {
-    if (!is_open()) first_worth_ = worth;
-    touched_.push_back(touched);
-    stamped_.push_back(stamped);
-  }
-  void end() {
-    touched_.clear();
-    stamped_.clear();
-  }
+  void add(const Window& touched, const Window& stamped, float worth);
+  /// Notes a candidate that is better than those that come after it, but has to wait until it is measured again. Those that
+  /// overlap its window have to wait, too, as it may be the better one.
+  void wait_for(const Window& candidate) { take(candidate); }
+  void end();
 
   bool is_open() const { return !touched_.empty(); }
   std::size_t pieces() const { return touched_.size(); }
@@ -38,24 +31,30 @@ class Batch {
   const std::vector<Window>& touched() const { return touched_; }
   const std::vector<Window>& stamped() const { return stamped_; }
 
-  /// The least worth of a candidate that may join.
-  float least_worth() const { return is_open() ? kBatchWorth * first_worth_ : 0; }
-  /// Whether a candidate with this window stands too near to join.
-  bool is_near(const Window& candidate) const { return any_overlaps(candidate.grown(clearance_px_)); }
+  /// The least worth of a candidate that may join. What is worth little waits for neighbours that it may fit better.
+  float least_worth() const { return is_open() ? least_part_ * first_worth_ : 0; }
+  /// Whether a candidate with this window may join: no piece is near, and no better candidate waits there.
+  bool has_room_for(const Window& candidate) const;
   /// Whether a piece touches the candidate with this window, so that it has to be measured again.
-  bool touches(const Window& candidate) const { return any_overlaps(candidate); }
+  bool touches(const Window& candidate) const;
+
+  /// The places that are taken, for checkpoints: a number for each cell, row by row.
+  const std::vector<std::uint8_t>& taken() const { return taken_.data(); }
+  /// Sets them. Returns false where there are not as many cells.
+  bool set_taken(const std::vector<std::uint8_t>& taken);
 
  private:
-  bool any_overlaps(const Window& window) const {
-    return std::any_of(touched_.begin(), touched_.end(),
-                       [&](const Window& touched) { return grid_.overlap(touched, window); });
-  }
+  void take(const Window& window);
+  template <class Row>
+  bool any_row(const Window& window, Row row) const;
 
   const PeriodicGrid& grid_;
   int clearance_px_;
+  float least_part_;  // of the first piece's worth
   std::vector<Window> touched_;
   std::vector<Window> stamped_;
   float first_worth_ = 0;
+  Grid<std::uint8_t> taken_;  // cells of the field where nothing may join; images of a period are taken with it
 };
 
 }  // namespace tessera::master
