@@ -18,7 +18,8 @@ constexpr std::uint64_t kFirstPiece = 0x6669727374;  // keeps these random numbe
 
 }  // namespace
 
-/// The best candidates, of which no two look the same. While a batch is open, these are candidates that may join it.
+/// The best candidates, of which no two look the same. While a batch is open, these are candidates that may join it. Only
+/// candidates that are better than all of these are told to wait. So a choice that is interrupted finds the same again.
 std::vector<Pool::Ranked> Collage::finalists() {
   using Visit = Pool::Visit;
   std::vector<Pool::Ranked> chosen;
@@ -28,6 +29,7 @@ std::vector<Pool::Ranked> Collage::finalists() {
   pool_.best_first(worth_of, [&](const Pool::Ranked& ranked, const Candidate& c) {
     if (ranked.value < batch_.least_worth()) return Visit::last;
     if (batch_.is_open() && !batch_.has_room_for(c.window)) {
+      if (!chosen.empty()) return Visit::next;
       batch_.wait_for(c.window);
       return Visit::set_aside;
     }

@@ -170,6 +170,25 @@ TEST(Restart, InTheMiddleOfAChoiceGivesTheSameCollage) {
   }
 }
 
+/// While candidates that may join a batch are looked for, others are found that have to wait. Looking again must find the same.
+TEST(Restart, InTheMiddleOfAChoiceForABatchGivesTheSameCollage) {
+  const Canvas wide = make_rectangle_canvas(420, 300);
+  CollageSettings s = settings();
+  s.pieces.max_scale_px = 40;
+  s.pieces.overlap_px = 0;
+  CountQuestions count;
+  const CollageResult whole = run(s, {}, count, {}, wide);
+  ASSERT_LT(whole.statistics.rounds + 20, whole.placements.size()) << "the test needs batches of several pieces";
+  for (std::size_t question = 7; question < count.questions; question += count.questions / 10) {
+    KeepLatest keeper;
+    StopAtQuestion stop(question);
+    ASSERT_TRUE(run(s, {}, stop, {nullptr, &keeper}, wide).unfinished);
+    const CheckpointState state = keeper.latest;
+    SilentObserver silent;
+    EXPECT_EQ(run(s, {5}, silent, {&state, nullptr}, wide).placements, whole.placements) << question;
+  }
+}
+
 TEST(Restart, CheckpointsChangeNothing) {
   class KeepAlways : public KeepLatest {
    public:
