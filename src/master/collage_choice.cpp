@@ -30,7 +30,7 @@ std::vector<Pool::Ranked> Collage::finalists() {
     if (ranked.value < batch_.least_worth()) return Visit::last;
     if (batch_.is_open() && !batch_.has_room_for(c.window)) {
       if (!chosen.empty()) return Visit::next;
-      batch_.wait_for(c.window);
+      batch_.hold_back(c.window);
       return Visit::set_aside;
     }
     const bool repeated = std::any_of(looks.begin(), looks.end(), [&](const Candidate* other) {
@@ -222,7 +222,7 @@ void Collage::keep_checks(std::vector<Finalist>& finalists) {
     if (finalist.given_up) {
       pool_.erase(finalist.ranked);
     } else if (finalist.waits) {
-      batch_.wait_for(pooled.window);
+      batch_.hold_back(pooled.window);
       pool_.set_aside(finalist.ranked);
     }
   }

@@ -70,7 +70,7 @@ TEST(Batch, WhatOverlapsABetterCandidateThatWaitsHasToWaitToo) {
   batch.add({0, 0, 10, 10}, {}, 1);
   const Window beside{300, 300, 340, 340};
   EXPECT_TRUE(batch.has_room_for(beside));
-  batch.wait_for({330, 330, 400, 400});
+  batch.hold_back({330, 330, 400, 400});
   EXPECT_FALSE(batch.has_room_for(beside));
   EXPECT_FALSE(batch.touches(beside));
   batch.end();

@@ -50,10 +50,10 @@ struct CheckpointState {
   std::uint64_t begun_with = 0;       // digest of the pieces that the job gives
   int empty_passes = 0;               // while filling: how often all samples were matched again since the last piece
   std::vector<Placement> placements;  // in the order in which they were placed
-  std::uint32_t batch_pieces = 0;  // the last placements, which belong to the open batch; the curve does not know them
-  float batch_worth = 0;           // of the first of them
-  std::vector<std::uint8_t> batch_taken =
-      {};                          // cells of the field where no other piece may join, row by row; empty: none
+  std::uint32_t batch_pieces = 0;     // the last placements, which belong to the open batch and not yet to the curve
+  float batch_worth = 0;              // of the first of them
+  /// The cells of the field where no other piece may join the batch are 1, row by row. Empty where no batch is open.
+  std::vector<std::uint8_t> batch_taken = {};
   std::vector<PooledSample> pool;  // samples ascending, as in the lists below
   std::vector<SampleId> stale;     // target samples to be matched
   std::vector<SamplePasses> passes;

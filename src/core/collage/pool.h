@@ -55,11 +55,11 @@ class Pool {
   /// Must be called after the candidate's score has changed.
   void rank_again(Ranked& ranked);
 
-  /// What a visit by best_first() decides.
+  /// How best_first() goes on after a candidate. The function that it calls for each candidate returns this.
   enum class Visit {
-    next,       // visits the next candidate
-    set_aside,  // the same, and does not visit this candidate again before bring_back()
-    last,       // ends
+    next,       // to the next candidate
+    set_aside,  // to the next one, and this one does not come again before bring_back()
+    last,       // no further
   };
   /// Calls visit(ranked, candidate) in descending order of worth(candidate). A candidate's worth is at most its score and
   /// may only fall while its score stays. The queue corrects its order lazily, when it reaches a candidate.

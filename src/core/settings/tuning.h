@@ -161,7 +161,7 @@ inline constexpr int kRefillBelow = 2;         // a target sample with fewer can
 // scales.
 inline constexpr float kNearTwinReach = 0.5f;
 inline constexpr float kUseInOtherColours = 0.75f;  // weight of a use in other colours: the rarer variant is chosen
-inline constexpr int kFinalists = 8;                // candidates checked exactly in a round
+inline constexpr int kFinalists = 8;                // candidates checked exactly before a piece
 inline constexpr int kFinalistsExamined = 64;       // candidates examined to find the distinct finalists
 inline constexpr float kSameCandidate = 0.07f;      // of the scale: two finalists would look the same
 inline constexpr int kEmptyPasses = 2;  // passes over all samples, with new random dockings, until the region is full

@@ -35,7 +35,7 @@ void Batch::end() {
   std::fill(taken_.data().begin(), taken_.data().end(), std::uint8_t(0));
 }
 
-/// Calls row(first, last) for the cells of each row of the window and its images, until one call is true.
+/// Calls row(y, first, last) for the cells of each row of the window and its images, until one call is true.
 template <class Row>
 bool Batch::any_row(const Window& window, Row row) const {
   for (const Window& part : grid_.images(window, grid_.nodes())) {

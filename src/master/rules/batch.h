@@ -20,9 +20,8 @@ class Batch {
   /// Adds a piece that was placed. It changed the nodes `stamped` of the free field, and the terms of candidates whose
   /// windows overlap `touched`. The worth of the first piece decides which others may join.
   void add(const Window& touched, const Window& stamped, float worth);
-  /// Notes a candidate that is better than those that come after it, but has to wait until it is measured again. Those that
-  /// overlap its window have to wait, too, as it may be the better one.
-  void wait_for(const Window& candidate) { take(candidate); }
+  /// Keeps a candidate out until it is measured again, and with it all worse ones that overlap its window.
+  void hold_back(const Window& candidate) { take(candidate); }
   void end();
 
   bool is_open() const { return !touched_.empty(); }
