@@ -226,7 +226,6 @@ TEST(OpenCLMatcher, PairLimitsOfALargeLibraryAreThoseOfAllItsPairs) {
 }
 
 /// A caller with several devices posts to one after the other, and must not wait for the work of an earlier one.
-/// PoCL's serial device does all work at the post, whether pairs or draws.
 TEST(OpenCLMatcher, PostingPairsDoesNotWaitForRandomDraws) {
   const MatchingScene scene = make_scene(scene_settings(), {6, 700, 9, 300});
   const std::vector<TargetSample> samples = repeated(scene.samples, 300);
@@ -239,23 +238,23 @@ TEST(OpenCLMatcher, PostingPairsDoesNotWaitForRandomDraws) {
     double posting_s = 1e9;  // the best of several times, as other work may disturb one of them
     double whole_s = 1e9;
   };
-  const auto dock = [&](std::uint32_t bins) {
-    const DockRequest request{samples, std::vector<std::uint32_t>(samples.size(), bins), 5000};
-    Least least;
-    for (int i = 0; i < 5; ++i) {
-      const Stopwatch watch;
-      matcher.post_dock(request);
-      least.posting_s = std::min(least.posting_s, watch.seconds());
-      const std::vector<Docking> docked = matcher.take_dock().dockings;
-      least.whole_s = std::min(least.whole_s, watch.seconds());
-      EXPECT_EQ(std::any_of(docked.begin(), docked.end(), [](const Docking& d) { return d.source < kTangentSource; }),
-                bins > 0);
-    }
-    return least;
+  const auto dock = [&](std::uint32_t bins, Least& least) {
+    const Stopwatch watch;
+    matcher.post_dock({samples, std::vector<std::uint32_t>(samples.size(), bins), 5000});
+    least.posting_s = std::min(least.posting_s, watch.seconds());
+    const std::vector<Docking> docked = matcher.take_dock().dockings;
+    least.whole_s = std::min(least.whole_s, watch.seconds());
+    EXPECT_EQ(std::any_of(docked.begin(), docked.end(), [](const Docking& d) { return d.source < kTangentSource; }),
+              bins > 0);
   };
-  const Least draws = dock(0);
+  Least draws, pairs_and_draws;
+  for (int i = 0; i < 5; ++i) {  // in turns, so that other work disturbs both
+    dock(0, draws);
+    dock(30, pairs_and_draws);
+  }
   if (draws.whole_s < 0.1) GTEST_SKIP() << "this device is so fast that it shows nothing";
-  EXPECT_LT(dock(30).posting_s, draws.posting_s + 0.3 * draws.whole_s);
+  if (draws.posting_s > 0.5 * draws.whole_s) GTEST_SKIP() << "this device does its work within the post";
+  EXPECT_LT(pairs_and_draws.posting_s, draws.posting_s + 0.3 * draws.whole_s);
 }
 
 /// A scene of a library so large that draws come from a deck. The matchers have ten of the deck's shapes.
