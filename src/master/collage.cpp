@@ -74,13 +74,13 @@ Collage::Collage(const Canvas& canvas, const CollageSettings& settings, const Ma
       free_(canvas, settings.pieces),
       opened_(free_, settings.pieces),
       curve_(settings.pieces, settings.match.pad),
-      checks_(shapes, free_, opened_, settings_.pieces),
       outlines_(free_, settings.pieces),
       scoring_(settings, context.stances, silhouettes_of(shapes, context.library_shapes), canvas.period,
                drawings_of(shapes, context.library_shapes)),
       open_shapes_(context, settings.pieces, scoring_, shapes, size_factor),
       apart_(settings, shapes, canvas.period),
-      settling_(shapes, free_, outlines_, open_shapes_.context()),
+      settling_(free_, outlines_, open_shapes_.context()),
+      checks_(shapes, free_, opened_, settling_, settings_.pieces, open_shapes_.context()),
       schedule_(free_, curve_, growth_),
       batch_(free_.grid(), settings_) {
   note_changed(free_.field().value.bounds());
@@ -105,6 +105,7 @@ std::vector<ShapeId> Collage::shut_out_shapes() const {
 void Collage::update_open_shapes() {
   if (!scoring_.limits_uses() && !apart_.matters()) return;
   if (!open_shapes_.update(shut_out_shapes(), double(free_.free_256ths_px2()) / 256)) return;
+  checks_.forget_settled();
   std::vector<SampleId> ids;
   for (const auto& [id, entry] : pool_.entries()) ids.push_back(id);
   for (const SampleId id : ids) review(id, [this](const Candidate& c) { return open_shapes_.allows(c); });

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -22,14 +23,14 @@
 #include "core/matching/matching_context.h"
 #include "core/settings/settings.h"
 #include "core/shape/shape_source.h"
-#include "master/exact_checks.h"
+#include "master/choosing/piece_checks.h"
+#include "master/choosing/settling.h"
 #include "master/rules/batch.h"
 #include "master/rules/kept_apart.h"
 #include "master/rules/open_shapes.h"
 #include "master/rules/outward_growth.h"
 #include "master/rules/scoring.h"
 #include "master/sample_schedule.h"
-#include "master/settling.h"
 
 namespace tessera::master {
 
@@ -58,8 +59,8 @@ class Collage {
   /// Puts the candidates that were found for these samples into the pool, as far as they may stand.
   void add_candidates(const std::vector<TargetSample>& samples, const MatchRound& round);
 
-  /// Checks exactly the candidates that would be finalists now, while the workers match. It changes how long choose()
-  /// takes, never what choose() finds.
+  /// Checks the candidates that the next choices will probably ask for, on all cores of the rank. It changes how long
+  /// choose() takes, never what choose() finds.
   void check_ahead();
 
   /// Whether a gap at these nodes is wide enough for some shape that hardly docks (HullRoom) and may stand, with all that
@@ -122,7 +123,10 @@ class Collage {
     bool waits = false;  // for the end of the batch
   };
 
+  bool repeats(const Candidate& candidate, std::span<const Candidate* const> others) const;
   std::vector<Pool::Ranked> finalists();
+  std::vector<Candidate> likely_finalists();
+  std::vector<Candidate> likely_pieces(std::vector<Candidate> finalists) const;
   std::vector<Finalist> checked_finalists(const StopCheck& check_stop);
   bool settle_best(std::vector<Finalist>& finalists, Candidate& best, const StopCheck& check_stop);
   void keep_checks(std::vector<Finalist>& finalists);
@@ -134,7 +138,7 @@ class Collage {
   const MatchingContext& context() const { return open_shapes_.context(); }
   float score(const Candidate& candidate) const;
   float worth(const Candidate& candidate) const { return candidate.score * scoring_.preference(candidate); }
-  ExactAreas check_exactly(Candidate& candidate);
+  void score_exactly(Candidate& candidate, const ExactAreas& areas) const;
   enum class Settled { unfit, touches_too_little, fit };
   Settled settle(Candidate& candidate);
   Window stamp_window(const Placement& placement);
@@ -158,7 +162,6 @@ class Collage {
   OpenedField opened_;
   TargetCurve curve_;
   Pool pool_;
-  ExactChecks checks_;
   std::vector<Placement> placements_;
   PlacedOutlines outlines_;            // of the placements
   std::map<ShapeId, HullRoom> rooms_;  // only of shapes that were asked for
@@ -166,6 +169,7 @@ class Collage {
   OpenShapes open_shapes_;
   KeptApart apart_;
   Settling settling_;
+  PieceChecks checks_;
   std::optional<OutwardGrowth> growth_;
   SampleSchedule schedule_;
   Batch batch_;

@@ -1,6 +1,9 @@
 // Collage: chooses the candidate that becomes the next piece.
 #include <algorithm>
+#include <iterator>
 #include <set>
+#include <span>
+#include <utility>
 
 #include "core/base/portable_math.h"
 #include "core/base/stop.h"
@@ -14,9 +17,19 @@ namespace {
 constexpr std::uint32_t kShapesLookedAt = 64;
 constexpr std::size_t kGapShapes = 8;                // shapes that are tried in a wide gap
 constexpr int kGapAttempts = 64;                     // poses that are settled in a wide gap
+constexpr std::size_t kCheckedAhead = 64;            // candidates that are checked at a time
+constexpr std::size_t kLookedAhead = 1024;           // candidates that are looked at to find them
 constexpr std::uint64_t kFirstPiece = 0x6669727374;  // keeps these random numbers apart from those of the dockings
 
 }  // namespace
+
+/// Whether the candidate would look the same as one of the others.
+bool Collage::repeats(const Candidate& candidate, std::span<const Candidate* const> others) const {
+  return std::any_of(others.begin(), others.end(), [&](const Candidate* other) {
+    return scoring_.look_alike(other->shape, candidate.shape) &&
+           near_copy(other->canvas_from_shape, candidate.canvas_from_shape, kSameCandidate);
+  });
+}
 
 /// The best candidates, of which no two look the same. While a batch is open, these are candidates that may join it. Only
 /// candidates that are better than all of these are told to wait. So a choice that is interrupted finds the same again.
@@ -33,11 +46,7 @@ std::vector<Pool::Ranked> Collage::finalists() {
       batch_.hold_back(c.window);
       return Visit::set_aside;
     }
-    const bool repeated = std::any_of(looks.begin(), looks.end(), [&](const Candidate* other) {
-      return scoring_.look_alike(other->shape, c.shape) &&
-             near_copy(other->canvas_from_shape, c.canvas_from_shape, kSameCandidate);
-    });
-    if (!repeated) {
+    if (!repeats(c, looks)) {
       chosen.push_back(ranked);
       looks.push_back(&c);
     }
@@ -46,32 +55,77 @@ std::vector<Pool::Ranked> Collage::finalists() {
   return chosen;
 }
 
-ExactAreas Collage::check_exactly(Candidate& candidate) {
-  const ExactAreas areas = checks_.areas(candidate);
+/// The candidates that will probably be finalists of the next choices, best first: those of finalists(), and more, as if
+/// each candidate had been placed before the eighth after it comes.
+std::vector<Candidate> Collage::likely_finalists() {
+  using Visit = Pool::Visit;
+  Batch ahead = batch_;
+  std::vector<const Candidate*> likely;
+  std::size_t visited = 0;
+  const auto worth_of = [&](const Candidate& c) { return worth(c); };
+  pool_.best_first(worth_of, [&](const Pool::Ranked& ranked, const Candidate& c) {
+    if (ranked.value < ahead.least_worth() || ++visited > kLookedAhead) return Visit::last;
+    if (!ahead.has_room_for(c.window)) return Visit::next;
+    const std::size_t latest = std::min<std::size_t>(likely.size(), kFinalists);
+    if (repeats(c, std::span(likely).last(latest))) return Visit::next;
+    likely.push_back(&c);
+    if (likely.size() >= kFinalists) {
+      const Candidate& placed = *likely[likely.size() - kFinalists];
+      if (ahead.has_room_for(placed.window)) ahead.add(placed.window, {}, worth(placed));
+    }
+    return likely.size() < kCheckedAhead ? Visit::next : Visit::last;
+  });
+  std::vector<Candidate> copies;
+  for (const Candidate* candidate : likely) copies.push_back(*candidate);
+  return copies;
+}
+
+/// Those of the finalists that will probably be settled to become pieces.
+std::vector<Candidate> Collage::likely_pieces(std::vector<Candidate> finalists) const {
+  std::stable_sort(finalists.begin(), finalists.end(),
+                   [this](const Candidate& a, const Candidate& b) { return worth(a) > worth(b); });
+  Batch ahead = batch_;
+  std::vector<Candidate> pieces;
+  for (const Candidate& candidate : finalists) {
+    const float value = worth(candidate);
+    if (value < ahead.least_worth()) break;
+    if (!ahead.has_room_for(candidate.window)) continue;
+    ahead.add(candidate.window, {}, value);
+    pieces.push_back(candidate);
+  }
+  return pieces;
+}
+
+/// Candidates are settled ahead only where the pieces of a batch change nothing about the sizes of the next ones.
+void Collage::check_ahead() {
+  std::vector<Candidate> likely = likely_finalists();
+  std::vector<Candidate> unchecked;
+  std::copy_if(likely.begin(), likely.end(), std::back_inserter(unchecked),
+               [](const Candidate& c) { return !c.exact; });
+  checks_.compute_areas_ahead(unchecked);
+  if (!settings_.settle || scoring_.limits_uses()) return;
+  for (Candidate& candidate : likely) {
+    if (!candidate.exact) score_exactly(candidate, checks_.areas(candidate));
+  }
+  checks_.settle_ahead(likely_pieces(std::move(likely)));
+}
+
+void Collage::score_exactly(Candidate& candidate, const ExactAreas& areas) const {
   Candidate measured = candidate;
   measured.terms = with_exact_areas(candidate.terms, areas);
   candidate.score = score(measured);
   candidate.exact = true;
-  return areas;
-}
-
-void Collage::check_ahead() {
-  for (const Pool::Ranked& ranked : finalists()) {
-    const Candidate& candidate = pool_.at(ranked);
-    if (!candidate.exact) checks_.compute_ahead(candidate);
-  }
 }
 
 /// Makes a piece of the candidate and measures it again, as settling may change what it is worth.
 Collage::Settled Collage::settle(Candidate& candidate) {
-  const Stance& stance = context().stances[candidate.stance];
-  const PoseRange poses = sized_at(context(), stance, candidate.canvas_from_shape.translation()).poses;
-  if (!settling_.settle(candidate.shape, poses, candidate.canvas_from_shape)) return Settled::unfit;
-  candidate.canvas_from_shape = free_.grid().period().wrapped(candidate.canvas_from_shape);
-  candidate.terms = docking_terms(candidate.canvas_from_shape, shapes_.model(candidate.shape), free_.view(), context());
-  const ExactAreas areas = check_exactly(candidate);
+  const SettledPiece piece = checks_.settled(candidate);
+  if (!piece.fits) return Settled::unfit;
+  candidate.canvas_from_shape = piece.canvas_from_shape;
+  candidate.terms = piece.terms;
+  score_exactly(candidate, piece.areas);
   const bool shows_overlap =
-      !overlaps_little(candidate) || !overlaps_little(candidate, areas, settings_.pieces.padding_px);
+      !overlaps_little(candidate) || !overlaps_little(candidate, piece.areas, settings_.pieces.padding_px);
   if (shows_overlap || !keeps_apart(candidate)) return Settled::unfit;
   return touches(candidate) ? Settled::fit : Settled::touches_too_little;
 }
@@ -169,7 +223,10 @@ bool Collage::choose_first(Candidate& first, const StopCheck& check_stop) {
     const Vec2 along = poses.rotations.middle * scale_px;
     first.canvas_from_shape = {along.x, along.y, middle_px.x, middle_px.y};
     poses.pull_in(first.canvas_from_shape);
-    if (settling_.settle(first.shape, poses, first.canvas_from_shape)) return true;
+    const ShapeModel& model = shapes_.model(first.shape);
+    const SettledPose settled = settling_.settle(shapes_.shape(first.shape), model, poses, first.canvas_from_shape);
+    first.canvas_from_shape = settled.canvas_from_shape;
+    if (settled.fits) return true;
     scale_px = std::max(settings_.pieces.min_scale_px, kFirstPieceShrink * scale_px);
   }
   return false;
@@ -177,11 +234,17 @@ bool Collage::choose_first(Candidate& first, const StopCheck& check_stop) {
 
 /// The finalists with exact scores, best first.
 std::vector<Collage::Finalist> Collage::checked_finalists(const StopCheck& check_stop) {
+  const std::vector<Pool::Ranked> finalists = this->finalists();
+  const bool all_known = std::all_of(finalists.begin(), finalists.end(), [this](const Pool::Ranked& ranked) {
+    const Candidate& candidate = pool_.at(ranked);
+    return candidate.exact || checks_.knows_areas(candidate);
+  });
+  if (!all_known) check_ahead();
   std::vector<Finalist> checked;
-  for (const Pool::Ranked& ranked : finalists()) {
+  for (const Pool::Ranked& ranked : finalists) {
     check_stop();
     Finalist finalist{ranked, pool_.at(ranked)};
-    if (!finalist.candidate.exact) check_exactly(finalist.candidate);
+    if (!finalist.candidate.exact) score_exactly(finalist.candidate, checks_.areas(finalist.candidate));
     finalist.ranked.value = worth(finalist.candidate);
     checked.push_back(finalist);
   }

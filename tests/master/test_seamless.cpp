@@ -222,11 +222,14 @@ TEST(Seamless, ExactAreasAreThoseOfTheFieldAsItIs) {
   FreeField free(both_ways(), pieces);
   OpenedField opened(free, pieces);
   test::VectorShapes shapes(library());
-  ExactChecks checks(shapes, free, opened, pieces);
+  const MatchingContext context = make_matching_context(settings(), std::uint32_t(library().size()));
+  const PlacedOutlines outlines(free, pieces);
+  const Settling settling(free, outlines, context);
+  PieceChecks checks(shapes, free, opened, settling, pieces, context);
   Candidate candidate;
   candidate.shape = ShapeId{3};
   candidate.canvas_from_shape = {60, 0, 10, 90};
-  checks.compute_ahead(candidate);
+  checks.compute_areas_ahead({candidate});
   EXPECT_EQ(checks.areas(candidate).overlap_px2, 0);
   checks.forget(opened.update(free, {free.stamp(library()[4], {60, 0, 225, 90})}).front());
   EXPECT_GT(checks.areas(candidate).overlap_px2, 500);

@@ -175,6 +175,14 @@ void descend(Similarity& s, const ShapeModel& shape, const FieldView& field, con
   }
 }
 
+/// A step moves the piece by at most the radius along each axis, and a point at the rim by growth and rotation. Each of
+/// these is at most the radius at the arm, and both together a little more than their sum.
+float longest_way_px(const Descent& descent, float least_radius_px) {
+  const float radius_px = std::max(descent.first_radius_px, descent.last_radius_px);
+  const float at_rim_px = radius_px / kArm;
+  return float(descent.steps) * (1.4143f * radius_px + 2 * at_rim_px + at_rim_px * at_rim_px / least_radius_px);
+}
+
 float depth_px(const Similarity& canvas_from_shape, const ShapeModel& shape, const FieldView& field) {
   float deepest = 0;
   for (const Vec2& p : shape.boundary) {
@@ -207,17 +215,17 @@ bool refine(Similarity& s, const ShapeModel& shape, const FieldView& field, cons
   return depth <= hard_depth_px && poses.contains(s);
 }
 
-void grow(Similarity& s, const ShapeModel& shape, const FieldView& field, const PoseRange& poses, float hard_depth_px) {
-  for (int step = 0; step < kGrowSteps; ++step) {
-    Similarity larger = s;
-    larger.a *= kGrowStep;
-    larger.b *= kGrowStep;
-    poses.pull_in(larger);
-    descend(larger, shape, field, kGrow, poses);
-    const bool grown = larger.scale() > s.scale() * kLeastGrowth;
-    if (!grown || depth_px(larger, shape, field) > hard_depth_px) return;
-    s = larger;
-  }
+bool grow_step(Similarity& s, const ShapeModel& shape, const FieldView& field, const PoseRange& poses,
+               float hard_depth_px) {
+  Similarity larger = s;
+  larger.a *= kGrowStep;
+  larger.b *= kGrowStep;
+  poses.pull_in(larger);
+  descend(larger, shape, field, kGrow, poses);
+  const bool grown = larger.scale() > s.scale() * kLeastGrowth;
+  if (!grown || depth_px(larger, shape, field) > hard_depth_px) return false;
+  s = larger;
+  return true;
 }
 
 }  // namespace tessera

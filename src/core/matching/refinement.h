@@ -15,6 +15,9 @@ namespace tessera {
 void descend(Similarity& canvas_from_shape, const ShapeModel& shape, const FieldView& field, const Descent& descent,
              const PoseRange& poses);
 
+/// The distance, px, that no point of a piece exceeds in one descent. `least_radius_px`: of the piece at its smallest size.
+float longest_way_px(const Descent& descent, float least_radius_px);
+
 /// Depth of the piece in the covered area, px: the largest depth of a boundary point, or of an interior point plus
 /// kInteriorDepth_px. 0 if no point is covered.
 float depth_px(const Similarity& canvas_from_shape, const ShapeModel& shape, const FieldView& field);
@@ -23,9 +26,9 @@ float depth_px(const Similarity& canvas_from_shape, const ShapeModel& shape, con
 bool refine(Similarity& canvas_from_shape, const ShapeModel& shape, const FieldView& field, const PoseRange& poses,
             float hard_depth_px);
 
-/// Enlarges the piece in steps of kGrowStep, with a descent after each, while it stays feasible. The piece never
-/// becomes smaller.
-void grow(Similarity& canvas_from_shape, const ShapeModel& shape, const FieldView& field, const PoseRange& poses,
-          float hard_depth_px);
+/// Enlarges the piece by kGrowStep, with a descent after it. False, and no change, where it cannot grow or would not stay
+/// feasible.
+bool grow_step(Similarity& canvas_from_shape, const ShapeModel& shape, const FieldView& field, const PoseRange& poses,
+               float hard_depth_px);
 
 }  // namespace tessera

@@ -7,13 +7,13 @@ constexpr std::size_t kWholeShapesKept = 1024;  // about 80 MB
 
 }  // namespace
 
-const Shape& CachedShapes::shape(ShapeId id) {
+const std::shared_ptr<const Shape>& CachedShapes::recent(ShapeId id) {
   const auto known = position_.find(id);
   if (known != position_.end()) {
     recent_.splice(recent_.begin(), recent_, known->second);
     return recent_.front().shape;
   }
-  recent_.push_front({id, load(id)});
+  recent_.push_front({id, std::make_shared<Shape>(load(id))});
   position_[id] = recent_.begin();
   if (recent_.size() > kWholeShapesKept) {
     position_.erase(recent_.back().id);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <list>
+#include <memory>
 #include <unordered_map>
 
 #include "core/shape/shape_source.h"
@@ -12,7 +13,8 @@ namespace tessera {
 /// any size can be used. The cache never changes the answers.
 class CachedShapes : public ShapeSource {
  public:
-  const Shape& shape(ShapeId id) override;
+  const Shape& shape(ShapeId id) override { return *recent(id); }
+  std::shared_ptr<const Shape> hold(ShapeId id) override { return recent(id); }
   const ShapeModel& model(ShapeId id) override;
 
  protected:
@@ -22,8 +24,10 @@ class CachedShapes : public ShapeSource {
  private:
   struct Kept {
     ShapeId id;
-    Shape shape;
+    std::shared_ptr<const Shape> shape;
   };
+  const std::shared_ptr<const Shape>& recent(ShapeId id);
+
   std::list<Kept> recent_;  // most recent first
   std::unordered_map<ShapeId, std::list<Kept>::iterator> position_;
   std::unordered_map<ShapeId, ShapeModel> models_;

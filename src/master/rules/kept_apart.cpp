@@ -11,9 +11,22 @@ namespace {
 /// To find that a point is near a piece, every 16th outline point is compared first.
 constexpr std::size_t kNearPointStride = 16;
 
-bool nearer_than(float reach_px, const std::vector<Vec2>& a, const std::vector<Vec2>& b, Vec2 b_moved_by) {
-  return std::any_of(b.begin(), b.end(), [&](Vec2 point) {
-    const Vec2 p = point + b_moved_by;
+/// Added to circles, so that rounding excludes no point.
+constexpr float kRounding_px = 0.01f;
+
+/// The points, moved, that lie within the circle.
+std::vector<Vec2> within_circle(const std::vector<Vec2>& points, Vec2 moved_by, Vec2 centre, float radius_px) {
+  const float most_px = radius_px + kRounding_px;
+  std::vector<Vec2> within;
+  for (const Vec2& point : points) {
+    const Vec2 p = point + moved_by;
+    if (dot(p - centre, p - centre) < most_px * most_px) within.push_back(p);
+  }
+  return within;
+}
+
+bool any_nearer_than(float reach_px, const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
+  return std::any_of(b.begin(), b.end(), [&](Vec2 p) {
     return std::any_of(a.begin(), a.end(), [&](Vec2 q) { return dot(p - q, p - q) < reach_px * reach_px; });
   });
 }
@@ -68,6 +81,14 @@ bool KeptApart::comes_back(ShapeId shape, const Similarity& canvas_from_shape) c
          });
 }
 
+/// Compares only the points of each that the other's circle can reach.
+bool KeptApart::any_points_nearer(float reach_px, const Boundary& a, const Boundary& b, Vec2 b_moved_by) {
+  const std::vector<Vec2> of_b = within_circle(b.points_px, b_moved_by, a.centre_px, a.radius_px + reach_px);
+  if (of_b.empty()) return false;
+  const Vec2 b_centre_px = b.centre_px + b_moved_by;
+  return any_nearer_than(reach_px, within_circle(a.points_px, {}, b_centre_px, b.radius_px + reach_px), of_b);
+}
+
 bool KeptApart::may_stand(ShapeId shape, const Similarity& canvas_from_shape, float radius) {
   if (comes_back(shape, canvas_from_shape)) return false;
   const Company company = company_of(shape);
@@ -82,7 +103,7 @@ bool KeptApart::may_stand(ShapeId shape, const Similarity& canvas_from_shape, fl
       if (dot(between, between) >= circles_px * circles_px) continue;
       if (!own) own = boundary_of(shape, canvas_from_shape);
       const float reach_px = company.distance_px + own->half_spacing_px + other.half_spacing_px;
-      if (nearer_than(reach_px, own->points_px, other.points_px, image)) return false;
+      if (any_points_nearer(reach_px, *own, other, image)) return false;
     }
   }
   return true;

@@ -67,6 +67,7 @@ class KeptApart {
   bool comes_back(ShapeId shape, const Similarity& canvas_from_shape) const;
   Company company_of(ShapeId shape) const;
   Boundary boundary_of(ShapeId shape, const Similarity& canvas_from_shape);
+  static bool any_points_nearer(float reach_px, const Boundary& a, const Boundary& b, Vec2 b_moved_by);
   bool any_beyond(float distance_px, const std::vector<Boundary>& pieces, const AnyPoint& any_point) const;
 
   float job_distance_px_;

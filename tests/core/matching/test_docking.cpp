@@ -225,15 +225,48 @@ TEST(Refine, RejectsWhatCannotFit) {
   EXPECT_FALSE(refine(pose, model, FieldView(hole), stance_of(context).poses, context.hard_depth_px));
 }
 
+/// Grows the piece as far as it can.
+void grow(Similarity& pose, const ShapeModel& model, const CanvasField& hole, const MatchingContext& context) {
+  while (grow_step(pose, model, FieldView(hole), stance_of(context).poses, context.hard_depth_px)) {
+  }
+}
+
 TEST(Grow, StopsAtTheNeighbours) {
   const Shape shape = test::make_library_shape("bean", test::bean_outline());
   const MatchingContext context = make_matching_context(settings(), 1);
   const ShapeModel model = test::models_of({shape}, context, 0, 1).front();
   const CanvasField hole = hole_of(shape, {70, 0, 128, 128}, 256);
   Similarity pose{62, 0, 128, 128};
-  grow(pose, model, FieldView(hole), stance_of(context).poses, context.hard_depth_px);
+  grow(pose, model, hole, context);
   EXPECT_GT(pose.scale(), 67.f);
   EXPECT_LE(depth_px(pose, model, FieldView(hole)), 0.8f);
+}
+
+/// From poses that are far too deep, where steps are as long as they may be.
+TEST(Descend, MovesNoPointFartherThanTheLongestWay) {
+  const Shape shape = test::make_library_shape("bean", test::bean_outline());
+  const MatchingContext context = make_matching_context(settings(), 1);
+  const ShapeModel model = test::models_of({shape}, context, 0, 1).front();
+  const PoseRange poses = stance_of(context).poses;
+  const CanvasField hole = hole_of(shape, {60, 0, 128, 128}, 256);
+  float longest_part = 0;
+  EXPECT_TRUE(rc::check([&] {
+    const float scale_px = poses.min_scale_px + 0.1f * float(*rc::gen::inRange(0, 300));
+    const float angle_rad = 0.01f * float(*rc::gen::inRange(0, 628));
+    const Similarity from{scale_px * std::cos(angle_rad), scale_px * std::sin(angle_rad),
+                          128 + float(*rc::gen::inRange(-30, 31)), 128 + float(*rc::gen::inRange(-30, 31))};
+    for (const Descent& descent : {kSettle, kGrow}) {
+      Similarity to = from;
+      descend(to, model, FieldView(hole), descent, poses);
+      const float most_px = longest_way_px(descent, model.radius * poses.min_scale_px);
+      for (const Vec2& p : model.boundary) {
+        const float way_px = norm(to.apply(p) - from.apply(p));
+        RC_ASSERT(way_px <= most_px);
+        longest_part = std::max(longest_part, way_px / most_px);
+      }
+    }
+  }));
+  EXPECT_GT(longest_part, 0.3f) << "the bound says nothing";
 }
 
 TEST(Rotation, IsLimitedToItsRange) {
@@ -315,7 +348,7 @@ TEST(Refine, KeepsTheOneAllowedAngle) {
     RC_ASSERT(refine(pose, model, FieldView(hole), stance_of(context).poses, context.hard_depth_px));
     RC_ASSERT(pose.b == 0.f);
     RC_ASSERT(norm(pose.translation() - Vec2{128, 128}) < 1.5f);
-    grow(pose, model, FieldView(hole), stance_of(context).poses, context.hard_depth_px);
+    grow(pose, model, hole, context);
     RC_ASSERT(pose.b == 0.f);
   }));
 }

@@ -1,0 +1,78 @@
+// What choosing must know of candidates on the present free field: their exact areas, and the pieces that they become. It is
+// computed for many candidates at a time, on all cores of the rank, before somebody asks for it.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <tuple>
+#include <vector>
+
+#include "core/collage/exact_terms.h"
+#include "core/collage/pool.h"
+#include "core/shape/shape_source.h"
+#include "master/choosing/settling.h"
+
+namespace tessera::master {
+
+/// The piece that a candidate becomes.
+struct SettledPiece {
+  bool fits = false;  // without this the rest says nothing
+  Similarity canvas_from_shape;
+  DockingTerms terms;  // along the contour
+  ExactAreas areas;
+};
+
+/// The methods that compute ahead change how long the other ones take, never what they say.
+class PieceChecks {
+ public:
+  /// All arguments outlive the checks. `context`: has the present sizes and stances.
+  PieceChecks(ShapeSource& shapes, const FreeField& free, const OpenedField& opened, const Settling& settling,
+              const PieceSettings& pieces, const MatchingContext& context)
+      : shapes_(shapes),
+        free_(free),
+        opened_(opened),
+        settling_(settling),
+        pieces_(pieces),
+        context_(context) {}
+
+  ExactAreas areas(const Candidate& candidate);
+  SettledPiece settled(const Candidate& candidate);
+
+  /// Whether areas() need not compute.
+  bool knows_areas(const Candidate& candidate) const { return areas_.contains(key_of(candidate)); }
+  void compute_areas_ahead(const std::vector<Candidate>& candidates);
+  void settle_ahead(const std::vector<Candidate>& candidates);
+
+  /// Forgets what depends on nodes within this window, because pieces or the opened field changed there.
+  void forget(const Window& changed);
+  /// Forgets the pieces, because sizes or stances changed.
+  void forget_settled() { settled_.clear(); }
+  void forget_all();
+
+ private:
+  using Key = std::tuple<ShapeId, std::uint32_t, float, float, float, float>;  // shape, stance and pose
+  template <class Answer>
+  struct Known {
+    Answer answer;
+    Window read;  // the nodes on which the answer depends
+  };
+  template <class Answer>
+  using KnownAnswers = std::map<Key, Known<Answer>>;
+
+  static Key key_of(const Candidate& candidate);
+  Known<ExactAreas> compute_areas(const Shape& shape, const Similarity& canvas_from_shape) const;
+  Known<SettledPiece> settle(const Shape& shape, const ShapeModel& model, const Candidate& candidate) const;
+  template <class Answer, class Compute>
+  void compute_ahead(const std::vector<Candidate>& candidates, KnownAnswers<Answer>& known, Compute compute);
+
+  ShapeSource& shapes_;
+  const FreeField& free_;
+  const OpenedField& opened_;
+  const Settling& settling_;
+  const PieceSettings& pieces_;
+  const MatchingContext& context_;
+  KnownAnswers<ExactAreas> areas_;
+  KnownAnswers<SettledPiece> settled_;
+};
+
+}  // namespace tessera::master
