@@ -71,7 +71,7 @@ void append_loop(CheckpointColumns& to, const CheckpointState& state) {
               std::uint32_t(state.begun_with >> 32)};
   to.size_factors = {state.sizes.factor, state.sizes.too_large, state.sizes.fits, state.best.factor};
   to.best_missing = {state.best.missing};
-  to.empty_passes.push_back(std::uint8_t(state.empty_passes));
+  to.searches = {std::uint8_t(state.search), std::uint8_t(state.searched)};
   to.batch_pieces.push_back(state.batch_pieces);
   to.batch_worth.push_back(state.batch_worth);
   to.batch_taken = state.batch_taken;
@@ -114,8 +114,8 @@ void append_pool(CheckpointColumns& to, const CheckpointState& state) {
 
 void append_samples(CheckpointColumns& to, const CheckpointState& state) {
   for (const SampleId id : state.stale) to.stale.push_back(edge_number(id));
-  for (const SamplePasses& sample : state.passes)
-    to.passes.insert(to.passes.end(), {edge_number(sample.id), sample.passes});
+  for (const SampleMatches& sample : state.matches)
+    to.matches.insert(to.matches.end(), {edge_number(sample.id), sample.passes, sample.searches});
   for (const MatchedPad& pad : state.matched) {
     to.matched_edge.push_back(edge_number(pad.sample));
     to.matched_pad.insert(to.matched_pad.end(), pad.left.begin(), pad.left.end());
@@ -170,7 +170,7 @@ void check_values(const CheckpointColumns& c) {
 
 /// Checks that all columns of a table have the same number of rows.
 void check_rows(const CheckpointColumns& c) {
-  require(c.digests.size() == 4 && c.improving.size() == 1 && c.stage.size() == 6 && c.empty_passes.size() == 1 &&
+  require(c.digests.size() == 4 && c.improving.size() == 1 && c.stage.size() == 6 && c.searches.size() == 2 &&
               c.batch_pieces.size() == 1 && c.batch_worth.size() == 1 && c.replaced.size() == 1 &&
               c.size_factors.size() == 4 && c.best_missing.size() == 1 && c.counts.size() == std::size(kCounts) &&
               c.measures.size() == std::size(kMeasures),
@@ -214,7 +214,8 @@ void read_loop(const CheckpointColumns& from, CheckpointState& state) {
   state.best.factor = from.size_factors[3];
   state.best.missing = from.best_missing[0];
   state.begun_with = from.stage[4] | std::uint64_t(from.stage[5]) << 32;
-  state.empty_passes = from.empty_passes[0];
+  state.search = from.searches[0];
+  state.searched = from.searches[1];
   state.batch_pieces = from.batch_pieces[0];
   state.batch_worth = from.batch_worth[0];
   state.batch_taken = from.batch_taken;
@@ -252,8 +253,8 @@ void read_pool(const CheckpointColumns& from, CheckpointState& state) {
 
 void read_samples(const CheckpointColumns& from, CheckpointState& state) {
   for (const std::uint32_t edge : from.stale) state.stale.push_back(SampleId{edge});
-  for (std::size_t i = 0; i + 1 < from.passes.size(); i += 2) {
-    state.passes.push_back({SampleId{from.passes[i]}, from.passes[i + 1]});
+  for (std::size_t i = 0; i + 2 < from.matches.size(); i += 3) {
+    state.matches.push_back({SampleId{from.matches[i]}, from.matches[i + 1], from.matches[i + 2]});
   }
   for (std::size_t i = 0; i < from.matched_edge.size(); ++i) {
     const float* row = from.matched_pad.data() + kMatchedRow * i;

@@ -13,7 +13,7 @@ struct CheckpointColumns {
   std::vector<std::uint64_t> digests;  // library, canvas, rebuilt, colours
   std::vector<std::uint8_t> improving;
   std::vector<std::uint32_t> stage;
-  std::vector<std::uint8_t> empty_passes;
+  std::vector<std::uint8_t> searches;
   std::vector<std::uint32_t> batch_pieces;
   std::vector<float> batch_worth;
   std::vector<std::uint8_t> batch_taken;
@@ -36,7 +36,7 @@ struct CheckpointColumns {
   std::vector<std::uint8_t> exact;
   std::vector<std::int32_t> window;
   std::vector<float> shape_size;
-  std::vector<std::uint32_t> stale, passes;
+  std::vector<std::uint32_t> stale, matches;
   std::vector<std::uint32_t> matched_edge;
   std::vector<float> matched_pad;
 };
@@ -53,7 +53,9 @@ void each_column(Columns& c, Visit visit) {
       "/stage", c.stage, 1, "",
       "region that is being filled, pieces that were given to it, attempt at its sizes, 1: the last one, digest of the "
       "pieces that the job gives (lower half, upper half)");
-  visit("/empty_passes", c.empty_passes, 1, "", "how often all samples were matched again since the last piece");
+  visit("/searches", c.searches, 1, "",
+        "which search of the stale samples goes on (0: none), searches that all samples had which were not renewed "
+        "since");
   visit(
       "/batch/pieces", c.batch_pieces, 1, "",
       "how many of the last placements belong to the open batch: candidates near them are still to be measured again");
@@ -93,7 +95,8 @@ void each_column(Columns& c, Visit visit) {
   visit("/candidates/window", c.window, 4, "nodes", "x0 y0 x1 y1: nodes whose change changes the score");
   visit("/candidates/shape_size", c.shape_size, 2, "shape units", "the shape's perimeter, radius");
   visit("/samples/stale", c.stale, 1, "", "target samples to be matched, ascending");
-  visit("/samples/passes", c.passes, 2, "", "target sample, ascending, and how often it was matched");
+  visit("/samples/matches", c.matches, 3, "",
+        "target sample, ascending, how often it was matched, and how often it was searched since it was renewed");
   visit("/samples/matched_edge", c.matched_edge, 1, "", "target samples whose PAD changed since, ascending");
   visit("/samples/matched_pad", c.matched_pad, 2 * kMaxPadLevels + 1, "px", "left and right arclengths, convexity");
 }

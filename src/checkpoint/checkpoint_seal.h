@@ -11,7 +11,7 @@ namespace tessera {
 
 /// Rises with every change of the format, and with every change of the algorithm after which an old state would
 /// continue differently.
-inline constexpr int kCheckpointVersion = 18;
+inline constexpr int kCheckpointVersion = 19;
 /// Size of the seal: HDF5 leaves this many bytes free before its own part (its "user block").
 inline constexpr std::size_t kSealBytes = 512;
 /// Largest checkpoint file that is read. The largest canvas, 100 million px, full of pieces of 20 px needs about 40 MB.

@@ -12,10 +12,10 @@
 namespace tessera::master {
 namespace {
 
-/// Extra empty passes while a wide gap is left. In the first of all empty passes each sample then keeps the dockings that
-/// were drawn first. Early reject counts points on lines as contact: sorted by key, dockings of line art come first that
-/// cross lines, and none of them can be refined into a piece.
-constexpr int kFirstDrawnPasses = 1;
+/// Extra searches while a wide gap is left. In its first search each sample then keeps the dockings that were drawn first.
+/// Early reject counts points on lines as contact: sorted by key, dockings of line art come first that cross lines, and
+/// none of them can be refined into a piece.
+constexpr int kFirstDrawnSearches = 1;
 
 }  // namespace
 
@@ -36,18 +36,15 @@ bool Filling::find_further(Candidate& best) {
   return false;
 }
 
-/// Chooses the best candidate. Where there is none, it matches all samples of the region again. A piece found by
-/// choose_in_gap() does not set the empty passes back to 0.
+/// Chooses the best candidate. Where there is none, it searches samples again.
 bool Filling::find(Candidate& best) {
   for (;;) {
     match_samples();
     if (choose(best)) {
-      empty_passes_ = 0;
+      search_ = 0;
       return true;
     }
-    if (!may_match_again()) return choose_in_gap(best);
-    ++empty_passes_;
-    collage_.schedule().mark(region_);
+    if (!search_again()) return choose_in_gap(best);
   }
 }
 
@@ -111,7 +108,7 @@ Filling::Filling(Collage& collage, const MatchingContext& context, const Collage
       matcher_(matcher),
       statistics_(&statistics),
       check_stop_(std::move(check_stop)),
-      most_empty_passes_(settings.match.tangent_dockings > 0 ? kEmptyPasses + kFirstDrawnPasses : 0) {
+      searches_(settings.match.tangent_dockings > 0) {
   statistics_->shapes = context.library_shapes;
   statistics_->pads_per_shape = double(pads_per_shape(context));
   library_pads_ = pads_per_shape(context) * context.library_shapes;
@@ -123,24 +120,31 @@ Filling::Filling(Collage& collage, const MatchingContext& context, const Collage
 
 void Filling::start(const Window& region) {
   region_ = region;
-  empty_passes_ = 0;
+  search_ = 0;
+  wide_gap_may_be_left_ = true;
+  collage_.schedule().search_in(region);
 }
 
-bool Filling::restore_empty_passes(int passes) {
-  if (passes < 0 || passes > most_empty_passes_) return false;
-  empty_passes_ = passes;
-  return true;
+int Filling::most_searches() const { return searches_ ? kSearches + kFirstDrawnSearches : 0; }
+
+/// Marks samples for their next search. False where each was searched often enough.
+bool Filling::search_again() {
+  if (!searches_) return false;
+  SampleSchedule& schedule = collage_.schedule();
+  search_ = schedule.mark_for_search(kSearches);
+  if (search_ == 0 && wide_gap_is_left()) search_ = schedule.mark_for_search(most_searches());
+  return search_ > 0;
 }
 
-bool Filling::may_match_again() {
-  if (empty_passes_ == most_empty_passes_) return false;
-  return empty_passes_ < kEmptyPasses || collage_.leaves_wide_gap(region_);  // an empty pass does not change this
+bool Filling::wide_gap_is_left() {
+  wide_gap_may_be_left_ = wide_gap_may_be_left_ && collage_.leaves_wide_gap(region_);
+  return wide_gap_may_be_left_;
 }
 
 MatchPlan Filling::plan() {
-  if (empty_passes_ == 0) return usual_plan_;
+  if (search_ == 0) return usual_plan_;
   return {.tangent_dockings = std::uint32_t(kRematchTangentDockings),
-          .first_drawn = empty_passes_ <= kFirstDrawnPasses && collage_.leaves_wide_gap(region_)};
+          .first_drawn = search_ <= kFirstDrawnSearches && wide_gap_is_left()};
 }
 
 void Filling::check_ahead() {
@@ -151,7 +155,7 @@ void Filling::check_ahead() {
 
 bool Filling::choose_in_gap(Candidate& best) {
   Stopwatch watch;
-  const bool found = most_empty_passes_ > 0 && collage_.choose_in_gap(best, region_, check_stop_);
+  const bool found = searches_ && collage_.choose_in_gap(best, region_, check_stop_);
   statistics_->objective_s += watch.lap();
   return found;
 }

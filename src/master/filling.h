@@ -22,9 +22,11 @@ class Filling {
   void start(const Window& region);
 
   /// Places the next piece of the batch (batch.h). Where none may join, it ends the batch, matches the samples that wait, and
-  /// begins another batch with the best piece. Where no candidate of the pool fits, it matches the region's samples again
-  /// with other random dockings. Where a wide gap is left, one of these passes keeps the dockings that were drawn first. At
-  /// last it searches wide gaps for a pose that holds a piece of the smallest size. False when that finds nothing either.
+  /// begins another batch with the best piece. Where no candidate of the pool fits, it searches: it matches the samples of
+  /// the region again with many other random dockings, first those that were searched the fewest times. Where a wide gap is
+  /// left, the first search of a sample keeps the dockings that were drawn first, and one more search follows. When each
+  /// sample was searched often enough, it tries poses in wide gaps that hold a piece of the smallest size. False when that
+  /// finds nothing either.
   /// Throws Interrupted where the matcher or `check_stop` does. It then undoes the question, or ends the batch, so that the
   /// collage can be saved.
   bool place_one();
@@ -32,11 +34,11 @@ class Filling {
   /// candidates that the pieces of the batch touch.
   void end_batch();
 
-  /// The number of times the region's samples were matched again since the last piece. The collage's checkpoint holds it, because an
-  /// interruption may come between two such passes.
-  int empty_passes() const { return empty_passes_; }
-  /// Sets it. Returns false where there are never so many passes.
-  bool restore_empty_passes(int passes);
+  /// Which search of the samples that wait goes on; 0: none, they are matched as usual. The collage's checkpoint holds it.
+  int search() const { return search_; }
+  void restore_search(int search) { search_ = search; }
+  /// How often a sample is searched at most.
+  int most_searches() const;
 
   /// Adds to these statistics from now on.
   void count_into(RunStatistics& statistics) { statistics_ = &statistics; }
@@ -47,7 +49,8 @@ class Filling {
   void match_samples();
   bool choose(Candidate& best);
   void place(const Candidate& best);
-  bool may_match_again();
+  bool search_again();
+  bool wide_gap_is_left();
   MatchPlan plan();
   void check_ahead();
   bool choose_in_gap(Candidate& best);
@@ -59,10 +62,11 @@ class Filling {
   StopCheck check_stop_;
   std::uint64_t library_pads_ = 0;
   MatchPlan usual_plan_;
-  int most_empty_passes_;           // 0 without tangent dockings: PADs alone give the same again
+  bool searches_;                   // false without tangent dockings: PADs alone give the same again
   std::uint64_t sent_version_ = 0;  // of the limits that the matcher knows; 0: perhaps those of another collage
   Window region_;
-  int empty_passes_ = 0;
+  bool wide_gap_may_be_left_ = true;  // pieces only make gaps narrower
+  int search_ = 0;
 };
 
 }  // namespace tessera::master

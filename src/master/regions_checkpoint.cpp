@@ -19,7 +19,7 @@ namespace {
 
 void Regions::save(CheckpointState& state) const {
   const bool fills = state.loop.phase == LoopPhase::filling;
-  state.empty_passes = fills ? current_->filling.empty_passes() : 0;
+  state.search = fills ? current_->filling.search() : 0;
   sizes_.save(state);
   state.begun_with = begun_with();
   current_->collage.save(state);
@@ -35,10 +35,10 @@ void Regions::restore(const CheckpointState& from) {
   check_belongs(from);
   begin_again(region, from.placements, from.given, sizes_);
   current_->collage.restore(from);
-  if (!current_->filling.restore_empty_passes(from.empty_passes)) {
-    refuse(from, "not a checkpoint of this job: " + count_text(std::size_t(from.empty_passes), "pass", "passes") +
-                     " without a piece");
-  }
+  const int searches = std::max(from.search, int(from.searched));
+  if (searches > current_->filling.most_searches())
+    refuse(from, "not a checkpoint of this job: a sample was searched " + std::to_string(searches) + " times");
+  current_->filling.restore_search(from.search);
 }
 
 void Regions::check_belongs(const CheckpointState& from) const {

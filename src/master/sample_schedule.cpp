@@ -8,7 +8,7 @@ std::vector<TargetSample> SampleSchedule::take() {
   std::vector<TargetSample> samples;
   for (const SampleId id : stale_) {
     samples.push_back(curve_.sample(id));
-    samples.back().pass = first_pass_ + passes_[id]++;
+    samples.back().pass = first_pass_ + matched_[id].passes++;
   }
   stale_.clear();
   return samples;
@@ -17,30 +17,96 @@ std::vector<TargetSample> SampleSchedule::take() {
 void SampleSchedule::put_back(const std::vector<TargetSample>& samples) {
   for (const TargetSample& sample : samples) {
     stale_.insert(sample.id);
-    const auto passes = passes_.find(sample.id);
-    if (--passes->second == 0) passes_.erase(passes);
+    const auto matched = matched_.find(sample.id);
+    --matched->second.passes;
+    if (matched->second.passes == 0 && matched->second.searches == 0) matched_.erase(matched);
   }
 }
 
 void SampleSchedule::mark(const Window& window) {
   for (const SampleId id : curve_.samples()) {
-    const Vec2 node = curve_.sample(id).position - free_.field().origin;
-    const int x = int(node.x);
-    const int y = int(node.y);
-    if (may_dock(id) && free_.grid().overlap(window, {x, y, x + 1, y + 1})) stale_.insert(id);
+    if (may_dock(id) && lies_in(window, id)) stale_.insert(id);
   }
 }
 
 void SampleSchedule::follow(const TargetCurve::Change& change) {
-  for (const SampleId id : change.removed) stale_.erase(id);
+  for (const SampleId id : change.removed) {
+    stale_.erase(id);
+    matched_.erase(id);
+    behind_.erase(id);
+  }
   for (const SampleId id : change.renewed) {
     if (may_dock(id)) stale_.insert(id);
+    const auto matched = matched_.find(id);
+    if (matched != matched_.end()) matched->second.searches = 0;
+    if (searched_ > 0 && lies_in(region_, id)) behind_.insert(id);
   }
+}
+
+void SampleSchedule::search_in(const Window& region) {
+  region_ = region;
+  searched_ = 0;
+  behind_.clear();
+  for (auto& [id, matched] : matched_) matched.searches = 0;
+}
+
+int SampleSchedule::mark_for_search(int most) {
+  const std::vector<SampleId> least = least_searched();
+  const std::uint32_t times = least.empty() ? std::uint32_t(most) : searches(least.front());
+  if (times >= std::uint32_t(most)) return 0;
+  for (const SampleId id : least) {
+    stale_.insert(id);
+    matched_[id].searches = times + 1;
+    if (times + 1 == searched_) behind_.erase(id);
+  }
+  if (times == searched_) {
+    ++searched_;
+    find_behind();
+  }
+  return int(times + 1);
+}
+
+/// The samples of the region at which pieces may dock and that were searched the fewest times. It looks at all samples
+/// only where none is behind the others.
+std::vector<SampleId> SampleSchedule::least_searched() {
+  std::vector<SampleId> least;
+  for (const SampleId id : behind_) {
+    if (!may_dock(id)) continue;
+    if (!least.empty() && searches(id) < searches(least.front())) least.clear();
+    if (least.empty() || searches(id) == searches(least.front())) least.push_back(id);
+  }
+  if (!least.empty()) return least;
+  for (const SampleId id : curve_.samples()) {
+    if (lies_in(region_, id) && may_dock(id)) least.push_back(id);
+  }
+  return least;
+}
+
+void SampleSchedule::find_behind() {
+  behind_.clear();
+  if (searched_ == 0) return;
+  for (const SampleId id : curve_.samples()) {
+    if (searches(id) < searched_ && lies_in(region_, id)) behind_.insert(id);
+  }
+}
+
+std::uint32_t SampleSchedule::searches(SampleId id) const {
+  const auto matched = matched_.find(id);
+  return matched == matched_.end() ? 0 : matched->second.searches;
+}
+
+bool SampleSchedule::lies_in(const Window& window, SampleId id) const {
+  const Vec2 node = curve_.sample(id).position - free_.field().origin;
+  const int x = int(node.x);
+  const int y = int(node.y);
+  return free_.grid().overlap(window, {x, y, x + 1, y + 1});
 }
 
 void SampleSchedule::clear() {
   stale_.clear();
-  passes_.clear();
+  matched_.clear();
+  behind_.clear();
+  searched_ = 0;
 }
 
 bool SampleSchedule::may_dock(SampleId id) const {
@@ -54,12 +120,17 @@ bool SampleSchedule::any_may_dock() const {
 
 void SampleSchedule::save(CheckpointState& state) const {
   state.stale.assign(stale_.begin(), stale_.end());
-  for (const auto& [id, passes] : passes_) state.passes.push_back({id, passes});
+  for (const auto& [id, matched] : matched_) state.matches.push_back({id, matched.passes, matched.searches});
+  std::sort(state.matches.begin(), state.matches.end(),
+            [](const SampleMatches& a, const SampleMatches& b) { return a.id < b.id; });
+  state.searched = searched_;
 }
 
 void SampleSchedule::restore(const CheckpointState& state) {
   stale_ = {state.stale.begin(), state.stale.end()};
-  for (const SamplePasses& sample : state.passes) passes_[sample.id] = sample.passes;
+  for (const SampleMatches& sample : state.matches) matched_[sample.id] = {sample.passes, sample.searches};
+  searched_ = state.searched;
+  find_behind();
 }
 
 }  // namespace tessera::master

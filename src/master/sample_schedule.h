@@ -1,10 +1,11 @@
-// Decides which target samples are matched, and with which random dockings.
+// Decides which target samples are matched, and with which random dockings: new samples, samples with few candidates left,
+// and, where no candidate fits, samples that are searched again.
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <set>
+#include <unordered_map>
 #include <vector>
 
 #include "core/collage/checkpoint_state.h"
@@ -35,6 +36,12 @@ class SampleSchedule {
   void mark(const Window& window);
   /// Follows a change of the curve: forgets removed samples, and marks renewed samples to be matched again.
   void follow(const TargetCurve::Change& change);
+
+  /// Only samples in this window and its images are searched again. So far none was.
+  void search_in(const Window& region);
+  /// Marks samples to be matched again: those that were searched the fewest times since they were renewed. Returns how
+  /// often that is, this time included, or 0 and marks none where each was searched `most` times.
+  int mark_for_search(int most);
   /// Forgets everything: no sample is to be matched, and none has been matched.
   void clear();
   /// Sets the number of the pass in which a sample is matched for the first time.
@@ -48,14 +55,25 @@ class SampleSchedule {
   void restore(const CheckpointState& state);
 
  private:
+  struct Matched {
+    std::uint32_t passes = 0;    // how often the sample was matched
+    std::uint32_t searches = 0;  // how often it was marked for a search since it was renewed
+  };
   bool may_dock(SampleId id) const;
+  bool lies_in(const Window& window, SampleId id) const;
+  std::uint32_t searches(SampleId id) const;
+  std::vector<SampleId> least_searched();
+  void find_behind();
 
   const FreeField& free_;
   const TargetCurve& curve_;
   const std::optional<OutwardGrowth>& growth_;
-  std::set<SampleId> stale_;                  // to be matched
-  std::map<SampleId, std::uint32_t> passes_;  // how often a sample was matched
+  std::set<SampleId> stale_;  // to be matched
+  std::unordered_map<SampleId, Matched> matched_;
   std::uint32_t first_pass_ = 0;
+  Window region_;               // where samples are searched
+  std::uint32_t searched_ = 0;  // searches that all samples there had, but those of behind_
+  std::set<SampleId> behind_;
 };
 
 }  // namespace tessera::master

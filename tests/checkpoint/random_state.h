@@ -16,7 +16,8 @@ class RandomState {
   CheckpointState make() {
     CheckpointState state;
     const bool improving = below(2) == 1;
-    state.empty_passes = int(below(4));
+    state.search = int(below(4));
+    state.searched = below(4);
     for (std::uint32_t i = below(20); i > 0; --i) {
       state.placements.push_back({ShapeId{below(100)}, pose(), number(), number()});
     }
@@ -27,7 +28,7 @@ class RandomState {
     state.loop.replaced = below(1000);
     for (const SampleId id : ascending()) state.pool.push_back({id, below(2) == 1, candidates()});
     state.stale = ascending();
-    for (const SampleId id : ascending()) state.passes.push_back({id, below(9)});
+    for (const SampleId id : ascending()) state.matches.push_back({id, below(9), below(4)});
     for (const SampleId id : ascending()) state.matched.push_back(pad(id));
     fill(state.statistics);
     state.loop.trials = state.statistics.trials;

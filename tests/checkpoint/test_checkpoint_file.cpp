@@ -50,10 +50,11 @@ bool same(const RunStatistics& a, const RunStatistics& b) {
 }
 
 bool same(const CheckpointState& a, const CheckpointState& b) {
-  return a.loop == b.loop && a.given == b.given && a.sizes == b.sizes && a.best == b.best &&
-         a.empty_passes == b.empty_passes && a.batch_pieces == b.batch_pieces && a.batch_worth == b.batch_worth &&
-         a.batch_taken == b.batch_taken && a.placements == b.placements && a.stale == b.stale && a.passes == b.passes &&
-         a.matched == b.matched && a.rebuilt_digest == b.rebuilt_digest && same(a.statistics, b.statistics) &&
+  return a.loop == b.loop && a.given == b.given && a.sizes == b.sizes && a.best == b.best && a.search == b.search &&
+         a.searched == b.searched && a.batch_pieces == b.batch_pieces && a.batch_worth == b.batch_worth &&
+         a.batch_taken == b.batch_taken && a.placements == b.placements && a.stale == b.stale &&
+         a.matches == b.matches && a.matched == b.matched && a.rebuilt_digest == b.rebuilt_digest &&
+         same(a.statistics, b.statistics) &&
          std::equal(a.pool.begin(), a.pool.end(), b.pool.begin(), b.pool.end(),
                     [](const PooledSample& p, const PooledSample& q) { return same(p, q); });
 }
@@ -223,7 +224,7 @@ TEST_F(DamagedCheckpoint, OtherFiles) {
 
 TEST_F(DamagedCheckpoint, AnotherVersionNamesBothAndTheCure) {
   std::fstream(path_, std::ios::binary | std::ios::in | std::ios::out).seekp(27).put('2');
-  expect_complaint("format version 28, this program reads version 18; continue with the program that wrote it");
+  expect_complaint("format version 29, this program reads version 19; continue with the program that wrote it");
 }
 
 TEST_F(DamagedCheckpoint, AHugeHoleIsNotRead) {

@@ -83,11 +83,14 @@ TEST_F(ForeignState, AbsurdShapeSizes) {
   }
 }
 
-TEST_F(ForeignState, MorePassesThanThereCanBe) {
-  state_.empty_passes = 4;
-  EXPECT_EQ(complaint(),
-            "checkpoint.h5: not a checkpoint of this job: 4 passes without a piece; --restart removes it and "
-            "starts again");
+TEST_F(ForeignState, MoreSearchesThanThereCanBe) {
+  for (const bool of_all : {false, true}) {
+    state_.search = of_all ? 0 : 4;
+    state_.searched = of_all ? 4 : 0;
+    EXPECT_EQ(complaint(),
+              "checkpoint.h5: not a checkpoint of this job: a sample was searched 4 times; --restart removes it and "
+              "starts again");
+  }
 }
 
 TEST_F(ForeignState, MorePiecesInABatchThanWerePlaced) {

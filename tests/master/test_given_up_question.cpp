@@ -101,20 +101,20 @@ TEST(GivenUpQuestion, ChangesNothingInATrial) { check_given_up_questions(improve
 
 TEST(GivenUpQuestion, ChangesNothingWithOtherSettingsToo) { check_given_up_questions(with_few_uses()); }
 
-/// The last calls belong to the passes that find no more pieces.
-TEST(GivenUpQuestion, MayBeAnyOfTheLastPasses) {
+/// The last calls belong to the searches that find no more pieces.
+TEST(GivenUpQuestion, MayBeAnyOfTheLastSearches) {
   std::size_t all_calls = kNever;
   const CollageResult whole = run_until_call(settings(), all_calls, {});
-  bool in_empty_pass = false;
+  bool in_search = false;
   for (std::size_t back = 0; back < 10; ++back) {
     KeepLatest keeper;
     std::size_t calls = all_calls - back;
     EXPECT_TRUE(run_until_call(settings(), calls, {nullptr, &keeper}).unfinished);
-    in_empty_pass |= keeper.latest.empty_passes > 0;
+    in_search |= keeper.latest.search > 0;
     SilentObserver silent;
     EXPECT_EQ(run(settings(), {}, silent, {&keeper.latest, nullptr}).placements, whole.placements) << back;
   }
-  EXPECT_TRUE(in_empty_pass);
+  EXPECT_TRUE(in_search);
 }
 
 /// The interruption comes between two attempts at sizes (fit = "all"), or where the best attempt is laid again.
@@ -140,7 +140,7 @@ TEST(GivenUpQuestion, MayBeTheFirstOfAnotherAttempt) {
   }
 }
 
-/// A library of line art is never filled without passes that look for wide gaps.
+/// A library of line art is never filled without searches that look for wide gaps.
 TEST(GivenUpQuestion, MayBeOneOfAWideGap) {
   const std::vector<Shape> lines = {test::make_library_shape("spectacles", test::spectacles_outline(0.2f))};
   CollageSettings s = settings();
@@ -159,7 +159,7 @@ TEST(GivenUpQuestion, MayBeOneOfAWideGap) {
   for (const std::size_t posted_or_taken : {1, 2}) {
     KeepLatest keeper;
     EXPECT_TRUE(interrupted_run(kNever - asked.front() + posted_or_taken, {nullptr, &keeper}).first.unfinished);
-    EXPECT_EQ(keeper.latest.empty_passes, 1);
+    EXPECT_EQ(keeper.latest.search, 1);
     EXPECT_EQ(interrupted_run(kNever, {&keeper.latest, nullptr}).first.placements, whole.placements);
   }
 }

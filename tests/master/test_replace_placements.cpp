@@ -32,7 +32,7 @@ TEST_F(ReplacePlacements, ForgetsWhatItsSamplesWereMatchedWith) {
   EXPECT_TRUE(state.matched.empty());
   EXPECT_TRUE(state.pool.empty());
   EXPECT_TRUE(state.stale.empty());
-  EXPECT_TRUE(state.passes.empty());
+  EXPECT_TRUE(state.matches.empty());
 }
 
 /// Changes add up from now on, without the earlier matches.

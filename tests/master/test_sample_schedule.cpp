@@ -52,7 +52,7 @@ TEST_F(SampleScheduleTest, SamplesThatArePutBackHaveTheSameRandomDockings) {
     const CheckpointState before = state();
     schedule_.put_back(schedule_.take());
     EXPECT_EQ(state().stale, before.stale);
-    EXPECT_EQ(state().passes, before.passes);
+    EXPECT_EQ(state().matches, before.matches);
     EXPECT_EQ(passes_taken().at(0), pass);
     schedule_.mark(all_);
   }

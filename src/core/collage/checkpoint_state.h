@@ -23,13 +23,14 @@ struct PooledSample {
   std::vector<Candidate> candidates;  // in the order of the pool's entry
 };
 
-/// The number of times that a target sample was matched. Its next random dockings depend on it, even if the sample has
-/// disappeared in between.
-struct SamplePasses {
+/// How often a target sample was matched, on which its next random dockings depend, and how often it was searched again
+/// since it was renewed.
+struct SampleMatches {
   SampleId id{};
   std::uint32_t passes = 0;
+  std::uint32_t searches = 0;
 
-  friend bool operator==(const SamplePasses&, const SamplePasses&) = default;
+  friend bool operator==(const SampleMatches&, const SampleMatches&) = default;
 };
 
 /// The attempt at a size factor that left the fewest pieces without a place so far; among equals the largest factor.
@@ -48,7 +49,7 @@ struct CheckpointState {
   SizeSearchState sizes;              // search for the size at which every shape finds a place
   KeptAttempt best;                   // of the earlier attempts; while the search goes on
   std::uint64_t begun_with = 0;       // digest of the pieces that the job gives
-  int empty_passes = 0;               // while filling: how often all samples were matched again since the last piece
+  int search = 0;                     // while filling: which search of the stale samples goes on; 0: none
   std::vector<Placement> placements;  // in the order in which they were placed
   std::uint32_t batch_pieces = 0;     // the last placements, which belong to the open batch and not yet to the curve
   float batch_worth = 0;              // of the first of them
@@ -56,7 +57,8 @@ struct CheckpointState {
   std::vector<std::uint8_t> batch_taken = {};
   std::vector<PooledSample> pool;  // samples ascending, as in the lists below
   std::vector<SampleId> stale;     // target samples to be matched
-  std::vector<SamplePasses> passes;
+  std::vector<SampleMatches> matches;
+  std::uint32_t searched = 0;  // searches that all samples of the region had that were not renewed since
   std::vector<MatchedPad> matched;
   RunStatistics statistics;          // up to now, with the loop's trials and times; stopped_by is empty
   std::uint64_t rebuilt_digest = 0;  // digest of free field and target samples: shows that they were rebuilt equally

@@ -164,7 +164,7 @@ inline constexpr float kUseInOtherColours = 0.75f;  // weight of a use in other 
 inline constexpr int kFinalists = 8;                // candidates checked exactly before a piece
 inline constexpr int kFinalistsExamined = 64;       // candidates examined to find the distinct finalists
 inline constexpr float kSameCandidate = 0.07f;      // of the scale: two finalists would look the same
-inline constexpr int kEmptyPasses = 2;  // passes over all samples, with new random dockings, until the region is full
+inline constexpr int kSearches = 3;  // of each sample, with new random dockings, before the region is full
 
 // Batches: the pieces that are placed before candidates are matched again. Of the first piece's worth another one needs at
 // least a part. Where a picture is shown, colours decide about worth, and no neighbour that comes later changes them.
