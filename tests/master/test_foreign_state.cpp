@@ -85,10 +85,10 @@ TEST_F(ForeignState, AbsurdShapeSizes) {
 
 TEST_F(ForeignState, MoreSearchesThanThereCanBe) {
   for (const bool of_all : {false, true}) {
-    state_.search = of_all ? 0 : 4;
-    state_.searched = of_all ? 4 : 0;
+    state_.search = of_all ? 0 : 5;
+    state_.searched = of_all ? 5 : 0;
     EXPECT_EQ(complaint(),
-              "checkpoint.h5: not a checkpoint of this job: a sample was searched 4 times; --restart removes it and "
+              "checkpoint.h5: not a checkpoint of this job: a sample was searched 5 times; --restart removes it and "
               "starts again");
   }
 }

@@ -86,6 +86,80 @@ TEST_F(SampleScheduleTest, AfterAClearNothingIsKnown) {
   EXPECT_EQ(passes_taken().at(0), 0u);
 }
 
+TEST_F(SampleScheduleTest, SamplesThatWereSearchedLeastAreSearchedFirst) {
+  schedule_.search_in(all_);
+  schedule_.take();
+  const std::vector<SampleId> ids = curve_.samples();
+  EXPECT_EQ(schedule_.mark_for_search(2), 1);
+  EXPECT_EQ(schedule_.take().size(), ids.size());
+  schedule_.follow({{}, {ids[1], ids[2]}});
+  EXPECT_EQ(schedule_.take().size(), 2u);
+  EXPECT_EQ(schedule_.mark_for_search(2), 1) << "of the renewed ones";
+  EXPECT_EQ(schedule_.take().size(), 2u);
+  EXPECT_EQ(schedule_.mark_for_search(2), 2);
+  EXPECT_EQ(schedule_.take().size(), ids.size());
+}
+
+TEST_F(SampleScheduleTest, NoSampleIsSearchedMoreOftenThanAllowed) {
+  schedule_.search_in(all_);
+  schedule_.take();
+  for (const int time : {1, 2}) {
+    EXPECT_EQ(schedule_.mark_for_search(2), time);
+    schedule_.take();
+  }
+  EXPECT_EQ(schedule_.mark_for_search(2), 0);
+  EXPECT_TRUE(schedule_.take().empty());
+  EXPECT_EQ(schedule_.mark_for_search(3), 3);
+  schedule_.take();
+  schedule_.follow({{}, {curve_.samples().front()}});
+  schedule_.take();
+  for (const int time : {1, 2}) {
+    EXPECT_EQ(schedule_.mark_for_search(2), time);
+    EXPECT_EQ(schedule_.take().size(), 1u);
+  }
+  EXPECT_EQ(schedule_.mark_for_search(2), 0);
+}
+
+TEST_F(SampleScheduleTest, OnlySamplesOfTheRegionAreSearched) {
+  const Window left{all_.x0, all_.y0, all_.x0 + 60, all_.y1};
+  schedule_.take();
+  schedule_.search_in(left);
+  EXPECT_EQ(schedule_.mark_for_search(1), 1);
+  const std::vector<TargetSample> searched = schedule_.take();
+  EXPECT_FALSE(searched.empty());
+  for (const TargetSample& sample : searched) EXPECT_LT(sample.position.x - free_.field().origin.x, 60);
+  const std::vector<SampleId> ids = curve_.samples();
+  const auto beyond = std::ranges::find_if(
+      ids, [&](SampleId id) { return curve_.sample(id).position.x - free_.field().origin.x >= 60; });
+  schedule_.follow({{}, {*beyond}});
+  schedule_.take();
+  EXPECT_EQ(schedule_.mark_for_search(1), 0);
+}
+
+/// An interruption comes within a search: the samples wait, and those of the others that are behind are known again.
+TEST_F(SampleScheduleTest, GoesOnWithASearchFromItsState) {
+  schedule_.search_in(all_);
+  schedule_.take();
+  schedule_.mark_for_search(2);
+  schedule_.take();
+  const std::vector<SampleId> ids = curve_.samples();
+  schedule_.follow({{}, {ids[3], ids[5], ids[7]}});
+  schedule_.take();
+  schedule_.mark_for_search(2);
+  schedule_.put_back(schedule_.take());
+  CheckpointState state;
+  schedule_.save(state);
+  SampleSchedule other(free_, curve_, growth_);
+  other.search_in(all_);
+  other.restore(state);
+  for (SampleSchedule* schedule : {&schedule_, &other}) {
+    EXPECT_EQ(schedule->take().size(), 3u);
+    EXPECT_EQ(schedule->mark_for_search(2), 2);
+    EXPECT_EQ(schedule->take().size(), ids.size());
+    EXPECT_EQ(schedule->mark_for_search(2), 0);
+  }
+}
+
 TEST_F(SampleScheduleTest, GoesOnFromItsState) {
   schedule_.take();
   schedule_.mark(curve_.samples().front());
