@@ -10,6 +10,7 @@
 #include "core/replacing/canvas_windows.h"
 #include "core/settings/tuning.h"
 #include "master/replacing.h"
+#include "products/mosaic/mosaic_plan.h"
 #include "run/progress/time_estimate.h"
 #include "worker/device_room.h"
 #include "worker/shard/shard.h"
@@ -23,21 +24,20 @@ namespace {
 
 // Canvas area for each piece, divided by the product of smallest and largest scale: 1.4 (5 shapes) to 2.9 (815 shapes).
 constexpr double kAreaOfAPiece = 1.8;
-// Target samples for each piece (card.json, target_samples): 62 to 82; 104 on a canvas of 3000 px.
-constexpr double kSamplesOfAPiece = 80;
+// Target samples for each piece (card.json, target_samples): 43 to 54; of a mosaic 25, as its batches are larger.
+constexpr double kSamplesOfAPiece = 45;
+constexpr double kSamplesInAMosaic = 25;
 // Largest number of open samples at a time, divided by the pieces of the whole collage: 10.3 to 11.6 (four runs).
 constexpr double kOpenSamplesOfAPiece = 11;
 
-// prune_s for each sample (`tessera bench library`): 57, 113 and 203 us with 120, 1,000 and 10,000 shapes. It grows
-// with the cube root of the library's PADs, as the best pairs are nearer in a denser library. Measured: 0.86 to 1.05
-// times the formula.
-constexpr double kPairsOfCubeRoot_s = 1.6e-6;
-// dock_s for each sample: 100, 130 and 133 us; it grows with the square root of the number of shapes. Measured: 0.9 to
-// 1.2 times the formula.
-constexpr double kDocking_s = 95e-6;
-constexpr double kDockingOfRoot_s = 0.5e-6;
-// objective_s + merge_s for each piece: 1.9 to 4.2 ms.
-constexpr double kMasterOfAPiece_s = 2.5e-3;
+// prune_s for each sample: 43 us with 234 shapes, 97 us with 6,082. It grows with the cube root of the library's PADs, as the
+// best pairs are nearer in a denser library.
+constexpr double kPairsOfCubeRoot_s = 1.1e-6;
+// dock_s for each sample, with the searches: 172 to 191 us; it grows with the square root of the number of shapes.
+constexpr double kDocking_s = 165e-6;
+constexpr double kDockingOfRoot_s = 0.2e-6;
+// objective_s + merge_s for each piece: 2.7 to 3.0 ms.
+constexpr double kMasterOfAPiece_s = 2.8e-3;
 // Attempts at sizes with fit = "all": 1 to 5 of at most twelve (seven jobs).
 constexpr double kAttempts = 3;
 // improve_s for each trial: 19 ms (185 shapes) and 30 ms (1,138 shapes).
@@ -56,11 +56,11 @@ constexpr double kWritingAPiece_s = 5e-3;
 constexpr double kMasterProcess_bytes = 95e6 + kKeptFreed_bytes;
 constexpr double kWorkerProcess_bytes = 155e6 + kKeptFreed_bytes;
 constexpr double kBothProcess_bytes = 175e6 + kKeptFreed_bytes;
-// Master, while quality is measured: 60 bytes for each canvas px at 1 and 4 Mpx; beyond, 18 for each further px (16
-// Mpx), as the measurement is coarser there.
-constexpr double kCountedNode_bytes = 60;
-constexpr double kCoarseNode_bytes = 18;
-constexpr double kFineCanvas_px2 = 4e6;
+// Master, for each canvas px while quality is measured.
+constexpr double kCountedNode_bytes = 18;
+// Master, for each piece: its outline, the samples round it and their candidates, and at the end its text in the files.
+// 1,835 pieces of 20 to 80 px and 11,521 of 5 to 20 px.
+constexpr double kPiece_bytes = 54e3;
 // Master, while the picture is drawn: bytes for each picture px (at 4 Mpx with 232 drawings of openclipart). From 14
 // Mpx on it is what PictureLimits allows (picture_drawing.h) with the bands and copies. The canvas' fields are added.
 constexpr double kPicture_bytes = 60;
@@ -80,11 +80,6 @@ constexpr double kCheckpointSample_bytes = 69 + 65. * kPoolPerSample;
 constexpr double kCheckpointPass_bytes = 8;
 constexpr double kCheckpoint_bytes = 50e3;
 
-/// The cost of an amount: one price up to `edge`, another price beyond it.
-double priced(double amount, double edge, double price, double price_beyond) {
-  return price * std::min(amount, edge) + price_beyond * std::max(0., amount - edge);
-}
-
 std::vector<std::uint32_t> drawings_of(const PlanInput& input) {
   std::vector<std::uint32_t> drawings = input.drawings;
   if (!drawings.empty()) return drawings;
@@ -100,11 +95,32 @@ double wanted_pieces(const PlanInput& input) {
   return pieces;
 }
 
+bool is_mosaic(const PlanInput& input) { return bool(input.settings.colour); }
+
+/// Pieces for each px² where the largest may have the size `largest_px`.
+double pieces_per_px2(const PlanInput& input, double largest_px) {
+  const double smallest_px = input.settings.pieces.min_scale_px;
+  if (is_mosaic(input)) return mosaic_pieces_per_px2(smallest_px, largest_px);
+  return 1 / (kAreaOfAPiece * smallest_px * largest_px);
+}
+
+/// The mean of pieces_per_px2() over the canvas: a size map says how large pieces may be at each place.
+double mean_pieces_per_px2(const PlanInput& input) {
+  const PieceSettings& pieces = input.settings.pieces;
+  if (!pieces.size_map) return pieces_per_px2(input, pieces.max_scale_px);
+  const std::vector<float>& parts = pieces.size_map->part.data();
+  const double range = std::log(double(pieces.max_scale_px) / pieces.min_scale_px);
+  const double sum = std::accumulate(parts.begin(), parts.end(), 0., [&](double before, float part) {
+    return before + pieces_per_px2(input, pieces.min_scale_px * std::exp(part * range));
+  });
+  return sum / double(parts.size());
+}
+
 /// Pieces of a filled canvas, as if [stop] had no limits.
 double pieces_when_filled(const PlanInput& input, double coverage) {
   const PieceSettings& pieces = input.settings.pieces;
   if (pieces.fit_all) return coverage * wanted_pieces(input);
-  const double room = input.canvas_px2 / (kAreaOfAPiece * pieces.min_scale_px * pieces.max_scale_px);
+  const double room = input.canvas_px2 * mean_pieces_per_px2(input);
   return std::min(coverage * room, most_pieces(input.settings, drawings_of(input)));
 }
 
@@ -128,10 +144,11 @@ void add_memory(const PlanInput& input, const MatchingContext& context, PlanEsti
   const double on_host = input.host_devices ? double(shard.device) + lists : 0;
   const double library = passing + double(shard.host) + on_host;
   const double kept = kWholeShape_bytes * std::min(double(input.shapes), kKeptShapes);
-  const double counting = priced(input.canvas_nodes, kFineCanvas_px2, kCountedNode_bytes, kCoarseNode_bytes);
+  const double counting = kCountedNode_bytes * input.canvas_nodes;
   const double drawing =
       kDrawnNode_bytes * input.canvas_nodes + std::min(kPicture_bytes * input.picture_px2, kMostPicture_bytes);
-  const double master = kept + std::max(counting, drawing);  // measuring and drawing do not overlap
+  const double pieces = kPiece_bytes * plan.pieces;
+  const double master = kept + pieces + std::max(counting, drawing);  // measuring and drawing do not overlap
   plan.worker_bytes = kWorkerProcess_bytes + field + library;
   plan.master_bytes = kMasterProcess_bytes + master;
   if (input.ranks == 1) plan.worker_bytes = plan.master_bytes = kBothProcess_bytes + field + library + master;
@@ -164,7 +181,8 @@ void add_times(const PlanInput& input, PlanEstimate& plan) {
   const double pads = shapes * double(plan.pads_per_shape);
   const double sample_s = kPairsOfCubeRoot_s * std::cbrt(pads) + kDocking_s + kDockingOfRoot_s * std::sqrt(shapes);
   const double attempts = s.pieces.fit_all ? kAttempts : 1;
-  const double matching_s = attempts * plan.pieces * kSamplesOfAPiece * sample_s;
+  const double samples_of_a_piece = is_mosaic(input) ? kSamplesInAMosaic : kSamplesOfAPiece;
+  const double matching_s = attempts * plan.pieces * samples_of_a_piece * sample_s;
   const double placing_s = attempts * plan.pieces * kMasterOfAPiece_s;
   const double trial_s = kSamplesOfATrial * sample_s;
   const double trials = expected_trials(input, 1 / (trial_s / plan.workers + kMasterOfATrial_s));

@@ -27,7 +27,7 @@ double expected_pieces(const cv::Mat& map, const MosaicPlan& plan) {
   for (int y = 0; y < map.rows; ++y) {
     for (int x = 0; x < map.cols; ++x) {
       const double white = map.at<std::uint8_t>(y, x) / 255.;
-      sum += pieces_per_px2(plan, plan.min_scale_px * std::pow(plan.max_scale_px / plan.min_scale_px, white));
+      sum += mosaic_pieces_per_px2(plan.min_scale_px, plan.min_scale_px * std::pow(plan.max_scale_px / plan.min_scale_px, white));
     }
   }
   return sum / double(map.total()) * plan.canvas_px.area();
@@ -82,7 +82,7 @@ TEST(MosaicPlan, ExpectsAsManyPiecesAsCameInMeasurements) {
   const MosaicPlan plan = mosaic_plan({100, 100}, 3000);
   const std::pair<double, double> kMeasured[] = {{16, 3242}, {32.4, 2195}, {37.9, 1906}, {44.4, 1801}, {52.3, 1719}};
   for (const auto& [largest_px, measured] : kMeasured)
-    EXPECT_NEAR(pieces_per_px2(plan, largest_px) * 1e6 / measured, 1, 0.05) << largest_px;
+    EXPECT_NEAR(mosaic_pieces_per_px2(plan.min_scale_px, largest_px) * 1e6 / measured, 1, 0.05) << largest_px;
 }
 
 TEST(LimitGrowth, MakesAConeRoundWhatIsSmall) {

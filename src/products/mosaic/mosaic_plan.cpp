@@ -61,9 +61,9 @@ MosaicVariety mosaic_variety(const MosaicPlan& plan, std::size_t shapes) {
   return {.apart_px = plan.min_scale_px / 2, .repetition_exponent = kRepetitionExponent};
 }
 
-double pieces_per_px2(const MosaicPlan& plan, double largest_px) {
-  const double filling = kFilling * std::pow(plan.min_scale_px / largest_px, kFillingExponent);
-  return (filling + kFillers) / (plan.min_scale_px * plan.min_scale_px);
+double mosaic_pieces_per_px2(double min_scale_px, double largest_px) {
+  const double filling = kFilling * std::pow(min_scale_px / largest_px, kFillingExponent);
+  return (filling + kFillers) / (min_scale_px * min_scale_px);
 }
 
 }  // namespace tessera

@@ -32,8 +32,8 @@ MosaicPlan mosaic_plan(cv::Size image, int pieces);
 /// and less suitable colours would take their places.
 MosaicVariety mosaic_variety(const MosaicPlan& plan, std::size_t shapes);
 
-/// Pieces for each px² of canvas where the largest may have the size `largest_px`: those that fill the area, and the small
+/// Pieces for each px² of a mosaic where the largest may have the size `largest_px`: those that fill the area, and the small
 /// ones between them.
-double pieces_per_px2(const MosaicPlan& plan, double largest_px);
+double mosaic_pieces_per_px2(double min_scale_px, double largest_px);
 
 }  // namespace tessera

@@ -34,7 +34,7 @@ cv::Mat sizes_for(const cv::Mat& detail, double detail_of_smallest, const Mosaic
 double expected_pieces(const cv::Mat& sizes, const MosaicPlan& plan) {
   double sum = 0;
   for (int y = 0; y < sizes.rows; ++y) {
-    for (int x = 0; x < sizes.cols; ++x) sum += pieces_per_px2(plan, sizes.at<float>(y, x));
+    for (int x = 0; x < sizes.cols; ++x) sum += mosaic_pieces_per_px2(plan.min_scale_px, sizes.at<float>(y, x));
   }
   return sum / double(sizes.total()) * plan.canvas_px.area();
 }
