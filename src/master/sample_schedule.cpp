@@ -33,61 +33,75 @@ void SampleSchedule::follow(const TargetCurve::Change& change) {
   for (const SampleId id : change.removed) {
     stale_.erase(id);
     matched_.erase(id);
+    in_region_.erase(id);
     behind_.erase(id);
   }
   for (const SampleId id : change.renewed) {
     if (may_dock(id)) stale_.insert(id);
     const auto matched = matched_.find(id);
     if (matched != matched_.end()) matched->second.searches = 0;
-    if (searched_ > 0 && lies_in(region_, id)) behind_.insert(id);
+    if (searched_ == 0 || !lies_in(region_, id)) continue;
+    in_region_.insert(id);
+    behind_.insert(id);
   }
 }
 
 void SampleSchedule::search_in(const Window& region) {
   region_ = region;
-  searched_ = 0;
-  behind_.clear();
+  forget_searches();
   for (auto& [id, matched] : matched_) matched.searches = 0;
 }
 
 int SampleSchedule::mark_for_search(int most) {
-  const std::vector<SampleId> least = least_searched();
-  const std::uint32_t times = least.empty() ? std::uint32_t(most) : searches(least.front());
+  const std::vector<SampleId> behind = least_searched();
+  const std::uint32_t times = behind.empty() ? searched_ : searches(behind.front());
   if (times >= std::uint32_t(most)) return 0;
-  for (const SampleId id : least) {
+  const std::vector<SampleId> marked = behind.empty() ? search_all() : behind;
+  for (const SampleId id : marked) {
     stale_.insert(id);
     matched_[id].searches = times + 1;
     if (times + 1 == searched_) behind_.erase(id);
   }
-  if (times == searched_) {
-    ++searched_;
-    find_behind();
-  }
-  return int(times + 1);
+  return marked.empty() ? 0 : int(times + 1);
 }
 
-/// The samples of the region at which pieces may dock and that were searched the fewest times. It looks at all samples
-/// only where none is behind the others.
-std::vector<SampleId> SampleSchedule::least_searched() {
+/// Of the samples that are behind the others: those at which pieces may dock and that were searched the fewest times.
+std::vector<SampleId> SampleSchedule::least_searched() const {
   std::vector<SampleId> least;
   for (const SampleId id : behind_) {
     if (!may_dock(id)) continue;
     if (!least.empty() && searches(id) < searches(least.front())) least.clear();
     if (least.empty() || searches(id) == searches(least.front())) least.push_back(id);
   }
-  if (!least.empty()) return least;
-  for (const SampleId id : curve_.samples()) {
-    if (lies_in(region_, id) && may_dock(id)) least.push_back(id);
-  }
   return least;
 }
 
-void SampleSchedule::find_behind() {
-  behind_.clear();
-  if (searched_ == 0) return;
-  for (const SampleId id : curve_.samples()) {
-    if (searches(id) < searched_ && lies_in(region_, id)) behind_.insert(id);
+/// All samples of the region at which pieces may dock. The others are behind them from now on.
+std::vector<SampleId> SampleSchedule::search_all() {
+  if (searched_ == 0) find_region();
+  ++searched_;
+  std::vector<SampleId> all;
+  for (const SampleId id : in_region_) {
+    if (may_dock(id)) {
+      all.push_back(id);
+    } else {
+      behind_.insert(id);
+    }
   }
+  return all;
+}
+
+/// Looks at all samples of the curve, which takes long on large canvases.
+void SampleSchedule::find_region() {
+  for (const SampleId id : curve_.samples()) {
+    if (lies_in(region_, id)) in_region_.insert(id);
+  }
+}
+
+void SampleSchedule::forget_searches() {
+  searched_ = 0;
+  in_region_.clear();
+  behind_.clear();
 }
 
 std::uint32_t SampleSchedule::searches(SampleId id) const {
@@ -105,8 +119,7 @@ bool SampleSchedule::lies_in(const Window& window, SampleId id) const {
 void SampleSchedule::clear() {
   stale_.clear();
   matched_.clear();
-  behind_.clear();
-  searched_ = 0;
+  forget_searches();
 }
 
 bool SampleSchedule::may_dock(SampleId id) const {
@@ -130,7 +143,11 @@ void SampleSchedule::restore(const CheckpointState& state) {
   stale_ = {state.stale.begin(), state.stale.end()};
   for (const SampleMatches& sample : state.matches) matched_[sample.id] = {sample.passes, sample.searches};
   searched_ = state.searched;
-  find_behind();
+  if (searched_ == 0) return;
+  find_region();
+  for (const SampleId id : in_region_) {
+    if (searches(id) < searched_) behind_.insert(id);
+  }
 }
 
 }  // namespace tessera::master

@@ -62,8 +62,10 @@ class SampleSchedule {
   bool may_dock(SampleId id) const;
   bool lies_in(const Window& window, SampleId id) const;
   std::uint32_t searches(SampleId id) const;
-  std::vector<SampleId> least_searched();
-  void find_behind();
+  std::vector<SampleId> least_searched() const;
+  std::vector<SampleId> search_all();
+  void find_region();
+  void forget_searches();
 
   const FreeField& free_;
   const TargetCurve& curve_;
@@ -73,6 +75,8 @@ class SampleSchedule {
   std::uint32_t first_pass_ = 0;
   Window region_;               // where samples are searched
   std::uint32_t searched_ = 0;  // searches that all samples there had, but those of behind_
+  // Of the region; empty before the first search:
+  std::set<SampleId> in_region_;
   std::set<SampleId> behind_;
 };
 
