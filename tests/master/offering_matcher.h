@@ -36,7 +36,8 @@ class OfferingMatcher : public Matcher {
   explicit OfferingMatcher(const std::vector<Shape>& library) : library_(library) {}
 
   Offers offers;
-  int questions = 0;  // the number of questions for dockings
+  int questions = 0;                       // the number of questions for dockings
+  std::vector<std::size_t> samples_asked;  // of each
 
   ShapeRange shapes() const override { return {0, std::uint32_t(library_.size())}; }
   void start_field(int, int, Vec2) override {}
@@ -44,7 +45,10 @@ class OfferingMatcher : public Matcher {
   void limit(const StanceLimits&) override {}
   void post_count(const CountRequest& request) override { samples_ = test::samples_asked(request); }
   std::vector<DistanceHistogram> take_count() override { return std::vector<DistanceHistogram>(samples_); }
-  void post_dock(const DockRequest&) override { ++questions; }
+  void post_dock(const DockRequest&) override {
+    ++questions;
+    samples_asked.push_back(samples_);
+  }
   DockReply take_dock() override {
     if (offers.empty()) return {};
     const std::optional<Placement> offer = offers.front();

@@ -10,12 +10,25 @@ using test::piece;
 
 using FillingTest = test::OfferedFilling;
 
-TEST_F(FillingTest, AsksTwiceMoreBeforeTheRegionIsFull) {
+TEST_F(FillingTest, SearchesEachSampleBeforeTheRegionIsFull) {
   EXPECT_FALSE(filling_.place_one());
-  EXPECT_EQ(matcher_.questions, 3);
+  EXPECT_EQ(matcher_.samples_asked, std::vector<std::size_t>(1 + kSearches, collage_.open_samples()));
 }
 
-TEST_F(FillingTest, WhatIsFoundAtTheLastMomentIsPlacedAndAllBeginsAnew) {
+/// The piece is found in the second search of all samples, so one more search of all is left.
+TEST_F(FillingTest, APieceMakesOnlyTheSamplesNearItBeSearchedAnew) {
+  matcher_.offers = {{}, {}, piece(1, 40, test::centre_at_upper_left(library()[1], 40))};
+  EXPECT_TRUE(filling_.place_one());
+  matcher_.samples_asked.clear();
+  EXPECT_FALSE(filling_.place_one());
+  const std::size_t all = collage_.open_samples();
+  ASSERT_EQ(matcher_.samples_asked.size(), 4u);
+  const std::size_t renewed = matcher_.samples_asked.front();
+  EXPECT_LT(renewed, all / 2);
+  EXPECT_EQ(matcher_.samples_asked, (std::vector{renewed, renewed, renewed, all}));
+}
+
+TEST_F(FillingTest, WhatIsFoundAtTheLastMomentIsPlaced) {
   matcher_.offers = {{}, {}, piece(1, 40, test::centre_at_upper_left(library()[1], 40))};
   EXPECT_TRUE(filling_.place_one());
   EXPECT_EQ(collage_.placements().size(), 1u);
