@@ -22,12 +22,13 @@ class OfferedFilling : public testing::Test {
     return s;
   }
 
-  explicit OfferedFilling(const CollageSettings& s = settings())
-      : context_(make_matching_context(s, std::uint32_t(library().size()))),
+  explicit OfferedFilling(const CollageSettings& s = settings(), int width_px = 200, int height_px = 140)
+      : canvas_(make_rectangle_canvas(width_px, height_px)),
+        context_(make_matching_context(s, std::uint32_t(library().size()))),
         collage_(canvas_, s, context_, shapes_),
         filling_(collage_, context_, s, matcher_, statistics_) {}
 
-  const Canvas canvas_ = make_rectangle_canvas(200, 140);
+  const Canvas canvas_;
   MatchingContext context_;
   VectorShapes shapes_{library()};
   master::Collage collage_;

@@ -45,9 +45,9 @@ class OfferingMatcher : public Matcher {
   void limit(const StanceLimits&) override {}
   void post_count(const CountRequest& request) override { samples_ = test::samples_asked(request); }
   std::vector<DistanceHistogram> take_count() override { return std::vector<DistanceHistogram>(samples_); }
-  void post_dock(const DockRequest&) override {
+  void post_dock(const DockRequest& request) override {
     ++questions;
-    samples_asked.push_back(samples_);
+    samples_asked.push_back(request.samples.size());
   }
   DockReply take_dock() override {
     if (offers.empty()) return {};
