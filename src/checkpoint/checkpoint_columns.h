@@ -54,8 +54,7 @@ void each_column(Columns& c, Visit visit) {
       "region that is being filled, pieces that were given to it, attempt at its sizes, 1: the last one, digest of the "
       "pieces that the job gives (lower half, upper half)");
   visit("/searches", c.searches, 1, "",
-        "which search of the stale samples goes on (0: none), searches that all samples had which were not renewed "
-        "since");
+        "which search of the stale samples goes on (0: none); searches of all samples (renewed ones had fewer)");
   visit(
       "/batch/pieces", c.batch_pieces, 1, "",
       "how many of the last placements belong to the open batch: candidates near them are still to be measured again");

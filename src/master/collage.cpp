@@ -168,9 +168,10 @@ void Collage::add_to_batch(const Placement& piece, float worth) {
   apart_.add(piece);
   covered_px2_ += area_px2(piece);
   const Window stamped = free_.stamp(shape, piece.canvas_from_shape);
+  const Window touched = touched_window(shape, piece.canvas_from_shape);
   note_changed(stamped);
-  checks_.forget(stamped);
-  batch_.add(touched_window(shape, piece.canvas_from_shape), stamped, worth);
+  checks_.forget(free_.grid().united(stamped, touched));  // settling reads outlines, also where no node changed
+  batch_.add(touched, stamped, worth);
 }
 
 void Collage::merge_batch() { retrace(batch_.stamped()); }

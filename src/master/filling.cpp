@@ -121,7 +121,7 @@ Filling::Filling(Collage& collage, const MatchingContext& context, const Collage
 void Filling::start(const Window& region) {
   region_ = region;
   search_ = 0;
-  wide_gap_may_be_left_ = true;
+  wide_gap_.reset();
   collage_.schedule().search_in(region);
 }
 
@@ -137,8 +137,9 @@ bool Filling::search_again() {
 }
 
 bool Filling::wide_gap_is_left() {
-  wide_gap_may_be_left_ = wide_gap_may_be_left_ && collage_.leaves_wide_gap(region_);
-  return wide_gap_may_be_left_;
+  const std::size_t pieces = collage_.placements().size();
+  if (!wide_gap_ || wide_gap_->pieces != pieces) wide_gap_ = WideGap{pieces, collage_.leaves_wide_gap(region_)};
+  return wide_gap_->is_left;
 }
 
 MatchPlan Filling::plan() {

@@ -2,7 +2,9 @@
 // 4, Fig. 15).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/base/stop.h"
@@ -65,7 +67,11 @@ class Filling {
   bool searches_;                   // false without tangent dockings: PADs alone give the same again
   std::uint64_t sent_version_ = 0;  // of the limits that the matcher knows; 0: perhaps those of another collage
   Window region_;
-  bool wide_gap_may_be_left_ = true;  // pieces only make gaps narrower
+  struct WideGap {
+    std::size_t pieces;  // that stood
+    bool is_left;
+  };
+  std::optional<WideGap> wide_gap_;  // as it was last looked for; the answer follows from region and pieces
   int search_ = 0;
 };
 

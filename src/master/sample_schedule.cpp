@@ -56,13 +56,15 @@ int SampleSchedule::mark_for_search(int most) {
   const std::vector<SampleId> behind = least_searched();
   const std::uint32_t times = behind.empty() ? searched_ : searches(behind.front());
   if (times >= std::uint32_t(most)) return 0;
-  const std::vector<SampleId> marked = behind.empty() ? search_all() : behind;
+  const std::vector<SampleId> marked = behind.empty() ? all_of_region() : behind;
+  if (marked.empty()) return 0;
+  if (behind.empty()) ++searched_;
   for (const SampleId id : marked) {
     stale_.insert(id);
     matched_[id].searches = times + 1;
     if (times + 1 == searched_) behind_.erase(id);
   }
-  return marked.empty() ? 0 : int(times + 1);
+  return int(times + 1);
 }
 
 /// Of the samples that are behind the others: those at which pieces may dock and that were searched the fewest times.
@@ -77,9 +79,8 @@ std::vector<SampleId> SampleSchedule::least_searched() const {
 }
 
 /// All samples of the region at which pieces may dock. The others are behind them from now on.
-std::vector<SampleId> SampleSchedule::search_all() {
+std::vector<SampleId> SampleSchedule::all_of_region() {
   if (searched_ == 0) find_region();
-  ++searched_;
   std::vector<SampleId> all;
   for (const SampleId id : in_region_) {
     if (may_dock(id)) {

@@ -63,7 +63,7 @@ class SampleSchedule {
   bool lies_in(const Window& window, SampleId id) const;
   std::uint32_t searches(SampleId id) const;
   std::vector<SampleId> least_searched() const;
-  std::vector<SampleId> search_all();
+  std::vector<SampleId> all_of_region();
   void find_region();
   void forget_searches();
 

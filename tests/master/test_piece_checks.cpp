@@ -35,10 +35,18 @@ struct Scene {
         settling(free, outlines, context),
         checks(shapes, free, opened, settling, pieces, context) {}
 
+  /// As the collage does it.
   void place(const Placement& piece) {
     const Shape& shape = library()[index_of(piece.shape)];
     outlines.add(piece, shape.outline, line_radius(shape.field, shape.perimeter));
-    checks.forget(free.stamp(shape, piece.canvas_from_shape));
+    const Window touched = piece_window(shape.outline, piece.canvas_from_shape, free.field().origin, 2);
+    stamped.push_back(free.stamp(shape, piece.canvas_from_shape));
+    checks.forget(free.grid().united(stamped.back(), touched));
+  }
+
+  void end_batch() {
+    for (const Window& window : opened.update(free, stamped)) checks.forget(window);
+    stamped.clear();
   }
 
   PieceSettings pieces;
@@ -49,6 +57,7 @@ struct Scene {
   PlacedOutlines outlines;
   Settling settling;
   PieceChecks checks;
+  std::vector<Window> stamped;  // since the end of a batch
 };
 
 Candidate candidate_at(const Similarity& pose, std::uint32_t shape = 3) {
@@ -84,6 +93,7 @@ TEST(PieceChecks, WhatWasComputedAheadIsTrueOfTheFieldAsItIs) {
         scene.checks.compute_areas_ahead(candidates);
         scene.checks.settle_ahead(candidates);
         scene.place({ShapeId{any_shape()}, random_pose(400), 1, 1});
+        if (*rc::gen::arbitrary<bool>()) scene.end_batch();
         PieceChecks now(scene.shapes, scene.free, scene.opened, scene.settling, scene.pieces, scene.context);
         for (const Candidate& candidate : candidates) {
           RC_ASSERT(same(scene.checks.settled(candidate), now.settled(candidate)));

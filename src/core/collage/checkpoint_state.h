@@ -58,7 +58,7 @@ struct CheckpointState {
   std::vector<PooledSample> pool;  // samples ascending, as in the lists below
   std::vector<SampleId> stale;     // target samples to be matched
   std::vector<SampleMatches> matches;
-  std::uint32_t searched = 0;  // searches that all samples of the region had that were not renewed since
+  std::uint32_t searched = 0;  // searches of all samples of the region; samples that were renewed since had fewer
   std::vector<MatchedPad> matched;
   RunStatistics statistics;          // up to now, with the loop's trials and times; stopped_by is empty
   std::uint64_t rebuilt_digest = 0;  // digest of free field and target samples: shows that they were rebuilt equally

@@ -15,7 +15,8 @@ namespace tessera {
 void descend(Similarity& canvas_from_shape, const ShapeModel& shape, const FieldView& field, const Descent& descent,
              const PoseRange& poses);
 
-/// The distance, px, that no point of a piece exceeds in one descent. `least_radius_px`: of the piece at its smallest size.
+/// The distance, px, that no point of a piece exceeds in one descent from a pose within its range. `least_radius_px`: of the
+/// piece at its smallest size.
 float longest_way_px(const Descent& descent, float least_radius_px);
 
 /// Depth of the piece in the covered area, px: the largest depth of a boundary point, or of an interior point plus

@@ -43,7 +43,7 @@ class PieceChecks {
   void compute_areas_ahead(const std::vector<Candidate>& candidates);
   void settle_ahead(const std::vector<Candidate>& candidates);
 
-  /// Forgets what depends on nodes within this window, because pieces or the opened field changed there.
+  /// Forgets what depends on nodes or outlines within this window, because pieces or the opened field changed there.
   void forget(const Window& changed);
   /// Forgets the pieces, because sizes or stances changed.
   void forget_settled() { settled_.clear(); }
@@ -54,7 +54,7 @@ class PieceChecks {
   template <class Answer>
   struct Known {
     Answer answer;
-    Window read;  // the nodes on which the answer depends
+    Window read;  // the nodes on which the answer depends, and those of outlines
   };
   template <class Answer>
   using KnownAnswers = std::map<Key, Known<Answer>>;

@@ -15,7 +15,7 @@ namespace tessera::master {
 struct SettledPose {
   bool fits = false;
   Similarity canvas_from_shape;
-  Window read;  // canvas nodes: what lies there decided, and nothing else
+  Window read;  // the nodes that were read, and those round the outlines that were compared
 };
 
 class Settling {
