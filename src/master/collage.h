@@ -126,7 +126,7 @@ class Collage {
   bool repeats(const Candidate& candidate, std::span<const Candidate* const> others) const;
   std::vector<Pool::Ranked> finalists();
   std::vector<Candidate> likely_finalists();
-  std::vector<Candidate> likely_pieces(std::vector<Candidate> finalists) const;
+  std::vector<Candidate> likely_pieces(const std::vector<Candidate>& finalists) const;
   std::vector<Finalist> checked_finalists(const StopCheck& check_stop);
   bool settle_best(std::vector<Finalist>& finalists, Candidate& best, const StopCheck& check_stop);
   void keep_checks(std::vector<Finalist>& finalists);

@@ -80,18 +80,18 @@ std::vector<Candidate> Collage::likely_finalists() {
   return copies;
 }
 
-/// Those of the finalists that will probably be settled to become pieces.
-std::vector<Candidate> Collage::likely_pieces(std::vector<Candidate> finalists) const {
-  std::stable_sort(finalists.begin(), finalists.end(),
-                   [this](const Candidate& a, const Candidate& b) { return worth(a) > worth(b); });
+/// Which of these finalists will probably be settled to become pieces, best first.
+std::vector<Candidate> Collage::likely_pieces(const std::vector<Candidate>& finalists) const {
+  std::vector<std::pair<float, const Candidate*>> by_worth;
+  for (const Candidate& candidate : finalists) by_worth.emplace_back(worth(candidate), &candidate);
+  std::stable_sort(by_worth.begin(), by_worth.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   Batch ahead = batch_;
   std::vector<Candidate> pieces;
-  for (const Candidate& candidate : finalists) {
-    const float value = worth(candidate);
+  for (const auto& [value, candidate] : by_worth) {
     if (value < ahead.least_worth()) break;
-    if (!ahead.has_room_for(candidate.window)) continue;
-    ahead.add(candidate.window, {}, value);
-    pieces.push_back(candidate);
+    if (!ahead.has_room_for(candidate->window)) continue;
+    ahead.add(candidate->window, {}, value);
+    pieces.push_back(*candidate);
   }
   return pieces;
 }
@@ -107,7 +107,7 @@ void Collage::check_ahead() {
   for (Candidate& candidate : likely) {
     if (!candidate.exact) score_exactly(candidate, checks_.areas(candidate));
   }
-  checks_.settle_ahead(likely_pieces(std::move(likely)));
+  checks_.settle_ahead(likely_pieces(likely));
 }
 
 void Collage::score_exactly(Candidate& candidate, const ExactAreas& areas) const {

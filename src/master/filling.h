@@ -36,7 +36,8 @@ class Filling {
   /// candidates that the pieces of the batch touch.
   void end_batch();
 
-  /// Which search of the samples that wait goes on; 0: none, they are matched as usual. The collage's checkpoint holds it.
+  /// The number of the search that goes on: the waiting samples are searched for the first, second .. time. 0: no search
+  /// goes on, and they are matched as usual. The collage's checkpoint holds the number.
   int search() const { return search_; }
   void restore_search(int search) { search_ = search; }
   /// How often a sample is searched at most.

@@ -67,7 +67,8 @@ int SampleSchedule::mark_for_search(int most) {
   return int(times + 1);
 }
 
-/// Of the samples that are behind the others: those at which pieces may dock and that were searched the fewest times.
+/// Finds the samples that were searched less often than the others, and among these the ones that were searched the fewest
+/// times. Only samples count at which pieces may dock.
 std::vector<SampleId> SampleSchedule::least_searched() const {
   std::vector<SampleId> least;
   for (const SampleId id : behind_) {
@@ -78,7 +79,7 @@ std::vector<SampleId> SampleSchedule::least_searched() const {
   return least;
 }
 
-/// All samples of the region at which pieces may dock. The others are behind them from now on.
+/// Finds all samples of the region at which pieces may dock. The other samples of the region fall behind.
 std::vector<SampleId> SampleSchedule::all_of_region() {
   if (searched_ == 0) find_region();
   std::vector<SampleId> all;

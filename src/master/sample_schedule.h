@@ -73,11 +73,10 @@ class SampleSchedule {
   std::set<SampleId> stale_;  // to be matched
   std::unordered_map<SampleId, Matched> matched_;
   std::uint32_t first_pass_ = 0;
-  Window region_;               // where samples are searched
-  std::uint32_t searched_ = 0;  // searches that all samples there had, but those of behind_
-  // Of the region; empty before the first search:
-  std::set<SampleId> in_region_;
-  std::set<SampleId> behind_;
+  Window region_;                 // where samples are searched
+  std::uint32_t searched_ = 0;    // how often each sample of the region was searched, except those in behind_
+  std::set<SampleId> in_region_;  // the samples of the region; empty before the first search
+  std::set<SampleId> behind_;     // samples of the region that were searched less often than the others
 };
 
 }  // namespace tessera::master

@@ -18,9 +18,9 @@
 namespace tessera {
 namespace {
 
-// The constants were measured with release builds on two cores of a Xeon (2.0 GHz, PoCL 3.1, hardly any other work
-// beside it): libraries of 120 to 10,000 shapes, canvases of 500 to 1500 px, pieces of 14-90, 20-160 and 30-240 px, one
-// process, 12 runs. A range says how far single runs differ.
+// The constants were measured with release builds on two cores of 2 GHz with PoCL 3.1. Times and memory of the filling:
+// docs/measurements/engine.md has the runs, of 720 to 46,054 pieces. The other constants: 12 runs in one process, libraries
+// of 120 to 10,000 shapes, canvases of 500 to 1500 px. A range says how far single runs differ.
 
 // Canvas area for each piece, divided by the product of smallest and largest scale: 1.4 (5 shapes) to 2.9 (815 shapes).
 constexpr double kAreaOfAPiece = 1.8;
@@ -74,10 +74,9 @@ constexpr double kKeptShapes = 1024;
 constexpr double kPassingShapes = 512;
 
 // These follow from the checkpoint's format: bytes of a piece, of an open target sample with as many candidates as the
-// pool keeps for it, of a sample that was matched, and of the empty file.
+// pool keeps for it, and of the empty file.
 constexpr double kCheckpointPiece_bytes = 28;
-constexpr double kCheckpointSample_bytes = 69 + 65. * kPoolPerSample;
-constexpr double kCheckpointPass_bytes = 8;
+constexpr double kCheckpointSample_bytes = 81 + 65. * kPoolPerSample;
 constexpr double kCheckpoint_bytes = 50e3;
 
 std::vector<std::uint32_t> drawings_of(const PlanInput& input) {
@@ -212,8 +211,7 @@ PlanEstimate estimate(const PlanInput& input) {
   add_memory(input, context, plan);
   add_times(input, plan);
   plan.checkpoint_bytes =
-      kCheckpoint_bytes + plan.pieces * (kCheckpointPiece_bytes + kOpenSamplesOfAPiece * kCheckpointSample_bytes +
-                                         kSamplesOfAPiece * kCheckpointPass_bytes);
+      kCheckpoint_bytes + plan.pieces * (kCheckpointPiece_bytes + kOpenSamplesOfAPiece * kCheckpointSample_bytes);
   return plan;
 }
 

@@ -22,17 +22,20 @@ class OfferedFilling : public testing::Test {
     return s;
   }
 
-  explicit OfferedFilling(const CollageSettings& s = settings(), int width_px = 200, int height_px = 140)
-      : canvas_(make_rectangle_canvas(width_px, height_px)),
-        context_(make_matching_context(s, std::uint32_t(library().size()))),
+  explicit OfferedFilling(const CollageSettings& s = settings(), const Canvas& canvas = make_rectangle_canvas(200, 140),
+                          const std::vector<Shape>& shapes = library())
+      : canvas_(canvas),
+        context_(make_matching_context(s, std::uint32_t(shapes.size()))),
+        shapes_(shapes),
         collage_(canvas_, s, context_, shapes_),
+        matcher_(shapes),
         filling_(collage_, context_, s, matcher_, statistics_) {}
 
   const Canvas canvas_;
   MatchingContext context_;
-  VectorShapes shapes_{library()};
+  VectorShapes shapes_;
   master::Collage collage_;
-  OfferingMatcher matcher_{library()};
+  OfferingMatcher matcher_;
   RunStatistics statistics_;
   master::Filling filling_;
 };

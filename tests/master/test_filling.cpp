@@ -17,7 +17,7 @@ TEST_F(FillingTest, SearchesEachSampleBeforeTheRegionIsFull) {
 
 class WideFillingTest : public FillingTest {
  protected:
-  WideFillingTest() : FillingTest(settings(), 1200, 800) {}
+  WideFillingTest() : FillingTest(settings(), make_rectangle_canvas(1200, 800)) {}
 };
 
 /// The piece is found in the second search of all samples, so one more search of all is left.
@@ -42,6 +42,30 @@ TEST_F(FillingTest, WhatIsFoundAtTheLastMomentIsPlaced) {
   EXPECT_TRUE(filling_.place_one());
   EXPECT_EQ(matcher_.questions, 3);
   EXPECT_EQ(collage_.placements().size(), 2u);
+}
+
+/// A library with line art in its last place. Gaps are compared with 64 of its open shapes, which differ from piece to piece.
+class ManyShapesFillingTest : public FillingTest {
+ protected:
+  static const std::vector<Shape>& many_shapes() {
+    static const std::vector<Shape> shapes = [] {
+      std::vector<Shape> discs(70, test::make_library_shape("disc", test::disc_outline()));
+      discs.back() = test::make_library_shape("spectacles", test::spectacles_outline(0.2f));
+      return discs;
+    }();
+    return shapes;
+  }
+  ManyShapesFillingTest() : FillingTest(settings(), make_rectangle_canvas(200, 140), many_shapes()) {}
+};
+
+/// The first 64 shapes say that no gap is wide. With one piece more the line art is among those that are compared, and one
+/// more search follows. A run that went on from a checkpoint would see it, too.
+TEST_F(ManyShapesFillingTest, WhetherAWideGapIsLeftIsAskedAfterEachPiece) {
+  matcher_.offers = {{}, {}, piece(1, 40, test::centre_at_upper_left(many_shapes()[1], 40))};
+  EXPECT_TRUE(filling_.place_one());
+  matcher_.samples_asked.clear();
+  filling_.place_one();
+  EXPECT_EQ(matcher_.samples_asked.size(), std::size_t(1 + kSearches + 1));
 }
 
 class WithoutTangentDockings : public FillingTest {

@@ -35,7 +35,7 @@ struct Scene {
         settling(free, outlines, context),
         checks(shapes, free, opened, settling, pieces, context) {}
 
-  /// As the collage does it.
+  /// Places the piece and forgets answers as Collage::place does.
   void place(const Placement& piece) {
     const Shape& shape = library()[index_of(piece.shape)];
     outlines.add(piece, shape.outline, line_radius(shape.field, shape.perimeter));

@@ -49,7 +49,7 @@ struct CheckpointState {
   SizeSearchState sizes;              // search for the size at which every shape finds a place
   KeptAttempt best;                   // of the earlier attempts; while the search goes on
   std::uint64_t begun_with = 0;       // digest of the pieces that the job gives
-  int search = 0;                     // while filling: which search of the stale samples goes on; 0: none
+  int search = 0;                     // while filling: number of the search of the stale samples; 0: none goes on
   std::vector<Placement> placements;  // in the order in which they were placed
   std::uint32_t batch_pieces = 0;     // the last placements, which belong to the open batch and not yet to the curve
   float batch_worth = 0;              // of the first of them

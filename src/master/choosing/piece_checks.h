@@ -1,5 +1,5 @@
-// What choosing must know of candidates on the present free field: their exact areas, and the pieces that they become. It is
-// computed for many candidates at a time, on all cores of the rank, before somebody asks for it.
+// Checks candidates on the present free field before one is chosen: computes their exact areas, and the pieces that they
+// become. Many candidates are checked at a time, on all cores of the rank, before somebody asks for the answers.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct SettledPiece {
   ExactAreas areas;
 };
 
-/// The methods that compute ahead change how long the other ones take, never what they say.
+/// areas() and settled() answer; compute_areas_ahead() and settle_ahead() change how long that takes, never the answers.
 class PieceChecks {
  public:
   /// All arguments outlive the checks. `context`: has the present sizes and stances.
