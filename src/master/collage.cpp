@@ -105,7 +105,6 @@ std::vector<ShapeId> Collage::shut_out_shapes() const {
 void Collage::update_open_shapes() {
   if (!scoring_.limits_uses() && !apart_.matters()) return;
   if (!open_shapes_.update(shut_out_shapes(), double(free_.free_256ths_px2()) / 256)) return;
-  checks_.forget_settled();
   std::vector<SampleId> ids;
   for (const auto& [id, entry] : pool_.entries()) ids.push_back(id);
   for (const SampleId id : ids) review(id, [this](const Candidate& c) { return open_shapes_.allows(c); });
@@ -168,10 +167,9 @@ void Collage::add_to_batch(const Placement& piece, float worth) {
   apart_.add(piece);
   covered_px2_ += area_px2(piece);
   const Window stamped = free_.stamp(shape, piece.canvas_from_shape);
-  const Window touched = touched_window(shape, piece.canvas_from_shape);
   note_changed(stamped);
-  checks_.forget(free_.grid().united(stamped, touched));  // settling reads outlines, also where no node changed
-  batch_.add(touched, stamped, worth);
+  checks_.forget_near(shape, piece.canvas_from_shape, stamped);
+  batch_.add(touched_window(shape, piece.canvas_from_shape), stamped, worth);
 }
 
 void Collage::merge_batch() { retrace(batch_.stamped()); }

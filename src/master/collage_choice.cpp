@@ -96,14 +96,13 @@ std::vector<Candidate> Collage::likely_pieces(const std::vector<Candidate>& fina
   return pieces;
 }
 
-/// Candidates are settled ahead only where the pieces of a batch change nothing about the sizes of the next ones.
 void Collage::check_ahead() {
   std::vector<Candidate> likely = likely_finalists();
   std::vector<Candidate> unchecked;
   std::copy_if(likely.begin(), likely.end(), std::back_inserter(unchecked),
                [](const Candidate& c) { return !c.exact; });
   checks_.compute_areas_ahead(unchecked);
-  if (!settings_.settle || scoring_.limits_uses()) return;
+  if (!settings_.settle) return;
   for (Candidate& candidate : likely) {
     if (!candidate.exact) score_exactly(candidate, checks_.areas(candidate));
   }

@@ -35,13 +35,11 @@ struct Scene {
         settling(free, outlines, context),
         checks(shapes, free, opened, settling, pieces, context) {}
 
-  /// Places the piece and forgets answers as Collage::place does.
   void place(const Placement& piece) {
     const Shape& shape = library()[index_of(piece.shape)];
     outlines.add(piece, shape.outline, line_radius(shape.field, shape.perimeter));
-    const Window touched = piece_window(shape.outline, piece.canvas_from_shape, free.field().origin, 2);
     stamped.push_back(free.stamp(shape, piece.canvas_from_shape));
-    checks.forget(free.grid().united(stamped.back(), touched));
+    checks.forget_near(shape, piece.canvas_from_shape, stamped.back());
   }
 
   void end_batch() {
@@ -120,26 +118,26 @@ TEST(PieceChecks, APieceOfTheSameBatchLeavesThemKnown) {
   EXPECT_EQ(scene.shapes.asked, 0);
 }
 
-TEST(PieceChecks, AreForgottenWhereSizesChanged) {
+/// Sizes may become smaller from piece to piece (fit = "all"). The piece that a candidate becomes may grow to the new ones.
+TEST(PieceChecks, AnswersAreThoseOfThePresentSizes) {
+  Scene scene(make_rectangle_canvas(400, 400));
+  const Candidate candidate = candidate_at({60, 0, 200, 200});
+  scene.checks.settle_ahead({candidate});
+  const float settled_px = scene.checks.settled(candidate).canvas_from_shape.scale();
+  const StanceTable all = scene.context.stances;
+  limit(scene.context, all, {.most_scale_px = 61});
+  EXPECT_LE(scene.checks.settled(candidate).canvas_from_shape.scale(), 61.01f);
+  limit(scene.context, all, {});
+  EXPECT_EQ(scene.checks.settled(candidate).canvas_from_shape.scale(), settled_px);
+  EXPECT_GT(settled_px, 65) << "it grows in any case, so this test says something";
+}
+
+TEST(PieceChecks, ForgetAllForgetsAreas) {
   Scene scene(make_rectangle_canvas(400, 400));
   const Candidate candidate = candidate_at({60, 0, 200, 200});
   scene.checks.compute_areas_ahead({candidate});
-  scene.checks.settle_ahead({candidate});
-  scene.checks.forget_settled();
   EXPECT_TRUE(scene.checks.knows_areas(candidate));
-  scene.shapes.asked = 0;
-  scene.checks.settled(candidate);
-  EXPECT_EQ(scene.shapes.asked, 1);
   scene.checks.forget_all();
-  EXPECT_FALSE(scene.checks.knows_areas(candidate));
-}
-
-/// The same pose in two stances may come to stand differently: the stance's sizes decide.
-TEST(PieceChecks, TellStancesApart) {
-  Scene scene(make_rectangle_canvas(400, 400));
-  Candidate candidate = candidate_at({60, 0, 200, 200});
-  scene.checks.compute_areas_ahead({candidate});
-  candidate.stance = 1;
   EXPECT_FALSE(scene.checks.knows_areas(candidate));
 }
 

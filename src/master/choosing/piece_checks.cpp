@@ -12,9 +12,15 @@ constexpr std::size_t kMostKnown = 4096;  // answers that nobody asks for do not
 
 }  // namespace
 
-PieceChecks::Key PieceChecks::key_of(const Candidate& candidate) {
+PoseRange PieceChecks::poses_of(const Candidate& candidate) const {
+  const Stance& stance = context_.stances[candidate.stance];
+  return sized_at(context_, stance, candidate.canvas_from_shape.translation()).poses;
+}
+
+PieceChecks::Key PieceChecks::key_of(const Candidate& candidate) const {
   const Similarity& pose = candidate.canvas_from_shape;
-  return {candidate.shape, candidate.stance, pose.tx, pose.ty, pose.a, pose.b};
+  const float largest_px = poses_of(candidate).max_scale_px;
+  return {candidate.shape, candidate.stance, pose.tx, pose.ty, pose.a, pose.b, largest_px};
 }
 
 PieceChecks::Known<ExactAreas> PieceChecks::compute_areas(const Shape& shape,
@@ -25,9 +31,7 @@ PieceChecks::Known<ExactAreas> PieceChecks::compute_areas(const Shape& shape,
 
 PieceChecks::Known<SettledPiece> PieceChecks::settle(const Shape& shape, const ShapeModel& model,
                                                      const Candidate& candidate) const {
-  const Similarity& from = candidate.canvas_from_shape;
-  const PoseRange poses = sized_at(context_, context_.stances[candidate.stance], from.translation()).poses;
-  const SettledPose settled = settling_.settle(shape, model, poses, from);
+  const SettledPose settled = settling_.settle(shape, model, poses_of(candidate), candidate.canvas_from_shape);
   if (!settled.fits) return {{}, settled.read};
   const Similarity pose = free_.grid().period().wrapped(settled.canvas_from_shape);
   const Known<ExactAreas> areas = compute_areas(shape, pose);
@@ -85,6 +89,12 @@ void PieceChecks::settle_ahead(const std::vector<Candidate>& candidates) {
   });
 }
 
+/// Settling compares outlines, also where no node changed.
+void PieceChecks::forget_near(const Shape& shape, const Similarity& canvas_from_shape, const Window& stamped) {
+  const Window outline = piece_window(shape.outline, canvas_from_shape, free_.field().origin, 0);
+  forget(free_.grid().united(stamped, outline));
+}
+
 void PieceChecks::forget(const Window& changed) {
   const auto depends = [&](const auto& known) { return free_.grid().overlap(changed, known.second.read); };
   std::erase_if(areas_, depends);
@@ -93,7 +103,7 @@ void PieceChecks::forget(const Window& changed) {
 
 void PieceChecks::forget_all() {
   areas_.clear();
-  forget_settled();
+  settled_.clear();
 }
 
 }  // namespace tessera::master

@@ -43,14 +43,15 @@ class PieceChecks {
   void compute_areas_ahead(const std::vector<Candidate>& candidates);
   void settle_ahead(const std::vector<Candidate>& candidates);
 
+  /// Forgets what a new piece changes. `stamped`: the nodes of the free field that it changed.
+  void forget_near(const Shape& shape, const Similarity& canvas_from_shape, const Window& stamped);
   /// Forgets what depends on nodes or outlines within this window, because pieces or the opened field changed there.
   void forget(const Window& changed);
-  /// Forgets the pieces, because sizes or stances changed.
-  void forget_settled() { settled_.clear(); }
   void forget_all();
 
  private:
-  using Key = std::tuple<ShapeId, std::uint32_t, float, float, float, float>;  // shape, stance and pose
+  /// Shape, stance and pose of a candidate, and the largest size that it may have, which jobs may lower from piece to piece.
+  using Key = std::tuple<ShapeId, std::uint32_t, float, float, float, float, float>;
   template <class Answer>
   struct Known {
     Answer answer;
@@ -59,7 +60,8 @@ class PieceChecks {
   template <class Answer>
   using KnownAnswers = std::map<Key, Known<Answer>>;
 
-  static Key key_of(const Candidate& candidate);
+  PoseRange poses_of(const Candidate& candidate) const;
+  Key key_of(const Candidate& candidate) const;
   Known<ExactAreas> compute_areas(const Shape& shape, const Similarity& canvas_from_shape) const;
   Known<SettledPiece> settle(const Shape& shape, const ShapeModel& model, const Candidate& candidate) const;
   template <class Answer, class Compute>
