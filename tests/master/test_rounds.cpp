@@ -51,6 +51,35 @@ std::vector<Placement> placed_in_rounds(const Canvas& canvas, int rounds, bool c
   return collage.placements();
 }
 
+/// A collage that goes on from the saved state has computed nothing ahead. It chooses the same, also within a batch.
+TEST(Rounds, AChoiceFollowsFromTheSavedState) {
+  CollageSettings s = settings();
+  s.pieces.max_scale_px = 50;
+  int compared = 0;
+  for (const Canvas& canvas : canvases()) {
+    test::RoundsByHand rounds(canvas, s, library());
+    const auto choose = [&](Candidate& best) {
+      test::RoundsByHand fresh(canvas, s, library());
+      fresh.collage().restore(rounds.state());
+      Candidate expected;
+      const bool found = rounds.collage().choose(best);
+      EXPECT_EQ(found, fresh.collage().choose(expected));
+      EXPECT_EQ(best.canvas_from_shape, found ? expected.canvas_from_shape : best.canvas_from_shape);
+      EXPECT_EQ(best.score, found ? expected.score : best.score);
+      compared += found;
+      return found;
+    };
+    Candidate best;
+    for (int round = 0; round < 25 && rounds.choose(best); ++round) {
+      do rounds.collage().place(best);
+      while (choose(best));
+      rounds.end_batch();
+      choose(best);  // nothing is matched yet
+    }
+  }
+  EXPECT_GT(compared, 40);
+}
+
 /// Settling moves, shrinks and grows a piece. Its score is that of its final pose, from its exact areas.
 TEST(Rounds, ASettledPieceIsScoredWhereItEnds) {
   for (const Objective kind : {Objective::scale_aware, Objective::paper}) {
