@@ -44,7 +44,7 @@ struct Scene {
     }
     const Grid<float>& field = free.field().value;
     made->start_field(field.width(), field.height(), free.field().origin);
-    made->update_field(read_patch(field, field.bounds()));
+    made->update_field({read_patch(field, field.bounds())});
     return made;
   }
 

@@ -175,7 +175,7 @@ Measured measure(const HeadlineScene& scene, const std::string& devices_use, int
       worker::make_device_matcher(devices_use, scene.context, all_of(scene.models), given(scene.models));
   const Grid<float>& field = scene.field.value;
   matcher->start_field(field.width(), field.height(), scene.field.origin);
-  matcher->update_field(read_patch(field, field.bounds()));
+  matcher->update_field({read_patch(field, field.bounds())});
   Measured measured{runs, 0, {}, dock_thoroughly(*matcher, scene)};
   std::vector<TargetSample> samples = scene.samples;
   measured.median_s = median_s(runs, [&] {

@@ -165,11 +165,13 @@ void Filling::send_changes() {
   const OpenShapes& open = collage_.open_shapes();
   if (std::exchange(sent_version_, open.version()) != open.version()) matcher_.limit(open.limits());
   const FreeField& free = collage_.free();
+  std::vector<FieldPatch> patches;
   for (const Window& changed : collage_.take_changed_nodes()) {
     for (const Window& part : free.grid().images(changed, free.grid().nodes())) {
-      matcher_.update_field(read_patch(free.field().value, part));
+      patches.push_back(read_patch(free.field().value, part));
     }
   }
+  if (!patches.empty()) matcher_.update_field(patches);
 }
 
 }  // namespace tessera::master

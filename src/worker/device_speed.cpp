@@ -15,7 +15,7 @@ constexpr std::size_t kTimes = 3;  // the middle time counts, because other prog
 double tasks_per_s(const cl::Device& device, const SpeedTask& task, const BetweenLaunches& between_launches) {
   OpenCLMatcher matcher(device, task.context, all_of(task.models), given(task.models), between_launches);
   matcher.start_field(task.field.value.width(), task.field.value.height(), task.field.origin);
-  matcher.update_field(read_patch(task.field.value, task.field.value.bounds()));
+  matcher.update_field({read_patch(task.field.value, task.field.value.bounds())});
   do_speed_task(matcher, task);  // some devices compile at the first launch
   std::array<double, kTimes> times_s;
   for (double& time_s : times_s) {

@@ -24,7 +24,7 @@ class OpenCLMatcher : public Matcher {
 
   ShapeRange shapes() const override;
   void start_field(int width, int height, Vec2 origin) override { library_.start_field(width, height, origin); }
-  void update_field(const FieldPatch& patch) override { library_.update_field(patch); }
+  void update_field(const std::vector<FieldPatch>& patches) override { library_.update_field(patches); }
   void limit(const StanceLimits& limits) override;
   void post_count(const CountRequest& request) override;
   bool step_count() override { return pairs_.step_count(); }

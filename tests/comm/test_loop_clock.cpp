@@ -67,7 +67,7 @@ void play_loop(Matcher& team, Replacer& replacers, RunStatistics& run) {
   for (run.rounds = 0; run.rounds < 2; ++run.rounds) {
     Stopwatch stage;
     team.start_field(3, 2, {});
-    team.update_field({{0, 0, 3, 2}, std::vector<float>(6)});
+    team.update_field({{{0, 0, 3, 2}, std::vector<float>(6)}});
     run.merge_s += stage.lap();
     team.post_count({std::vector<TargetSample>(5), std::vector<std::uint32_t>(5, 9)});
     team.take_count();

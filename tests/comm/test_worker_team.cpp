@@ -31,7 +31,7 @@ class EchoMatcher : public Matcher {
     field_ = Grid<float>(width, height);
     origin_ = origin;
   }
-  void update_field(const FieldPatch& patch) override { write_patch(patch, field_); }
+  void update_field(const std::vector<FieldPatch>& patches) override { write_patches(patches, field_); }
   void limit(const StanceLimits& limits) override { limits_ = limits; }
 
   void post_count(const CountRequest& request) override {
@@ -201,9 +201,9 @@ TEST(WorkerTeam, OwnDevicesTakeAllStepsOfEveryCountWhileTheWorkersCount) {
 TEST(WorkerTeam, DockingsSeeTheFieldAsItWasWhenPosted) {
   with_echo_team([](Matcher& team) {
     team.start_field(30, 20, {-5.5f, 2.f});
-    team.update_field({{0, 0, 30, 20}, std::vector<float>(600, 1.f)});
+    team.update_field({{{0, 0, 30, 20}, std::vector<float>(600, 1.f)}});
     team.post_dock({samples_of_edges({1, 2}), {5, 9}, 300});
-    team.update_field({{29, 19, 30, 20}, {41.f}});
+    team.update_field({{{29, 19, 30, 20}, {40.f}}, {{29, 19, 30, 20}, {41.f}}});
     const DockReply before = team.take_dock();
     ASSERT_EQ(before.dockings.size(), 2 * kEchoShapes);
     EXPECT_EQ(before.dockings[0], (Docking{0, ShapeId{1}, 5, 0, 1.f, {-5.5f, 2.f, 2.f, 0}}));
@@ -259,7 +259,8 @@ TEST(WorkerTeam, LargeMessagesBothWaysDoNotLockUp) {
           const auto team = gather_workers(c);
           auto* const worker = team.get();
           worker->start_field(kNodes, kNodes, {});
-          const FieldPatch whole{{0, 0, kNodes, kNodes}, std::vector<float>(std::size_t(kNodes) * kNodes, 2.f)};
+          const std::vector<FieldPatch> whole{
+              {{0, 0, kNodes, kNodes}, std::vector<float>(std::size_t(kNodes) * kNodes, 2.f)}};
           worker->update_field(whole);
           for (int i = 0; i < 2; ++i)
             worker->post_refine(std::vector<Docking>(1'000'000));  // sends 40 MB and gets 60 MB back

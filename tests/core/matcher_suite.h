@@ -501,7 +501,7 @@ TEST_P(MatcherSuite, MeasuresDockingsOnTheFieldAsItIs) {
   matcher->post_measure(dockings);
   EXPECT_EQ(matcher->take_measure(), expected);
   const Grid<float> covered(scene().field.value.width(), scene().field.value.height(), -50.f);
-  matcher->update_field(read_patch(covered, covered.bounds()));
+  matcher->update_field({read_patch(covered, covered.bounds())});
   matcher->post_measure(dockings);
   for (const DockingTerms& terms : matcher->take_measure()) EXPECT_GT(terms.overlap_px2, 0);
 }
@@ -510,11 +510,11 @@ TEST_P(MatcherSuite, SeesWhatIsWrittenIntoTheField) {
   const auto matcher = matcher_of(scene());
   const Round before = run_round(*matcher, scene());
   const Grid<float> covered(scene().field.value.width(), scene().field.value.height(), -50.f);
-  matcher->update_field(read_patch(covered, covered.bounds()));
+  matcher->update_field({read_patch(covered, covered.bounds())});
   EXPECT_TRUE(run_round(*matcher, scene()).docked.dockings.empty());
   const int middle = covered.height() / 3;  // the field comes back in two parts
-  matcher->update_field(read_patch(scene().field.value, {0, 0, covered.width(), middle}));
-  matcher->update_field(read_patch(scene().field.value, {0, middle, covered.width(), covered.height()}));
+  matcher->update_field({read_patch(scene().field.value, {0, 0, covered.width(), middle})});
+  matcher->update_field({read_patch(scene().field.value, {0, middle, covered.width(), covered.height()})});
   expect_same_round(run_round(*matcher, scene()), before);
 }
 

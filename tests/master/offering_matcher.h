@@ -41,7 +41,7 @@ class OfferingMatcher : public Matcher {
 
   ShapeRange shapes() const override { return {0, std::uint32_t(library_.size())}; }
   void start_field(int, int, Vec2) override {}
-  void update_field(const FieldPatch&) override {}
+  void update_field(const std::vector<FieldPatch>&) override {}
   void limit(const StanceLimits&) override {}
   void post_count(const CountRequest& request) override { samples_ = test::samples_asked(request); }
   std::vector<DistanceHistogram> take_count() override { return std::vector<DistanceHistogram>(samples_); }

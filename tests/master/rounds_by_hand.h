@@ -58,7 +58,7 @@ class RoundsByHand {
  private:
   void send_field() {
     const Grid<float>& value = collage_.free().field().value;
-    matcher_.update_field(read_patch(value, value.bounds()));
+    matcher_.update_field({read_patch(value, value.bounds())});
   }
 
   CollageSettings settings_;

@@ -22,7 +22,7 @@ class InterruptedMatcher : public Matcher {
     Matcher& matcher = at_starts_.size() == 1 ? matcher_ : call();  // the first one belongs to no question
     matcher.start_field(width, height, origin);
   }
-  void update_field(const FieldPatch& patch) override { call().update_field(patch); }
+  void update_field(const std::vector<FieldPatch>& patches) override { call().update_field(patches); }
   void limit(const StanceLimits& limits) override { call().limit(limits); }
   void post_count(const CountRequest& request) override { call().post_count(request); }
   std::vector<DistanceHistogram> take_count() override { return call().take_count(); }

@@ -30,7 +30,7 @@ std::vector<Placement> placed_in_rounds(const Canvas& canvas, int rounds, bool c
   matcher.start_field(field.value.width(), field.value.height(), field.origin);
   RunStatistics statistics;
   for (int round = 0; round < rounds; ++round) {
-    matcher.update_field(read_patch(field.value, field.value.bounds()));
+    matcher.update_field({read_patch(field.value, field.value.bounds())});
     const std::vector<TargetSample> samples = collage.schedule().take();
     int calls = 0;
     const MatchRound found = match(matcher, samples, {20, 150}, 1000, statistics, [&] {
@@ -43,7 +43,7 @@ std::vector<Placement> placed_in_rounds(const Canvas& canvas, int rounds, bool c
     Candidate best;
     if (!collage.choose(best)) break;
     collage.place(best);
-    matcher.update_field(read_patch(field.value, field.value.bounds()));
+    matcher.update_field({read_patch(field.value, field.value.bounds())});
     collage.merge_batch();
     matcher.post_measure(collage.touched());
     collage.end_batch(matcher.take_measure());

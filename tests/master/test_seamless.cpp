@@ -128,7 +128,7 @@ class FieldMatcher : public test::OfferingMatcher {
   Grid<float> field;
 
   void start_field(int width, int height, Vec2) override { field = Grid<float>(width, height); }
-  void update_field(const FieldPatch& patch) override { write_patch(patch, field); }
+  void update_field(const std::vector<FieldPatch>& patches) override { write_patches(patches, field); }
 };
 
 TEST(Seamless, WorkersGetAllImagesOfAPiece) {

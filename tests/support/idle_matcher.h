@@ -15,7 +15,7 @@ inline std::size_t samples_asked(const CountRequest& request) {
 class IdleMatcher : public Matcher {
  public:
   void start_field(int, int, Vec2) override {}
-  void update_field(const FieldPatch&) override {}
+  void update_field(const std::vector<FieldPatch>&) override {}
   void limit(const StanceLimits&) override {}
   void post_dock(const DockRequest&) override {}
   DockReply take_dock() override { return {}; }

@@ -12,7 +12,7 @@ namespace tessera::test {
 
 inline void set_field(Matcher& matcher, const CanvasField& field) {
   matcher.start_field(field.value.width(), field.value.height(), field.origin);
-  matcher.update_field(read_patch(field.value, field.value.bounds()));
+  matcher.update_field({read_patch(field.value, field.value.bounds())});
 }
 
 struct Round {

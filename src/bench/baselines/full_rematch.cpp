@@ -19,7 +19,7 @@ master::CollageResult make_collage_afresh(const Canvas& canvas, const CollageSet
   master::Collage collage(canvas, settings, context, shapes);
   const CanvasField& field = collage.free().field();
   matcher.start_field(field.value.width(), field.value.height(), field.origin);
-  const auto send_field = [&] { matcher.update_field(read_patch(field.value, field.value.bounds())); };
+  const auto send_field = [&] { matcher.update_field({read_patch(field.value, field.value.bounds())}); };
   send_field();
   RunStatistics statistics;
   for (int empty = 0; empty < kEmptyRounds;) {

@@ -66,7 +66,7 @@ void PaperMatcher::start_field(int width, int height, Vec2 origin) {
   field_.origin = origin;
 }
 
-void PaperMatcher::update_field(const FieldPatch& patch) { write_patch(patch, field_.value); }
+void PaperMatcher::update_field(const std::vector<FieldPatch>& patches) { write_patches(patches, field_.value); }
 
 void PaperMatcher::limit(const StanceLimits& limits) { tessera::limit(context_, all_stances_, limits); }
 

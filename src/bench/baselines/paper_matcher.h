@@ -16,7 +16,7 @@ class PaperMatcher : public Matcher {
 
   ShapeRange shapes() const override { return {0, std::uint32_t(models_.size())}; }
   void start_field(int width, int height, Vec2 origin) override;
-  void update_field(const FieldPatch& patch) override;
+  void update_field(const std::vector<FieldPatch>& patches) override;
   void limit(const StanceLimits& limits) override;
   void post_count(const CountRequest& request) override;
   std::vector<DistanceHistogram> take_count() override { return std::move(histograms_); }

@@ -22,9 +22,9 @@ Message weighed_answer(QuestionWeight& weight, Message message) {
 
 }  // namespace
 
-void WeighedMatcher::update_field(const FieldPatch& patch) {
-  weigh_question(weight_.field, patch);
-  matcher_->update_field(patch);
+void WeighedMatcher::update_field(const std::vector<FieldPatch>& patches) {
+  weigh_question(weight_.field, patches);
+  matcher_->update_field(patches);
 }
 
 void WeighedMatcher::post_count(const CountRequest& request) {

@@ -33,7 +33,7 @@ class WeighedMatcher : public Matcher {
   bool step_is_ready() override { return matcher_->step_is_ready(); }
   void start_field(int width, int height, Vec2 origin) override { matcher_->start_field(width, height, origin); }
   void limit(const StanceLimits& limits) override { matcher_->limit(limits); }
-  void update_field(const FieldPatch& patch) override;
+  void update_field(const std::vector<FieldPatch>& patches) override;
   void post_count(const CountRequest& request) override;
   std::vector<DistanceHistogram> take_count() override;
   void post_dock(const DockRequest& request) override;

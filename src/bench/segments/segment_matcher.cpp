@@ -42,9 +42,9 @@ void SegmentMatcher::start_field(int width, int height, Vec2 origin) {
   reference_.start_field(width, height, origin);
 }
 
-void SegmentMatcher::update_field(const FieldPatch& patch) {
-  write_patch(patch, field_.value);
-  reference_.update_field(patch);
+void SegmentMatcher::update_field(const std::vector<FieldPatch>& patches) {
+  write_patches(patches, field_.value);
+  reference_.update_field(patches);
 }
 
 void SegmentMatcher::limit(const StanceLimits& limits) {

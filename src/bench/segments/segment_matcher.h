@@ -42,7 +42,7 @@ class SegmentMatcher : public Matcher {
 
   ShapeRange shapes() const override { return reference_.shapes(); }
   void start_field(int width, int height, Vec2 origin) override;
-  void update_field(const FieldPatch& patch) override;
+  void update_field(const std::vector<FieldPatch>& patches) override;
   void limit(const StanceLimits& limits) override;
   /// Must not be called: these settings have match.top_percent = 0 (segment_settings). Throws std::logic_error.
   void post_count(const CountRequest& request) override;

@@ -66,8 +66,8 @@ void answer(const Message& request, Communicator& ranks, Matcher& matcher, Repla
       start_field(matcher, decode<FieldStart>(request.bytes));
       break;
     case Tag::update_field: {
-      const auto patch = decode<FieldPatch>(request.bytes);
-      clock.measure(&Times::field_s, [&] { matcher.update_field(patch); });
+      const auto patches = decode<std::vector<FieldPatch>>(request.bytes);
+      clock.measure(&Times::field_s, [&] { matcher.update_field(patches); });
       break;
     }
     case Tag::limit: matcher.limit(decode<StanceLimits>(request.bytes)); break;

@@ -71,9 +71,9 @@ class WorkerTeam : public JoinedMatcher {
     ranks_.send(workers_, Tag::start_field, encode(FieldStart{width, height, origin}));
     if (own_) own_->start_field(width, height, origin);
   }
-  void update_field(const FieldPatch& patch) override {
-    ranks_.send(workers_, Tag::update_field, encode(patch));
-    if (own_) own_->update_field(patch);
+  void update_field(const std::vector<FieldPatch>& patches) override {
+    ranks_.send(workers_, Tag::update_field, encode(patches));
+    if (own_) own_->update_field(patches);
   }
   void limit(const StanceLimits& limits) override {
     ranks_.send(workers_, Tag::limit, encode(limits));

@@ -161,8 +161,8 @@ void CompositeMatcher::start_field(int width, int height, Vec2 origin) {
   for (const auto& part : parts_) part->start_field(width, height, origin);
 }
 
-void CompositeMatcher::update_field(const FieldPatch& patch) {
-  for (const auto& part : parts_) part->update_field(patch);
+void CompositeMatcher::update_field(const std::vector<FieldPatch>& patches) {
+  for (const auto& part : parts_) part->update_field(patches);
 }
 
 void CompositeMatcher::limit(const StanceLimits& limits) {

@@ -57,7 +57,7 @@ class CompositeMatcher : public JoinedMatcher {
   explicit CompositeMatcher(std::vector<std::unique_ptr<Matcher>> parts);
 
   void start_field(int width, int height, Vec2 origin) override;
-  void update_field(const FieldPatch& patch) override;
+  void update_field(const std::vector<FieldPatch>& patches) override;
   void limit(const StanceLimits& limits) override;
 
  private:

@@ -34,10 +34,12 @@ void keep_shortlist(std::vector<Docking>& dockings) {
   if (dockings.size() > kShortlist) dockings.resize(kShortlist);
 }
 
-void write_patch(const FieldPatch& patch, Grid<float>& field) {
-  const float* from = patch.value.data();
-  for (int y = patch.window.y0; y < patch.window.y1; ++y, from += patch.window.width()) {
-    std::copy(from, from + patch.window.width(), field.row(y) + patch.window.x0);
+void write_patches(const std::vector<FieldPatch>& patches, Grid<float>& field) {
+  for (const FieldPatch& patch : patches) {
+    const float* from = patch.value.data();
+    for (int y = patch.window.y0; y < patch.window.y1; ++y, from += patch.window.width()) {
+      std::copy(from, from + patch.window.width(), field.row(y) + patch.window.x0);
+    }
   }
 }
 

@@ -104,7 +104,8 @@ class Matcher : public MatcherPart {
   /// Begins a new free field; its first patch covers it whole. `width`, `height`: nodes; `origin`: canvas px of node
   /// (0, 0).
   virtual void start_field(int width, int height, Vec2 origin) = 0;
-  virtual void update_field(const FieldPatch& patch) = 0;
+  /// Changes the field. Patches may overlap: a later one wins.
+  virtual void update_field(const std::vector<FieldPatch>& patches) = 0;
   /// Limits the requests that follow. Before the first call all that the context allows may stand.
   virtual void limit(const StanceLimits& limits) = 0;
 
@@ -138,6 +139,6 @@ void rank_by_draw(std::vector<Docking>& dockings);
 void keep_shortlist(std::vector<Docking>& dockings);
 
 FieldPatch read_patch(const Grid<float>& field, const Window& window);
-void write_patch(const FieldPatch& patch, Grid<float>& field);
+void write_patches(const std::vector<FieldPatch>& patches, Grid<float>& field);
 
 }  // namespace tessera

@@ -28,7 +28,7 @@ void ReferenceMatcher::start_field(int width, int height, Vec2 origin) {
   field_.origin = origin;
 }
 
-void ReferenceMatcher::update_field(const FieldPatch& patch) { write_patch(patch, field_.value); }
+void ReferenceMatcher::update_field(const std::vector<FieldPatch>& patches) { write_patches(patches, field_.value); }
 
 void ReferenceMatcher::limit(const StanceLimits& limits) {
   tessera::limit(context_, all_stances_, limits);

@@ -16,7 +16,7 @@ class ReferenceMatcher : public Matcher {
 
   ShapeRange shapes() const override;
   void start_field(int width, int height, Vec2 origin) override;
-  void update_field(const FieldPatch& patch) override;
+  void update_field(const std::vector<FieldPatch>& patches) override;
   void limit(const StanceLimits& limits) override;
   void post_count(const CountRequest& request) override;
   std::vector<DistanceHistogram> take_count() override;

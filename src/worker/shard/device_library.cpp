@@ -97,15 +97,18 @@ void DeviceLibrary::start_field(int width, int height, Vec2 origin) {
   field_.reserve(std::size_t(width) * height);
 }
 
-void DeviceLibrary::update_field(const FieldPatch& patch) {
-  if (patch.window.empty()) return;
+void DeviceLibrary::update_field(const std::vector<FieldPatch>& patches) {
   using Place = std::array<cl::size_type, 3>;
-  const Place at = {patch.window.x0 * sizeof(float), cl::size_type(patch.window.y0), 0};
-  const Place size = {patch.window.width() * sizeof(float), cl::size_type(patch.window.height()), 1};
-  // Waits, because the patch belongs to the caller. Work that was posted before still reads the old field.
   checked(session_.name(), [&] {
-    session_.queue().enqueueWriteBufferRect(field_.get(), CL_TRUE, at, Place{0, 0, 0}, size,
-                                            match_.field_width * sizeof(float), 0, size[0], 0, patch.value.data());
+    for (const FieldPatch& patch : patches) {
+      if (patch.window.empty()) continue;
+      const Place at = {patch.window.x0 * sizeof(float), cl::size_type(patch.window.y0), 0};
+      const Place size = {patch.window.width() * sizeof(float), cl::size_type(patch.window.height()), 1};
+      session_.queue().enqueueWriteBufferRect(field_.get(), CL_FALSE, at, Place{0, 0, 0}, size,
+                                              match_.field_width * sizeof(float), 0, size[0], 0, patch.value.data());
+    }
+    // The patches belong to the caller. Work that was posted before still reads the old field.
+    session_.queue().finish();
   });
 }
 

@@ -23,7 +23,7 @@ class DeviceLibrary {
                 const HeldShapes& held = {}, std::optional<DockingLanes> lanes = std::nullopt);
 
   void start_field(int width, int height, Vec2 origin);
-  void update_field(const FieldPatch& patch);
+  void update_field(const std::vector<FieldPatch>& patches);
   void limit(const StanceLimits& limits);
 
   const DeviceSession& session() const { return session_; }
