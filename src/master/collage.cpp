@@ -255,16 +255,19 @@ void Collage::drop_candidates_near(const Placement& placement) {
 }
 
 /// The target samples that may have candidates whose windows overlap images of these windows.
-std::set<SampleId> Collage::pooled_near(const std::vector<Window>& windows) const {
+/// Ascending, each once.
+std::vector<SampleId> Collage::pooled_near(const std::vector<Window>& windows) const {
   const PeriodicGrid& grid = free_.grid();
   const bool repeats = grid.period().repeats();
-  std::set<SampleId> near;
+  std::vector<SampleId> near;
   for (const Window& window : windows) {
     for (const Window& image : repeats ? grid.images(window, grid.nodes()) : std::vector{window}) {
       const std::vector<SampleId> reached = pool_.reached_by(image);
-      near.insert(reached.begin(), reached.end());
+      near.insert(near.end(), reached.begin(), reached.end());
     }
   }
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
   return near;
 }
 

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -150,7 +149,7 @@ class Collage {
   bool keeps_apart(const Candidate& candidate);
   std::vector<ShapeId> shut_out_shapes() const;
   void drop_candidates_near(const Placement& placement);
-  std::set<SampleId> pooled_near(const std::vector<Window>& windows) const;
+  std::vector<SampleId> pooled_near(const std::vector<Window>& windows) const;
   template <class Keep>
   void review(SampleId id, Keep keep);
   void retrace(const std::vector<Window>& changed);

@@ -32,7 +32,8 @@ bool Collage::repeats(const Candidate& candidate, std::span<const Candidate* con
 }
 
 /// The best candidates, of which no two look the same. While a batch is open, these are candidates that may join it. Only
-/// candidates that are better than all of these are told to wait. So a choice that is interrupted finds the same again.
+/// candidates that are better than all of these are held back. So a choice that is interrupted finds the same again. Others
+/// that have no room are put off, as they will have none before the batch ends: they are looked at once, not in each choice.
 std::vector<Pool::Ranked> Collage::finalists() {
   using Visit = Pool::Visit;
   std::vector<Pool::Ranked> chosen;
@@ -41,10 +42,15 @@ std::vector<Pool::Ranked> Collage::finalists() {
   const auto worth_of = [&](const Candidate& c) { return worth(c); };
   pool_.best_first(worth_of, [&](const Pool::Ranked& ranked, const Candidate& c) {
     if (ranked.value < batch_.least_worth()) return Visit::last;
-    if (batch_.is_open() && !batch_.has_room_for(c.window)) {
-      if (!chosen.empty()) return Visit::next;
-      batch_.hold_back(c.window);
-      return Visit::set_aside;
+    if (batch_.is_open()) {
+      if (chosen.empty()) {
+        pool_.better_put_off(ranked, worth_of, [&](const Candidate& better) { batch_.hold_back(better.window); });
+      }
+      if (!batch_.has_room_for(c.window)) {
+        if (!chosen.empty()) return Visit::put_off;
+        batch_.hold_back(c.window);
+        return Visit::set_aside;
+      }
     }
     if (!repeats(c, looks)) {
       chosen.push_back(ranked);

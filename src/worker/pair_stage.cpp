@@ -90,7 +90,7 @@ void PairStage::take_run() {
 
 /// Chooses and keeps pairs. With very many pairs that takes as long as the search, so the rank's threads share the samples.
 void PairStage::hold(const std::vector<PairRecord>& pairs) {
-  constexpr std::size_t kPairsOfATask = 1 << 16;
+  constexpr std::size_t kPairsOfATask = 1 << 13;
   const std::size_t samples = run_end_ - run_begin_;
   KeysOfSamples found(pairs, samples);
   std::vector<Held>& held = segment_stride_ > 1 ? estimated_ : held_;

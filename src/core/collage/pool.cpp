@@ -73,33 +73,37 @@ void Pool::set_aside(Ranked& ranked) {
 }
 
 void Pool::bring_back() {
-  for (const Ranked& ranked : aside_) push(ranked);
-  aside_.clear();
+  for (std::vector<Ranked>* waiting : {&aside_, &put_off_}) {
+    for (const Ranked& ranked : *waiting) push(queue_, ranked);
+    waiting->clear();
+  }
 }
 
+/// Looks from the candidate's first place on downwards: it only moves down, where others are dropped.
 Candidate* Pool::find(const Ranked& ranked) {
   const auto entry = entries_.find(ranked.sample);
   if (entry == entries_.end()) return nullptr;
-  for (Candidate& c : entry->second.candidates) {
-    if (c.stamp == ranked.stamp) return &c;
+  std::vector<Candidate>& candidates = entry->second.candidates;
+  for (std::size_t i = std::min<std::size_t>(candidates.size(), ranked.ordinal + 1); i-- > 0;) {
+    if (candidates[i].stamp == ranked.stamp) return &candidates[i];
   }
   return nullptr;
 }
 
 void Pool::rank(SampleId sample, Candidate& candidate) {
   candidate.stamp = ++last_stamp_;
-  push({candidate.score, sample, candidate.ordinal, candidate.stamp});
+  push(queue_, {candidate.score, sample, candidate.ordinal, candidate.stamp});
 }
 
-void Pool::push(const Ranked& ranked) {
-  queue_.push_back(ranked);
-  std::push_heap(queue_.begin(), queue_.end(), ranks_after);
+void Pool::push(std::vector<Ranked>& heap, const Ranked& ranked) {
+  heap.push_back(ranked);
+  std::push_heap(heap.begin(), heap.end(), ranks_after);
 }
 
-Pool::Ranked Pool::pop() {
-  std::pop_heap(queue_.begin(), queue_.end(), ranks_after);
-  const Ranked first = queue_.back();
-  queue_.pop_back();
+Pool::Ranked Pool::pop(std::vector<Ranked>& heap) {
+  std::pop_heap(heap.begin(), heap.end(), ranks_after);
+  const Ranked first = heap.back();
+  heap.pop_back();
   return first;
 }
 

@@ -59,12 +59,17 @@ class Pool {
   enum class Visit {
     next,       // to the next candidate
     set_aside,  // to the next one, and this one does not come again before bring_back()
+    put_off,    // the same, but better_put_off() visits it once more
     last,       // no further
   };
   /// Calls visit(ranked, candidate) in descending order of worth(candidate). A candidate's worth is at most its score and
   /// may only fall while its score stays. The queue corrects its order lazily, when it reaches a candidate.
   template <class Worth, class Visitor>
   void best_first(Worth worth, Visitor visit);
+  /// Sets aside the candidates that were put off and come before `than`. Calls visit(candidate) for each, in descending
+  /// order. best_first() may call it from its visitor.
+  template <class Worth, class Visitor>
+  void better_put_off(const Ranked& than, Worth worth, Visitor visit);
   /// best_first() does not visit this candidate again before bring_back().
   void set_aside(Ranked& ranked);
   /// Makes best_first() visit the candidates that were set aside again.
@@ -75,8 +80,8 @@ class Pool {
 
   Candidate* find(const Ranked& ranked);
   void rank(SampleId sample, Candidate& candidate);
-  void push(const Ranked& ranked);
-  Ranked pop();
+  static void push(std::vector<Ranked>& heap, const Ranked& ranked);
+  static Ranked pop(std::vector<Ranked>& heap);
   void sweep();
 
   std::unordered_map<SampleId, Entry> entries_;
@@ -85,7 +90,8 @@ class Pool {
   int highest_ = 0;
   std::vector<Ranked> queue_;  // heap of upper bounds of worth; entries with an outdated stamp are ignored
   std::vector<Ranked> aside_;
-  std::size_t swept_ = 0;  // size of the queue when outdated entries were last removed
+  std::vector<Ranked> put_off_;  // a heap like queue_
+  std::size_t swept_ = 0;        // size of the queue when outdated entries were last removed
   std::uint64_t last_stamp_ = 0;
 };
 
@@ -109,19 +115,42 @@ void Pool::best_first(Worth worth, Visitor visit) {
   sweep();
   std::vector<Ranked> visited;
   for (Visit then = Visit::next; then != Visit::last && !queue_.empty();) {
-    Ranked first = pop();
+    Ranked first = pop(queue_);
     const Candidate* candidate = find(first);
     if (candidate == nullptr) continue;
     const float value = worth(*candidate);
     if (value < first.value) {
       first.value = value;
-      push(first);
+      push(queue_, first);
       continue;
     }
     then = visit(first, *candidate);
-    (then == Visit::set_aside ? aside_ : visited).push_back(first);
+    if (then == Visit::set_aside) {
+      aside_.push_back(first);
+    } else if (then == Visit::put_off) {
+      push(put_off_, first);
+    } else {
+      visited.push_back(first);
+    }
   }
-  for (const Ranked& ranked : visited) push(ranked);
+  for (const Ranked& ranked : visited) push(queue_, ranked);
+}
+
+template <class Worth, class Visitor>
+void Pool::better_put_off(const Ranked& than, Worth worth, Visitor visit) {
+  while (!put_off_.empty() && put_off_.front() < than) {
+    Ranked first = pop(put_off_);
+    const Candidate* candidate = find(first);
+    if (candidate == nullptr) continue;
+    const float value = worth(*candidate);
+    if (value < first.value) {
+      first.value = value;
+      push(put_off_, first);
+      continue;
+    }
+    visit(*candidate);
+    aside_.push_back(first);
+  }
 }
 
 /// The total order of the candidates of one target sample: by score, then shape, then source.

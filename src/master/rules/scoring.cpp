@@ -30,32 +30,29 @@ Scoring::Scoring(const CollageSettings& settings, const StanceTable& stances, st
       period_(period),
       silhouettes_(filled_up(std::move(silhouettes), stances.library_shapes())),
       drawings_(filled_up(std::move(drawings), stances.library_shapes())),
-      placed_(stances.library_shapes()) {
+      copies_(stances.library_shapes()),
+      uses_of_drawing_(stances.library_shapes()) {
   for (const Stance& stance : stances.stances()) weight_.push_back(stance.weight);
 }
 
 void Scoring::count(const Placement& placement) {
-  placed_[silhouette(placement.shape)].push_back({placement.shape, placement.canvas_from_shape});
+  const Similarity& pose = placement.canvas_from_shape;
+  copies_[silhouette(placement.shape)].push_back({pose.translation(), pose.scale()});
+  ++uses_of_drawing_[index_of(drawing(placement.shape))];
   neighbours_.add(placement);
 }
 
 void Scoring::forget_placements() {
-  for (std::vector<Placed>& placed : placed_) placed.clear();
+  for (std::vector<Copy>& copies : copies_) copies.clear();
+  std::fill(uses_of_drawing_.begin(), uses_of_drawing_.end(), 0);
   neighbours_.forget_placements();
-}
-
-/// Pieces of this drawing alone: the same outline in other colours is another drawing.
-int Scoring::uses_of(ShapeId shape) const {
-  const std::vector<Placed>& placed = placed_[silhouette(shape)];
-  return int(
-      std::count_if(placed.begin(), placed.end(), [&](const Placed& p) { return same_drawing(p.shape, shape); }));
 }
 
 int Scoring::missing_uses(ShapeId shape) const { return std::max(0, uses_.least(shape) - uses_of(shape)); }
 
 std::vector<ShapeId> Scoring::closed_shapes(const std::vector<ShapeId>& missing) const {
   std::vector<ShapeId> closed;
-  for (std::uint32_t i = 0; i < placed_.size(); ++i) {
+  for (std::uint32_t i = 0; i < drawings_.size(); ++i) {
     const ShapeId shape{i};
     const bool waits = !missing.empty() && !std::binary_search(missing.begin(), missing.end(), shape);
     if (waits || !may_use(shape)) closed.push_back(shape);
@@ -81,17 +78,17 @@ float Scoring::preference(const Candidate& candidate) const {
 
 /// The cost of repetition. Without it one shape that fits everywhere would fill the canvas.
 float Scoring::repetition_factor(const Candidate& candidate) const {
-  const std::vector<Placed>& placed = placed_[silhouette(candidate.shape)];
-  if (placed.empty()) return 1;
+  const std::vector<Copy>& copies = copies_[silhouette(candidate.shape)];
+  if (copies.empty()) return 1;
   const int same_colours = uses_of(candidate.shape);
-  const float uses = float(same_colours) + kUseInOtherColours * float(int(placed.size()) - same_colours);
+  const float uses = float(same_colours) + kUseInOtherColours * float(int(copies.size()) - same_colours);
   float factor = std::pow(1.f + uses, -objective_.repetition_exponent);
   const float radius = candidate.radius + kNearTwinReach;
-  for (const Placed& other : placed) {
-    const Similarity& pose = other.canvas_from_shape;
-    const float near = radius * (pose.scale() + candidate.canvas_from_shape.scale());
-    const Vec2 centre = candidate.canvas_from_shape.translation();
-    const Vec2 apart = period_.nearest(pose.translation(), centre) - centre;
+  const float scale_px = candidate.canvas_from_shape.scale();
+  const Vec2 centre_px = candidate.canvas_from_shape.translation();
+  for (const Copy& copy : copies) {
+    const float near = radius * (copy.scale_px + scale_px);
+    const Vec2 apart = period_.nearest(copy.centre_px, centre_px) - centre_px;
     if (dot(apart, apart) < near * near) factor *= objective_.near_twin_factor;
   }
   return factor;

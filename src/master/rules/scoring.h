@@ -49,16 +49,17 @@ class Scoring {
   float preference(const Candidate& candidate) const;
 
  private:
-  struct Placed {
-    ShapeId shape;
-    Similarity canvas_from_shape;
+  /// A piece as a copy of others.
+  struct Copy {
+    Vec2 centre_px;
+    float scale_px;
   };
   float repetition_factor(const Candidate& candidate) const;
   std::uint32_t silhouette(ShapeId shape) const { return index_of(silhouettes_[index_of(shape)]); }
   ShapeId drawing(ShapeId shape) const { return drawings_[index_of(shape)]; }
   bool is_mirror_image(ShapeId shape) const { return drawing(shape) != shape; }
-  bool same_drawing(ShapeId a, ShapeId b) const { return drawing(a) == drawing(b); }
-  int uses_of(ShapeId shape) const;
+  /// Pieces of this drawing alone: the same outline in other colours is another drawing.
+  int uses_of(ShapeId shape) const { return uses_of_drawing_[index_of(drawing(shape))]; }
 
   PieceSettings pieces_;
   UseLimits uses_;
@@ -69,7 +70,8 @@ class Scoring {
   Period period_;
   std::vector<ShapeId> silhouettes_;
   std::vector<ShapeId> drawings_;
-  std::vector<std::vector<Placed>> placed_;  // per silhouette
+  std::vector<std::vector<Copy>> copies_;  // by silhouette
+  std::vector<int> uses_of_drawing_;
 };
 
 }  // namespace tessera::master

@@ -170,6 +170,45 @@ TEST(Pool, IsInOrderAfterASweep) {
   EXPECT_TRUE(std::is_sorted(scores.rbegin(), scores.rend()));
 }
 
+/// Worth has fallen since these candidates were put off.
+TEST(Pool, WhatIsPutOffIsVisitedOnceMoreBeforeWorseOnes) {
+  EXPECT_TRUE(rc::check([] {
+    Pool pool;
+    Factors factor(5, 1.f);
+    for (int i = 0; i < 30; ++i) put_any(pool, 12);
+    const auto worth = [&](const Candidate& c) { return c.score * factor[index_of(c.shape)]; };
+    const auto is_put_off = [](const Candidate& c) { return index_of(c.shape) == 2; };
+    std::size_t visited = 0;
+    pool.best_first(worth, [&](const Pool::Ranked&, const Candidate& c) {
+      ++visited;
+      return is_put_off(c) ? Pool::Visit::put_off : Pool::Visit::next;
+    });
+    factor[2] = 0.5f;
+    const std::vector<Pool::Ranked> all = sorted(pool, factor);
+    RC_ASSERT(visited == all.size());
+    std::vector<std::uint64_t> expected, found;
+    const std::size_t than = *rc::gen::inRange<std::size_t>(0, all.size());
+    for (std::size_t i = 0; i < than; ++i) {
+      if (is_put_off(pool.at(all[i]))) expected.push_back(all[i].stamp);
+    }
+    for (int time = 0; time < 2; ++time)
+      pool.better_put_off(all[than], worth, [&](const Candidate& c) { found.push_back(c.stamp); });
+    RC_ASSERT(found == expected);
+    pool.best_first(worth, [&](const Pool::Ranked&, const Candidate& c) {
+      RC_ASSERT(!is_put_off(c));
+      return Pool::Visit::next;
+    });
+    pool.bring_back();
+    std::vector<std::uint64_t> again;
+    pool.best_first(worth, [&](const Pool::Ranked& ranked, const Candidate&) {
+      again.push_back(ranked.stamp);
+      return Pool::Visit::next;
+    });
+    RC_ASSERT(again.size() == all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) RC_ASSERT(again[i] == all[i].stamp);
+  }));
+}
+
 /// The rest comes in the same order as without them.
 TEST(Pool, WhatIsSetAsideComesAgainWhenItIsBroughtBack) {
   EXPECT_TRUE(rc::check([] {
