@@ -64,6 +64,8 @@ struct LibraryOptions {
   std::string library;
   std::vector<std::uint32_t> sizes;  // empty: 100 to 100,000; two small ones with --quick
   std::string models;                // folder that stores the models (model_file.h); empty: they are held in memory
+  int pieces = 20;
+  int size_px = 1000;  // of the square canvas
 };
 /// Measures time and memory for growing libraries.
 Report bench_library(const Setting& setting, const LibraryOptions& options);

@@ -99,8 +99,9 @@ void add_size(TextTable& table, Json& sizes, std::uint32_t size, const Grown& gr
   const double master_s = s.objective_s + s.merge_s;
   const auto ms = [&](double seconds) { return fixed(1000 * seconds / pieces, 1); };
   const auto megabytes = [](std::uint64_t bytes) { return fixed(double(bytes) / 1e6, 0); };
-  table.add({std::to_string(size), ms(s.total_s), ms(s.prune_s), ms(s.dock_s), ms(master_s), fixed(grown.start_s, 1),
-             fixed(grown.first_piece_s, 1), megabytes(grown.peak_bytes), megabytes(grown.device_bytes)});
+  table.add({std::to_string(size), std::to_string(grown.pieces), std::to_string(s.rounds), ms(s.total_s), ms(s.prune_s),
+             ms(s.dock_s), ms(master_s), fixed(grown.start_s, 1), fixed(grown.first_piece_s, 1),
+             megabytes(grown.peak_bytes), megabytes(grown.device_bytes)});
   sizes.push_back({{"shapes", size},
                    {"pieces", grown.pieces},
                    {"rounds", s.rounds},
@@ -116,8 +117,7 @@ void add_size(TextTable& table, Json& sizes, std::uint32_t size, const Grown& gr
 }
 
 std::string explanation(int pieces, int size_px, std::size_t originals) {
-  return "The first " + std::to_string(pieces) + " pieces on " + std::to_string(size_px) + " x " +
-         std::to_string(size_px) +
+  return "Up to " + std::to_string(pieces) + " pieces on " + std::to_string(size_px) + " x " + std::to_string(size_px) +
          " px, with the first matching of the whole canvas, laid a second time. Shapes beyond\n"
          "the file's " +
          std::to_string(originals) +
@@ -130,13 +130,13 @@ std::string explanation(int pieces, int size_px, std::size_t originals) {
 Report bench_library(const Setting& setting, const LibraryOptions& options) {
   const std::vector<std::uint32_t> sizes = chosen_sizes(options.sizes, setting.quick);
   const LibraryFile library(options.library);
-  const int size_px = setting.quick ? 200 : 1000;
+  const int size_px = setting.quick ? 200 : options.size_px;
   const Canvas canvas = make_rectangle_canvas(size_px, size_px);
   CollageSettings settings;
-  settings.stop.pieces = setting.quick ? 3 : 20;
+  settings.stop.pieces = setting.quick ? 3 : options.pieces;
 
-  TextTable table({"shapes", "ms a piece", "prune", "dock", "objective, merge", "start s", "first piece s",
-                   "peak memory MB", "device MB"});
+  TextTable table({"shapes", "pieces", "rounds", "ms a piece", "prune", "dock", "objective, merge", "start s",
+                   "first piece s", "peak memory MB", "device MB"});
   Report report;
   report.json = report_head("library", setting);
   report.json.update({{"library", options.library},

@@ -76,9 +76,8 @@ CLI::App* add_benchmark(CLI::App& bench, Command& selected, const std::string& n
   const auto setting = std::make_shared<Setting>();
   setting->out = "out/bench_" + name + ".json";
   sub->add_option("--out", setting->out, "The JSON file")->type_name("FILE.json")->capture_default_str();
-  sub->add_flag(
-      "--quick", setting->quick,
-      "A small version, which only shows that it runs: a small canvas, and few cases unless they are given");
+  sub->add_flag("--quick", setting->quick,
+                "A small version, which only shows that it runs: a small canvas, and few cases unless they are given");
   sub->add_option("--devices", setting->devices, "OpenCL devices, as the job key devices.use")
       ->type_name("USE")
       ->capture_default_str();
@@ -127,9 +126,8 @@ void add_square_job_options(CLI::App& sub, SquareJob& job) {
 
 void add_alternatives(CLI::App& bench, Command& selected) {
   const auto job = std::make_shared<SquareJob>();
-  CLI::App* sub =
-      add_benchmark(bench, selected, "alternatives", "Compare this engine with other methods on one job",
-                    [job](const Setting& s) { return bench_alternatives(s, *job); });
+  CLI::App* sub = add_benchmark(bench, selected, "alternatives", "Compare this engine with other methods on one job",
+                                [job](const Setting& s) { return bench_alternatives(s, *job); });
   add_square_job_options(*sub, *job);
 }
 
@@ -168,12 +166,18 @@ void add_sizes_option(CLI::App& sub, std::vector<std::uint32_t>& sizes, const st
       ->default_str(otherwise);
 }
 
+void add_filling_options(CLI::App& sub, int& pieces, int& size_px) {
+  sub.add_option("--pieces", pieces, "Pieces to place")->type_name("N")->capture_default_str();
+  sub.add_option("--size", size_px, "Sides of the canvas, px")->type_name("PX")->capture_default_str();
+}
+
 void add_library(CLI::App& bench, Command& selected) {
   const auto options = std::make_shared<LibraryOptions>();
   CLI::App* sub = add_benchmark(bench, selected, "library", "Time and memory as the library grows",
                                 [options](const Setting& s) { return bench_library(s, *options); });
   add_library_option(*sub, options->library);
   add_sizes_option(*sub, options->sizes, "100,1000,10000,100000");
+  add_filling_options(*sub, options->pieces, options->size_px);
   add_models_option(*sub, options->models);
 }
 
@@ -205,14 +209,16 @@ void add_mosaic(CLI::App& bench, Command& selected) {
                                   return bench_mosaic(s, *options);
                                 });
   add_library_option(*sub, options->library);
-  sub->add_option("--image", options->images, "Image that the mosaics show: JPEG, PNG, TIFF, WebP or BMP; may be "
-                                              "repeated")
+  sub->add_option("--image", options->images,
+                  "Image that the mosaics show: JPEG, PNG, TIFF, WebP or BMP; may be "
+                  "repeated")
       ->required()
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->take_all();
-  sub->add_option("--pieces", options->pieces, "Approximate number of pieces; metapixel gets as many tiles as "
-                                               "tessera lays")
+  sub->add_option("--pieces", options->pieces,
+                  "Approximate number of pieces; metapixel gets as many tiles as "
+                  "tessera lays")
       ->type_name("N")
       ->capture_default_str();
   add_list_option(*sub, "--grounds", options->grounds, "Background colours of metapixel's tiles; one mosaic for each",
@@ -238,8 +244,7 @@ void add_scaling(CLI::App& bench, Command& selected) {
       ->type_name("N");
   add_list_option(*sub, "--ranks", options->ranks, "Numbers of ranks, one of them the master", {.type_name = "N,.."})
       ->default_str("2,3");
-  sub->add_option("--pieces", options->pieces, "Pieces to place")->type_name("N")->capture_default_str();
-  sub->add_option("--size", options->size_px, "Sides of the canvas, px")->type_name("PX")->capture_default_str();
+  add_filling_options(*sub, options->pieces, options->size_px);
   sub->add_option("--repeats", options->repeats, "Loops of each case; the median counts")
       ->type_name("N")
       ->capture_default_str();

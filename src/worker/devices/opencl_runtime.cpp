@@ -56,6 +56,10 @@ void DeviceSession::flush() const {
   checked(name_, [&] { queue_.flush(); });
 }
 
+void DeviceSession::finish() const {
+  checked(name_, [&] { queue_.finish(); });
+}
+
 void DeviceSession::wait_for_launches() const {
   while (!launches_.empty()) {
     checked(name_, [&] { launches_.front().wait(); });

@@ -49,6 +49,8 @@ class DeviceSession {
   std::uint32_t compute_units() const { return compute_units_; }
   /// Hands the posted commands to the device, without waiting.
   void flush() const;
+  /// Waits until all posted commands are done.
+  void finish() const;
   /// Notes that `launch` was posted.
   void add_launch(cl::Event launch) const { launches_.push_back(std::move(launch)); }
   /// Waits until all posted launches are done.
@@ -103,24 +105,29 @@ class DeviceBuffer {
   /// Like write(), but without waiting: takes the content over and frees it when it is written.
   void post(std::vector<T> content) {
     reserve(content.size());
+    post_at(0, std::move(content));
+  }
+
+  /// Like write_at(), but without waiting: takes the content over and frees it when it is written.
+  void post_at(std::size_t first, std::vector<T> content) {
     if (content.empty()) return;
     auto given = std::make_unique<std::vector<T>>(std::move(content));
     checked(session_->name(), [&] {
       cl::Event written;
-      session_->queue().enqueueWriteBuffer(buffer_, CL_FALSE, 0, given->size() * sizeof(T), given->data(), nullptr,
-                                           &written);
+      session_->queue().enqueueWriteBuffer(buffer_, CL_FALSE, first * sizeof(T), given->size() * sizeof(T),
+                                           given->data(), nullptr, &written);
       const auto free = [](cl_event, cl_int, void* done) { delete static_cast<std::vector<T>*>(done); };
       // if this throws, the memory is lost, but not freed too early
       written.setCallback(CL_COMPLETE, free, given.release());
     });
   }
 
-  /// Writes the content of `places` places of equal length, from place number `first` on. The call with `first` 0 makes
-  /// room for all `all_places` places. Returns when `content` may change again.
-  void write_part(const std::vector<T>& content, std::size_t first, std::size_t places, std::size_t all_places) {
+  /// Posts the content of `places` places of equal length, from place number `first` on. The call with `first` 0 makes
+  /// room for all `all_places` places.
+  void post_part(std::vector<T> content, std::size_t first, std::size_t places, std::size_t all_places) {
     const std::size_t of_a_place = content.size() / places;
     if (first == 0) reserve(all_places * of_a_place);
-    write_at(first * of_a_place, content);
+    post_at(first * of_a_place, std::move(content));
   }
 
   /// Sets the first `count` elements to zero, without waiting.

@@ -9,7 +9,8 @@ namespace tessera::worker {
 
 DeviceIndex::DeviceIndex(const DeviceSession& session, const MatchRecord& match, const IndexKind& kind,
                          const ModelSource& models)
-    : match_(match),
+    : session_(&session),
+      match_(match),
       kind_(kind),
       models_(&models),
       parts_(index_parts(match)),
@@ -30,8 +31,11 @@ std::uint32_t DeviceIndex::block_count() const {
   return parts_.empty() ? 0 : (parts_.back().first_node + parts_.back().nodes) * kIndexFanOut;
 }
 
-void DeviceIndex::add(const IndexedPads& pads) {
-  const auto append = [](auto& all, const auto& more) { all.insert(all.end(), more.begin(), more.end()); };
+void DeviceIndex::add(IndexedPads pads) {
+  const auto append = [](auto& all, auto& more) {
+    if (all.empty()) return all.swap(more);
+    all.insert(all.end(), more.begin(), more.end());
+  };
   const auto drop = [](auto& all, std::size_t count) {
     all.erase(all.begin(), all.begin() + std::ptrdiff_t(std::min(count, all.size())));
   };
@@ -53,7 +57,9 @@ void DeviceIndex::add_segment() {
   while (next_part_ < parts_.size() && parts_[next_part_].first_shape == parts_[first].first_shape) ++next_part_;
   std::vector<IndexRows> made(next_part_ - first);
   parallel_for(made.size(), [&](std::size_t i) { made[i] = rows_of(parts_[first + i]); });
-  for (std::size_t i = 0; i < made.size(); ++i) upload(parts_[first + i], made[i]);
+  session_->finish();  // so that no more than one segment is on its way
+  for (std::size_t i = 0; i < made.size(); ++i) upload(parts_[first + i], std::move(made[i]));
+  session_->flush();
 }
 
 IndexRows DeviceIndex::rows_of(const IndexPart& part) const {
@@ -61,14 +67,14 @@ IndexRows DeviceIndex::rows_of(const IndexPart& part) const {
   return make_index_rows(part, match_, waiting_, kind_, models_->pad_order({first, first + part.shapes}, part.level));
 }
 
-void DeviceIndex::upload(const IndexPart& part, const IndexRows& made) {
+void DeviceIndex::upload(const IndexPart& part, IndexRows made) {
   const u32 all_nodes = parts_.back().first_node + parts_.back().nodes;
-  roots_.write_part(made.roots, part.first_root, part.roots, root_count_);
-  node_boxes_.write_part(made.node_boxes, part.first_root, part.roots, root_count_);
-  block_boxes_.write_part(made.block_boxes, part.first_node, part.nodes, all_nodes);
-  rows_.write_part(made.rows, part.first_node, part.nodes, all_nodes);
-  places_.write_part(made.places, part.first_node, part.nodes, all_nodes);
-  if (kind_.with_chords) chords_.write_part(made.chords, part.first_node, part.nodes, all_nodes);
+  roots_.post_part(std::move(made.roots), part.first_root, part.roots, root_count_);
+  node_boxes_.post_part(std::move(made.node_boxes), part.first_root, part.roots, root_count_);
+  block_boxes_.post_part(std::move(made.block_boxes), part.first_node, part.nodes, all_nodes);
+  rows_.post_part(std::move(made.rows), part.first_node, part.nodes, all_nodes);
+  places_.post_part(std::move(made.places), part.first_node, part.nodes, all_nodes);
+  if (kind_.with_chords) chords_.post_part(std::move(made.chords), part.first_node, part.nodes, all_nodes);
 }
 
 }  // namespace tessera::worker

@@ -13,7 +13,7 @@ class DeviceIndex {
   DeviceIndex(const DeviceSession& session, const MatchRecord& match, const IndexKind& kind, const ModelSource& models);
 
   /// Adds the PADs of the shard's next shapes, all sources of each shape. To be called until all shapes are there.
-  void add(const IndexedPads& pads);
+  void add(IndexedPads pads);
 
   const IndexKind& kind() const { return kind_; }
   const DeviceBuffer<RootRecord>& roots() const { return roots_; }
@@ -30,8 +30,9 @@ class DeviceIndex {
  private:
   void add_segment();
   IndexRows rows_of(const IndexPart& part) const;
-  void upload(const IndexPart& part, const IndexRows& made);
+  void upload(const IndexPart& part, IndexRows made);
 
+  const DeviceSession* session_;
   MatchRecord match_;
   IndexKind kind_;
   const ModelSource* models_;

@@ -12,8 +12,12 @@ namespace tessera::worker {
 
 namespace {
 
-/// Shapes on their way to the device at a time: 40 MB, and up to a segment's PADs for the index.
-constexpr std::uint32_t kShapesAtATime = 512;
+/// The end of the shapes that go to the device together with shape `first`. `whole`: with contours and key points, so that a
+/// few hundred take 40 MB; otherwise a segment takes 20 MB. A whole segment is read while the one before it gets its index.
+std::uint32_t end_of_portion(std::uint32_t first, bool whole) {
+  constexpr std::uint32_t kWholeShapes = 512;
+  return whole ? first + kWholeShapes : (first / kSegmentShapes + 1) * kSegmentShapes;
+}
 
 }  // namespace
 
@@ -48,8 +52,9 @@ void DeviceLibrary::load(const BetweenLaunches& between_launches) {
   const bool keypoints = !reads_ || index_.kind().with_chords;
   const ModelParts parts{.contours = !reads_, .pads = keypoints, .keypoints = keypoints};
   const std::uint32_t end = match_.first_shape + match_.shapes;
+  const auto end_from = [&](std::uint32_t first) { return std::min(end, end_of_portion(first, keypoints)); };
   const auto read_from = [&](std::uint32_t first) {
-    const ShapeRange range{std::min(first, end), std::min(end, first + kShapesAtATime)};
+    const ShapeRange range{first, end_from(first)};
     Loaded loaded;
     if (range.size() > 0) loaded.models = models_->models(range, parts);
     if (range.size() > 0 && !parts.pads) loaded.pads = models_->pads(range);
@@ -58,10 +63,9 @@ void DeviceLibrary::load(const BetweenLaunches& between_launches) {
   // A second thread reads the next shapes while these are put on the device. It mostly waits for the disk, so it is of use
   // on one core, too. Where no thread can be started, the shapes are read later.
   Loaded next = read_from(match_.first_shape);
-  for (std::uint32_t first = match_.first_shape; first < end; first += kShapesAtATime) {
+  for (std::uint32_t first = match_.first_shape; first < end; first = end_from(first)) {
     Loaded loaded = std::move(next);
-    std::future<Loaded> following =
-        std::async(std::launch::async | std::launch::deferred, read_from, first + kShapesAtATime);
+    std::future<Loaded> following = std::async(std::launch::async | std::launch::deferred, read_from, end_from(first));
     add(std::move(loaded), first - match_.first_shape);
     next = following.get();
     if (between_launches) between_launches();
@@ -70,12 +74,12 @@ void DeviceLibrary::load(const BetweenLaunches& between_launches) {
 
 void DeviceLibrary::add(Loaded loaded, std::uint32_t first) {
   const std::vector<ShapeModel>& models = loaded.models;
-  const Shard part = make_shard(match_, index_.kind(), models, std::move(loaded.pads));
-  index_.add(part.pads);
+  Shard part = make_shard(match_, index_.kind(), models, std::move(loaded.pads));
+  index_.add(std::move(part.pads));
   keypoints_.add(models);
-  sketches_.write_part(part.sketches, first, models.size(), match_.shapes);
+  sketches_.post_part(std::move(part.sketches), first, models.size(), match_.shapes);
   contours_.add(models);
-  shapes_.write_part(part.shapes, first, models.size(), match_.shapes);
+  shapes_.post_part(std::move(part.shapes), first, models.size(), match_.shapes);
 }
 
 void DeviceLibrary::limit(const StanceLimits& limits) {
@@ -107,9 +111,8 @@ void DeviceLibrary::update_field(const std::vector<FieldPatch>& patches) {
       session_.queue().enqueueWriteBufferRect(field_.get(), CL_FALSE, at, Place{0, 0, 0}, size,
                                               match_.field_width * sizeof(float), 0, size[0], 0, patch.value.data());
     }
-    // The patches belong to the caller. Work that was posted before still reads the old field.
-    session_.queue().finish();
   });
+  session_.finish();  // the patches belong to the caller; work that was posted before still reads the old field
 }
 
 }  // namespace tessera::worker
