@@ -107,7 +107,8 @@ std::string write_job(const Plan& plan, const std::string& library) {
   const std::string side = std::to_string(plan.options.size_px);
   write_file_atomically(path, "[library]\nfile = \"" + library + "\"\n[canvas]\nsize_px = [" + side + ", " + side +
                                   "]\n[stop]\npieces = " + std::to_string(plan.options.pieces) +
-                                  "\n[devices]\nuse = \"" + plan.devices + "\"\n[output]\nwidth_px = 64\n");
+                                  "\n[improve]\ntrials = 0\n[devices]\nuse = \"" + plan.devices +
+                                  "\"\n[output]\nwidth_px = 64\n");
   return path;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <list>
 #include <optional>
 #include <vector>
 
@@ -63,9 +64,12 @@ class ColumnReader {
   std::size_t rows_ = 0;
   std::size_t chunk_rows_ = 0;
   ChunkPacking packing_;
-  // The latest chunk: shapes are often read one at a time, and a chunk holds many.
-  mutable std::size_t kept_row_ = 0;
-  mutable std::vector<std::uint8_t> kept_;
+  struct Kept {
+    std::size_t first_row;
+    std::vector<std::uint8_t> bytes;
+  };
+  // The latest chunks, latest first: shapes are often read one at a time, in any order, and a chunk holds many.
+  mutable std::list<Kept> kept_;
 };
 
 }  // namespace tessera
