@@ -6,10 +6,10 @@
 // distance itself is computed for the PADs that may be near.
 
 enum {
-  kMostBlocksAtATime = 256,                      // for one work group
-  kPadsOfItem = kFilterLanes / kItemsOfBlock,    // of each block
-  // Pairs that an item gathers before it appends them to the list. On a CPU a search took three times as long on two cores as
-  // on one when each pair was appended alone: the cores changed the same counter and wrote into the same lines of the cache.
+  kMostBlocksAtATime = 256,                    // for one work group
+  kPadsOfItem = kFilterLanes / kItemsOfBlock,  // of each block
+  // Pairs that an item gathers before it appends them to the list. When each pair was appended alone, all cores changed the
+  // same counter and wrote into the same lines of the cache: on two cores a search took 1.4 times as long.
   kGathered = kItemsOfBlock > 1 ? kPadsOfItem : 4 * kPadsOfItem
 };
 

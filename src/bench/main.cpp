@@ -114,13 +114,21 @@ void add_table2(CLI::App& bench, Command& selected) {
                   {.type_name = "ROW,.."});
 }
 
+/// The canvas is a square of at most as many px as a job's.
+void add_size_option(CLI::App& sub, int& size_px) {
+  sub.add_option("--size", size_px, "Sides of the canvas, px")
+      ->check(CLI::Range(16, 10'000))
+      ->type_name("PX")
+      ->capture_default_str();
+}
+
 void add_square_job_options(CLI::App& sub, SquareJob& job) {
   add_library_option(sub, job.library);
   const auto take_sizes = [&job](const std::vector<float>& given) { job.scale_px = {given[0], given[1]}; };
   add_list_option<float>(sub, "--scale-px", take_sizes, "Sizes of the smallest and the largest piece, px",
                          {.type_name = "MIN,MAX", .count = 2})
       ->default_str(significant(double(job.scale_px[0]), 6) + "," + significant(double(job.scale_px[1]), 6));
-  sub.add_option("--size", job.size_px, "Sides of the canvas, px")->type_name("PX")->capture_default_str();
+  add_size_option(sub, job.size_px);
   sub.add_option("--seed", job.seed, "Start of the random numbers")->type_name("N")->capture_default_str();
 }
 
@@ -167,8 +175,11 @@ void add_sizes_option(CLI::App& sub, std::vector<std::uint32_t>& sizes, const st
 }
 
 void add_filling_options(CLI::App& sub, int& pieces, int& size_px) {
-  sub.add_option("--pieces", pieces, "Pieces to place")->type_name("N")->capture_default_str();
-  sub.add_option("--size", size_px, "Sides of the canvas, px")->type_name("PX")->capture_default_str();
+  sub.add_option("--pieces", pieces, "Pieces to place, at most")
+      ->check(CLI::Range(1, 1'000'000))
+      ->type_name("N")
+      ->capture_default_str();
+  add_size_option(sub, size_px);
 }
 
 void add_library(CLI::App& bench, Command& selected) {

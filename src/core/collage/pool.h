@@ -82,6 +82,8 @@ class Pool {
   void rank(SampleId sample, Candidate& candidate);
   static void push(std::vector<Ranked>& heap, const Ranked& ranked);
   static Ranked pop(std::vector<Ranked>& heap);
+  template <class Worth>
+  const Candidate* take_best(std::vector<Ranked>& heap, Worth worth, Ranked& best);
   void sweep();
 
   std::unordered_map<SampleId, Entry> entries_;
@@ -110,27 +112,36 @@ bool Pool::review(SampleId sample, Keep keep) {
   return dropped;
 }
 
+/// Takes the best candidate from a heap of upper bounds, whose order it corrects. Null where none is left.
+template <class Worth>
+const Candidate* Pool::take_best(std::vector<Ranked>& heap, Worth worth, Ranked& best) {
+  while (!heap.empty()) {
+    best = pop(heap);
+    const Candidate* const candidate = find(best);
+    if (candidate == nullptr) continue;
+    const float value = worth(*candidate);
+    if (!(value < best.value)) return candidate;
+    best.value = value;
+    push(heap, best);
+  }
+  return nullptr;
+}
+
 template <class Worth, class Visitor>
 void Pool::best_first(Worth worth, Visitor visit) {
   sweep();
   std::vector<Ranked> visited;
-  for (Visit then = Visit::next; then != Visit::last && !queue_.empty();) {
-    Ranked first = pop(queue_);
-    const Candidate* candidate = find(first);
-    if (candidate == nullptr) continue;
-    const float value = worth(*candidate);
-    if (value < first.value) {
-      first.value = value;
-      push(queue_, first);
-      continue;
-    }
-    then = visit(first, *candidate);
+  Ranked best;
+  for (Visit then = Visit::next; then != Visit::last;) {
+    const Candidate* const candidate = take_best(queue_, worth, best);
+    if (candidate == nullptr) break;
+    then = visit(best, *candidate);
     if (then == Visit::set_aside) {
-      aside_.push_back(first);
+      aside_.push_back(best);
     } else if (then == Visit::put_off) {
-      push(put_off_, first);
+      push(put_off_, best);
     } else {
-      visited.push_back(first);
+      visited.push_back(best);
     }
   }
   for (const Ranked& ranked : visited) push(queue_, ranked);
@@ -138,18 +149,13 @@ void Pool::best_first(Worth worth, Visitor visit) {
 
 template <class Worth, class Visitor>
 void Pool::better_put_off(const Ranked& than, Worth worth, Visitor visit) {
+  Ranked best;
   while (!put_off_.empty() && put_off_.front() < than) {
-    Ranked first = pop(put_off_);
-    const Candidate* candidate = find(first);
-    if (candidate == nullptr) continue;
-    const float value = worth(*candidate);
-    if (value < first.value) {
-      first.value = value;
-      push(put_off_, first);
-      continue;
-    }
+    const Candidate* const candidate = take_best(put_off_, worth, best);
+    if (candidate == nullptr) return;
+    if (!(best < than)) return push(put_off_, best);
     visit(*candidate);
-    aside_.push_back(first);
+    aside_.push_back(best);
   }
 }
 

@@ -108,11 +108,11 @@ void DeviceLibrary::update_field(const std::vector<FieldPatch>& patches) {
       if (patch.window.empty()) continue;
       const Place at = {patch.window.x0 * sizeof(float), cl::size_type(patch.window.y0), 0};
       const Place size = {patch.window.width() * sizeof(float), cl::size_type(patch.window.height()), 1};
-      session_.queue().enqueueWriteBufferRect(field_.get(), CL_FALSE, at, Place{0, 0, 0}, size,
+      // Waits, because the patch belongs to the caller. Work that was posted before still reads the old field.
+      session_.queue().enqueueWriteBufferRect(field_.get(), CL_TRUE, at, Place{0, 0, 0}, size,
                                               match_.field_width * sizeof(float), 0, size[0], 0, patch.value.data());
     }
   });
-  session_.finish();  // the patches belong to the caller; work that was posted before still reads the old field
 }
 
 }  // namespace tessera::worker
