@@ -46,10 +46,11 @@ constexpr double kMasterOfATrial_s = 7e-3;
 // Time of one replacement trial: 2,000 trials with pieces of 60 to 120 px took 18 s on one core.
 constexpr double kReplacement_s = 9e-3;
 // Time before the first round and after the last one: kernels (0.1 s, or 1 to 8 s when they are compiled for the first
-// time), card, pictures (1 s for one of 2000 px); and a worker's part of the library.
+// time), card, pictures (1 s for one of 2000 px); and a worker's part of the library. Writing and drawing 97,507 pieces
+// took 70 s, 20,359 pieces 33 s.
 constexpr double kOverhead_s = 2;
 constexpr double kLoadingAShape_s = 0.45e-3;
-constexpr double kWritingAPiece_s = 5e-3;
+constexpr double kWritingAPiece_s = 1.5e-3;
 
 // Peak resident memory of the ranks of 3-rank runs and of single processes (the maximum in /proc). Freed memory was not
 // kept in these runs, so kKeptFreed_bytes is added.
@@ -59,8 +60,8 @@ constexpr double kBothProcess_bytes = 175e6 + kKeptFreed_bytes;
 // Master, for each canvas px while quality is measured.
 constexpr double kCountedNode_bytes = 18;
 // Master, for each piece: its outline, the samples round it and their candidates, and at the end its text in the files.
-// 1,835 pieces of 20 to 80 px and 11,521 of 5 to 20 px.
-constexpr double kPiece_bytes = 54e3;
+// 1,835 pieces of 20 to 80 px, 11,521 of 5 to 20 px and 97,507 of 11 to 45 px took 42 to 50 KB each.
+constexpr double kPiece_bytes = 46e3;
 // Master, while the picture is drawn: bytes for each picture px (at 4 Mpx with 232 drawings of openclipart). From 14
 // Mpx on it is what PictureLimits allows (picture_drawing.h) with the bands and copies. The canvas' fields are added.
 constexpr double kPicture_bytes = 60;

@@ -82,11 +82,11 @@ std::string plan_text(const PlanInput& input, const PlanEstimate& plan) {
          line("pieces", "about " + fixed(plan.pieces, 0)) + memory_text(input, plan) + line("time", time_text(plan)) +
          (input.settings.pieces.fit_all ? line("", "for a few attempts at sizes (pieces.fit), of 12 at most") : "") +
          line("checkpoint", "about " + megabytes(plan.checkpoint_bytes)) +
-         "\nThe formulas were measured on one machine, with 234 to 12,940 shapes and 700 to 46,000 pieces; a worker "
+         "\nThe formulas were measured on one machine, with 234 to 12,940 shapes and 700 to 98,000 pieces; a worker "
          "has\n"
          "two CPU cores of 2 GHz. The run may well take half or twice the time; network and GPUs are not considered. "
          "In\n"
-         "three runs the memory was 0.8 to 0.9 times and the filling 1.0 to 1.3 times the estimate. The memory\n"
+         "four runs the memory was 0.8 to 1.0 times and the filling 1.0 to 1.3 times the estimate. The memory\n"
          "includes " +
          megabytes(double(kKeptFreed_bytes)) + " of freed memory that each process may keep.\n";
 }
