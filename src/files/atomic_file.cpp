@@ -13,6 +13,7 @@
 #include "core/base/task_pool.h"
 #include "files/files_read.h"
 #include "files/named_file.h"
+#include "files/signals_blocked.h"
 #include "files/write_all.h"
 
 namespace tessera {
@@ -238,9 +239,12 @@ void check_can_be_written(const std::string& path) {
   const std::string name = temporary_name_of(path);
   if (S_ISDIR(status_of(folder, name).st_mode)) throw_in_the_way(path, name, EISDIR);
   check_is_not_read(path, folder, name);
+  const SignalsBlocked blocked;  // no signal may come between the creation of the probe and its note as a leftover
   const FileDescriptor probe = create(folder, name);
   if (!probe.is_open() && errno != EEXIST) throw_cannot_write(path, message(errno));
-  if (probe.is_open() && leads_to(folder.number(), name, probe)) ::unlinkat(folder.number(), name.c_str(), 0);
+  if (!probe.is_open()) return;
+  const LeftoverFile leftover(temporary_path(path));  // for a signal to another thread
+  if (leads_to(folder.number(), name, probe)) ::unlinkat(folder.number(), name.c_str(), 0);
 }
 
 }  // namespace tessera

@@ -5,11 +5,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <optional>
 #include <vector>
 
 #include "core/base/error.h"
+#include "files/atomic_file.h"
 #include "files/new_folder.h"
 #include "files/output_folder.h"
 #include "files/output_lock.h"
@@ -95,6 +97,26 @@ TEST_F(LeftoverFiles, AnOutputFolderThatCannotBeIsTold) {
   EXPECT_THROW(OutputFolder("/proc/tessera"), EnvironmentError);
   EXPECT_THROW(OutputFolder("/proc"), EnvironmentError) << "it is there, but takes no files";
   EXPECT_NO_THROW(OutputFolder(""));
+}
+
+// The handler of tessera's own signals before a command has its own (end_at_once_when_signalled).
+void remove_and_end(int) {
+  remove_leftover_files();
+  _exit(0);
+}
+
+TEST_F(LeftoverFiles, ProbesOfOutputsLeaveNothingWhicheverMomentEndsThem) {
+  for (int k = 0; k < 60; ++k) {
+    const pid_t child = fork();
+    if (child == 0) {
+      std::signal(SIGTERM, remove_and_end);
+      for (;;) check_can_be_written(folder_.path("collage.png"));
+    }
+    usleep(useconds_t(2000 + 37 * k));
+    kill(child, SIGTERM);
+    ASSERT_EQ(waitpid(child, nullptr, 0), child);
+    ASSERT_FALSE(is_there("collage.png.tmp")) << "end " << k;
+  }
 }
 
 // Slots are reused: the slot of "out" comes once after and once before that of "out/in".

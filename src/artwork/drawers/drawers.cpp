@@ -23,26 +23,11 @@
 #include "artwork/protocol/warp_codec.h"
 #include "core/base/error.h"
 #include "core/base/process_limits.h"
+#include "files/signals_blocked.h"
 #include "text/utf8_text.h"
 
 namespace tessera {
 namespace {
-
-/// Blocks signals while the crew's threads start, so that only other threads of the program receive them.
-class SignalsBlocked {
- public:
-  SignalsBlocked() {
-    sigset_t all;
-    ::sigfillset(&all);
-    ::pthread_sigmask(SIG_SETMASK, &all, &before_);
-  }
-  ~SignalsBlocked() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  SignalsBlocked(const SignalsBlocked&) = delete;
-  SignalsBlocked& operator=(const SignalsBlocked&) = delete;
-
- private:
-  sigset_t before_;
-};
 
 std::string text_of(std::span<const std::uint8_t> bytes) { return {bytes.begin(), bytes.end()}; }
 
@@ -75,7 +60,7 @@ class Drawers::DrawerPool {
     for (int i = 0; i < count; ++i)
       processes_.push_back(
           std::make_unique<DrawerProcess>(settings.bytes_per_process, settings.seconds_to_start, settings.program));
-    const SignalsBlocked blocked;
+    const SignalsBlocked blocked;  // only other threads of the program shall receive them
     for (const auto& process : processes_) {
       try {
         threads_.emplace_back([this, &process] { work(*process); });
