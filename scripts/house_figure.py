@@ -11,9 +11,9 @@ WORDS = {  # the text below the name
     "core": "the algorithm", "files": "whole or not at all", "text": "numbers, JSON, XML", "artwork": "foreign drawings",
     "library": "shapes in HDF5", "job": "the job and its keys", "layers": "beside the pieces", "recognition": "matches as files",
     "package": "library for programs", "checkpoint": "state in a file", "result": "the result's files", "render": "pictures",
-    "products": "mosaics, puzzles ...", "comm": "MPI", "worker": "devices, OpenCL", "master": "the collage's loop",
-    "terminal": "what is printed", "run": "what the ranks do", "program": "command line", "plan": "what a job takes",
-    "bench": "tessera-bench", "cli": "tessera"}
+    "report": "pages of results", "products": "mosaics, puzzles ...", "comm": "MPI", "worker": "devices, OpenCL",
+    "master": "the collage's loop", "terminal": "what is printed", "run": "what the ranks do",
+    "program": "command line", "plan": "what a job takes", "bench": "tessera-bench", "cli": "tessera"}
 KINDS = {"core": "#cfe3f2", "comm": "#f8d9c4", "worker": "#f8d9c4", "master": "#f8d9c4"}
 
 

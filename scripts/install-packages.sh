@@ -25,6 +25,8 @@ missing_packages() {
   # shellcheck disable=SC2086  # one argument a package
   installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' $wanted 2>/dev/null) || true
   installed=$(sed -n 's/^installed //p' <<<"$installed")
+  # Another package of Node.js than Debian's has npm in it, and cannot be installed together with Debian's npm.
+  if command -v npm >/dev/null; then installed+=$'\nnpm'; fi
   grep -vxF -f <(echo "$installed") <<<"$wanted" || true
 }
 

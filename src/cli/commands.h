@@ -16,6 +16,7 @@ void add_refine_command(CLI::App& app, Command& selected);
 void add_draw_command(CLI::App& app, Command& selected);
 void add_campaign_command(CLI::App& app, Command& selected);
 void add_plan_command(CLI::App& app, Command& selected);
+void add_report_command(CLI::App& app, Command& selected);
 void add_rank_command(CLI::App& app, Command& selected);
 void add_recognize_command(CLI::App& app, Command& selected);
 void add_card_command(CLI::App& app, Command& selected);

@@ -19,6 +19,7 @@
 #include "run/collage_run.h"
 #include "run/messages/collage_warnings.h"
 #include "run/result_drawing_run.h"
+#include "run/results/report_run.h"
 #include "terminal/terminal.h"
 
 namespace tessera::cli {
@@ -81,6 +82,11 @@ Job job_of_result(const std::string& folder) {
     throw InputError(std::string(error.what()) +
                      "; a checkpoint is there: tessera collage with --resume makes the result");
   }
+}
+
+Job with_keys(Job job, const std::vector<std::string>& keys) {
+  set_drawing_keys(job, keys);
+  return job;
 }
 
 /// A warning about keys that are given but have no effect. Warnings about the result's own job were printed by its run.
@@ -149,6 +155,8 @@ int run(DrawArguments arguments) {
     print_message("drawing interrupted: the same command goes on");
     return kUnfinishedExitCode;
   }
+  const bool has_page = wanted.to.empty() && with_keys(job, wanted.keys).output.report;
+  if (has_page) write_result_report(arguments.folder);  // with the new picture
   if (!arguments.quiet) print_line("drawn in %s", (wanted.to.empty() ? arguments.folder : wanted.to).c_str());
   return 0;
 }

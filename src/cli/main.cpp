@@ -42,6 +42,7 @@ void add_commands(CLI::App& app, Command& selected) {
   add_draw_command(app, selected);
   add_campaign_command(app, selected);
   add_plan_command(app, selected);
+  add_report_command(app, selected);
   add_rank_command(app, selected);
   add_card_command(app, selected);
   add_recognize_command(app, selected);

@@ -1,7 +1,7 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "run/ranking_run.h"
+#include "run/results/ranking_run.h"
 
 namespace tessera::cli {
 namespace {
@@ -25,7 +25,8 @@ constexpr const char* kRankExamples =
     "(SSIM).\n"
     "Equal scores share a rank, in the order of their folders' names. The table is written as ranking.csv and "
     "ranking.json,\n"
-    "the pictures, best first, as ranking.png.";
+    "the pictures, best first, as ranking.png, and all of it as ranking.html, a page that sorts and compares (tessera\n"
+    "report).";
 
 }  // namespace
 

@@ -14,9 +14,10 @@
 #include "job/job_keys.h"
 #include "program/list_option.h"
 #include "render/collage_sheet.h"
+#include "result/marks_file.h"
 #include "result/placed_pieces.h"
-#include "run/ranking_run.h"
 #include "run/refined_result.h"
+#include "run/results/ranking_run.h"
 #include "terminal/terminal.h"
 
 namespace tessera::cli {
@@ -36,6 +37,7 @@ constexpr const char* kRefineExamples =
     "  tessera refine out/animals --swap 12 --set seed=7  another drawing: out/animals-swapped\n"
     "  tessera refine out/animals --box 200,300,150,100 --variants 8\n"
     "                                                     out/animals-variants/seed_1 and so on, and a sheet of them\n"
+    "  tessera refine out/animals --marks marks.json      as marked on out/animals/report.html, and saved there\n"
     "  mpirun -n 3 tessera refine out/animals --relax     rank 0 is the master, the others are workers\n"
     "RESULT itself is not changed. Pieces have the numbers of \"index\" in pieces.geojson, from 0; output.labels draws "
     "a map\n"
@@ -62,6 +64,7 @@ struct RefineArguments {
   bool relax = false;
   std::string deform;  // the kind of deformation; empty: none
   EraseArguments erase;
+  std::string marks;  // a file with pieces to erase or swap, and to lock; empty: none
   std::vector<int> locked;
   int trials = 0;    // 0: as few as the action needs
   int variants = 0;  // 0: one result
@@ -99,13 +102,22 @@ Action action_of(const RefineArguments& arguments, const std::string& job, Refin
   return {erase.swapped.empty() ? "-erased" : "-swapped", erasing_keys()};
 }
 
+/// The arguments with the pieces of the file of marks.
+RefineArguments with_marks(RefineArguments arguments, const RefinedResult& result) {
+  if (arguments.marks.empty()) return arguments;
+  Marks marks = read_marks(arguments.marks, result.whole.manifest.pieces_digest);
+  (marks.swaps ? arguments.erase.swapped : arguments.erase.pieces) = std::move(marks.pieces);
+  arguments.locked.insert(arguments.locked.end(), marks.locked.begin(), marks.locked.end());
+  return arguments;
+}
+
 /// The arguments that run the result's job again. Overrides of the command line win, except over the starting pieces.
 CollageArguments collage_of(const RefineArguments& arguments) {
   check_overrides(arguments.collage.overrides);
   const auto result = std::make_shared<RefinedResult>(read_refined_result(arguments.result));
   CollageArguments collage = arguments.collage;
   collage.job = (std::filesystem::path(result->folder) / "job.toml").string();
-  const Action action = action_of(arguments, collage.job, *result);
+  const Action action = action_of(with_marks(arguments, *result), collage.job, *result);
   collage.refined = result;
   const char* suffix = arguments.variants > 0 ? "-variants" : action.suffix;
   if (collage.out.empty()) collage.out = folder_beside(result->folder, suffix);
@@ -160,8 +172,8 @@ void check_has_action(const RefineArguments& arguments) {
   if (!arguments.deform.empty() && arguments.variants > 0)
     throw CLI::ValidationError("--variants",
                                "found with --deform, which no seed changes; allowed with the other actions");
-  if (arguments.relax || !arguments.deform.empty() || arguments.erase.any()) return;
-  throw CLI::RequiredError("What to do with RESULT (--relax, --deform, --pieces, --box, --erase or --swap)");
+  if (arguments.relax || !arguments.deform.empty() || arguments.erase.any() || !arguments.marks.empty()) return;
+  throw CLI::RequiredError("What to do with RESULT (--relax, --deform, --pieces, --box, --erase, --swap or --marks)");
 }
 
 /// Adds the actions; at most one can be given.
@@ -190,6 +202,10 @@ void add_actions(CLI::App& refine, RefineArguments& arguments) {
                   "Remove these pieces, and fill their room with other "
                   "drawings",
                   pieces);
+  actions
+      ->add_option("--marks", arguments.marks,
+                   "Remove or swap, and lock, the pieces that were marked on the result's page (tessera report)")
+      ->type_name("FILE");
 }
 
 }  // namespace

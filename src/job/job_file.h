@@ -85,6 +85,7 @@ struct OutputSpec {
   std::string ground = {};                  // SVG or image, absolute path, tiled over the background; empty: none
   double ground_px = 0;                     // width of a tile, canvas px; 0: that of the drawing
   bool labels = false;                      // also write labels.png
+  bool report = false;                      // also write report.html
 
   friend bool operator==(const OutputSpec&, const OutputSpec&) = default;
 };

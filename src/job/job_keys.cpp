@@ -370,6 +370,9 @@ void add_piece_drawing_keys(std::vector<JobKey>& keys) {
   keys.push_back(with_flag({"output", "labels", flag, "", 0, 0, {},
                             "also write labels.png, whose pixels are the numbers of the pieces"},
                            FIELD(output.labels)));
+  keys.push_back(with_flag({"output", "report", flag, "", 0, 0, {},
+                            "also write report.html, a page to look at the result (`tessera report`)"},
+                           FIELD(output.report)));
 }
 
 /// A picture twice as wide as the default canvas shows the artwork's details on a dense screen and in print.

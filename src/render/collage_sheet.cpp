@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "files/regular_file.h"
 #include "library/sheet.h"
+#include "result/folder/folder_name.h"
 #include "text/number_text.h"
 #include "text/utf8_text.h"
 
@@ -73,12 +74,6 @@ std::string title(const std::vector<RankedResult>& results, std::size_t shown) {
   return text;
 }
 
-/// The last name of a path, with or without a slash at its end: "DIR/seed_1/".
-std::string last_name(const std::string& folder) {
-  const fs::path path = fs::path(folder).lexically_normal();
-  return path.has_filename() ? path.filename().string() : path.parent_path().filename().string();
-}
-
 }  // namespace
 
 std::vector<std::uint8_t> collage_sheet(const std::vector<RankedResult>& results, const std::string& path) {
@@ -89,7 +84,7 @@ std::vector<std::uint8_t> collage_sheet(const std::vector<RankedResult>& results
     const RankedResult& result = results[k];
     if (!pictures[k].empty()) draw_picture(sheet, k, pictures[k]);
     sheet.caption(k, 0,
-                  std::to_string(result.rank) + ". " + printable_utf8(last_name(result.card.folder)) +
+                  std::to_string(result.rank) + ". " + printable_utf8(folder_name(result.card.folder)) +
                       (is_unfinished(result.card) ? " (unfinished): " : ": ") + fixed(result.score, 2));
     sheet.caption(k, 1, measures(result.card.quality));
   }

@@ -112,6 +112,15 @@ Json provenance_json(const RunRecord& record) {
           {"warnings", record.warnings},         {"ranks", ranks}};
 }
 
+Json growth_json(const std::vector<GrowthMoment>& growth) {
+  Json seconds = Json::array(), coverage = Json::array();
+  for (const GrowthMoment& moment : growth) {
+    seconds.push_back(rounded(moment.seconds, 3));
+    coverage.push_back(rounded(moment.coverage, 6));
+  }
+  return {{"s", seconds}, {"coverage_fraction", coverage}};
+}
+
 /// Groups digits: 12345678 becomes "12,345,678".
 std::string grouped(std::uint64_t count) {
   std::string text = std::to_string(count);
@@ -271,6 +280,7 @@ std::string card_json(const Quality& quality, const RunStatistics& run, const Ca
   if (!missing.empty()) card["missing"] = missing_json(missing);
   if (deformation) card["deformation"] = deformation_json(*deformation);
   if (!ranks.workers.empty()) card["ranks"] = ranks_json(ranks);
+  if (!record.growth.empty()) card["growth"] = growth_json(record.growth);
   card["provenance"] = provenance_json(record);
   constexpr bool kAsciiOnly = false;
   return card.dump(2, ' ', kAsciiOnly, Json::error_handler_t::replace) + "\n";  // paths may be any bytes

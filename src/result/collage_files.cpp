@@ -9,6 +9,7 @@
 #include "files/atomic_file.h"
 #include "files/output_folder.h"
 #include "result/card_output.h"
+#include "result/folder/folder_name.h"
 #include "result/folder/result_file.h"
 #include "result/folder/result_manifest.h"
 #include "result/geojson_output.h"
@@ -33,11 +34,18 @@ void remove_file(const std::string& path) {
   if (error) throw EnvironmentError("cannot remove " + path + ": " + error.message());
 }
 
+/// The files that are made from a result.
+std::vector<const char*> drawn_names() {
+  std::vector<const char*> names(std::begin(kPictureNames), std::end(kPictureNames));
+  names.push_back(kReportName);
+  return names;
+}
+
 /// Removes the manifest and the pictures of the run before, so that its result is none any more.
 void remove_earlier_result(const std::string& dir) {
   remove_file(in_directory(dir, kManifestName));
   remove_file(in_directory(dir, kShownPictureName));
-  for (const char* picture : kPictureNames) {
+  for (const char* picture : drawn_names()) {
     remove_file(in_directory(dir, picture));
     remove_file(temporary_path(in_directory(dir, picture)));
   }
@@ -89,7 +97,7 @@ void prepare_output_directory(const std::string& dir) {
 void check_can_be_published(const std::string& dir) {
   std::vector<const char*> names = {kManifestName, "pieces.geojson",  "job.toml",      "card.json",
                                     "card.txt",    kShownPictureName, "checkpoint.h5", "checkpoint.previous.h5"};
-  names.insert(names.end(), std::begin(kPictureNames), std::end(kPictureNames));
+  for (const char* name : drawn_names()) names.push_back(name);
   for (const char* name : names) check_can_be_written(in_directory(dir, name));
 }
 
@@ -105,7 +113,7 @@ void check_nothing_foreign_is_replaced(const std::string& dir, const std::string
   constexpr const char* kOurs[] = {kManifestName, "run.log", "card.json", "checkpoint.h5", "checkpoint.previous.h5"};
   if (std::any_of(std::begin(kOurs), std::end(kOurs), is_there)) return;
   std::vector<const char*> names = {"pieces.geojson", "card.txt", "job.toml", kShownPictureName};
-  names.insert(names.end(), std::begin(kPictureNames), std::end(kPictureNames));
+  for (const char* name : drawn_names()) names.push_back(name);
   for (const char* name : names) {
     if (!is_there(name)) continue;
     throw InputError(in_directory(dir, name) +

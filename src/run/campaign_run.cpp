@@ -19,7 +19,7 @@
 #include "result/folder/result_file.h"
 #include "run/collage_problem.h"
 #include "run/collage_run.h"
-#include "run/ranking_run.h"
+#include "run/results/ranking_run.h"
 #include "terminal/terminal.h"
 #include "text/number_text.h"
 

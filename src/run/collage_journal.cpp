@@ -40,6 +40,8 @@ void CollageJournal::keep_warning(const std::string& warning) {
   log_.warning(warning);
 }
 
+void CollageJournal::set_growth(std::vector<GrowthMoment> growth) { record_.growth = std::move(growth); }
+
 const RunRecord& CollageJournal::ended(StopReason stopped_by, std::size_t pieces) {
   record_.ended_utc = utc_now();
   log_.info("end: stopped by " + std::string(stop_word(stopped_by)) + ", " + count_text(pieces, "piece"));

@@ -25,6 +25,8 @@ class CollageJournal {
   void warn(const std::string& warning);
   /// Writes a warning to run.log that is already on stderr.
   void keep_warning(const std::string& warning);
+  /// Notes how the coverage rose during the loop.
+  void set_growth(std::vector<GrowthMoment> growth);
   /// Notes the end of the loop, why it ended and with how many pieces. Returns the record for the card.
   const RunRecord& ended(StopReason stopped_by, std::size_t pieces);
 

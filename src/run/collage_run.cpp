@@ -32,6 +32,7 @@
 #include "run/progress/collage_progress.h"
 #include "run/progress/time_limit.h"
 #include "run/result_drawing_run.h"
+#include "run/results/report_run.h"
 #include "run/run_warnings.h"
 #include "run/unplaced_pieces.h"
 #include "terminal/terminal.h"
@@ -125,6 +126,8 @@ LoopOutcome run_loop(const MasterRun& run, LoopMatchers& matchers, ShapeSource& 
   master::CollageResult result = master::make_collage(input.problem.canvas(), settings, *matchers.matcher, shapes,
                                                       progress, {from, &checkpoints}, matchers.replacer.get());
   result.statistics.last_tenth = progress.history().gained_in_last_tenth(result.statistics.total_s);
+  constexpr std::size_t kMostMoments = 300;
+  run.journal->set_growth(progress.history().growth(kMostMoments));
   RankStatistics times = times_of(clock, result);
   return {std::move(result), std::move(times)};
 }
@@ -175,6 +178,7 @@ bool draw_pictures(const CollageArguments& arguments, const CollageInput& input,
       return limit.must_end_drawing(shutdown_s(ranks)) ? std::optional(StopReason::time_limit) : std::nullopt;
     });
     if (!drawn) ranks.end_soon();
+    if (drawn && input.problem.job().output.report) write_result_report(input.folder);
     return drawn;
   } catch (const EnvironmentError& error) {
     throw EnvironmentError(std::string(error.what()) + "; the collage is finished, tessera draw " + input.folder +

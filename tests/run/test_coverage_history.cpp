@@ -22,6 +22,18 @@ TEST(CoverageHistory, pieces_that_were_taken_out_count) {
   EXPECT_NEAR(history.gained_in_last_tenth(10).value(), -0.1, 1e-12);
 }
 
+TEST(CoverageHistory, growth_ends_with_the_latest_moment_and_has_no_more_than_wanted) {
+  CoverageHistory history;
+  EXPECT_TRUE(history.growth(10).empty());
+  history.add(0, {});
+  for (int s = 1; s <= 5000; ++s) history.add(s, 0.0001 * s);
+  const std::vector<GrowthMoment> growth = history.growth(100);
+  ASSERT_EQ(growth.size(), 100u);
+  EXPECT_EQ(growth.back().seconds, 5000);
+  EXPECT_NEAR(growth.back().coverage, 0.5, 1e-12);
+  for (std::size_t k = 0; k < growth.size(); ++k) EXPECT_NEAR(growth[k].seconds, 50. * double(k + 1), 30);
+}
+
 TEST(CoverageHistory, does_not_say_what_it_does_not_know) {
   CoverageHistory history;
   EXPECT_FALSE(history.gained_in_last_tenth(1));

@@ -13,8 +13,8 @@ MOST_LINES_OF_README = 150
 PAGES = ("*.md", "docs/*.md", "docs/*/*.md", "slurm/*.md", "jobs/*/*.md")
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 KEY = re.compile(r"^([a-z_]+\.[a-z_]+)(?:$| = )")
-FILE_ENDINGS = ("png", "svg", "h5", "json", "toml", "txt", "geojson", "log", "csv", "pdf", "dxf", "md", "sh", "sbatch", "tif", "tiff",
-                "cpp", "cl", "h", "previous", "lock")
+FILE_ENDINGS = ("png", "svg", "h5", "json", "toml", "txt", "geojson", "log", "csv", "html", "pdf", "dxf", "md", "sh", "sbatch", "tif",
+                "tiff", "cpp", "cl", "h", "previous", "lock")
 
 
 def anchors_of(text):

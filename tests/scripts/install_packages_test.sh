@@ -64,6 +64,11 @@ expect_installed 'installs three sections' 'absent gone++ checker browser'
 install_with '' tests
 expect_installed 'installs one section' checker
 
+stand_in npm <<<''
+echo 'npm # of Debian' >>"$sandbox/scripts/packages.txt" # in the last section
+install_with '' long-tests
+expect_installed 'an npm of another package will do' browser
+
 install_with 'installed here\ninstalled absent\ninstalled gone++\n'
 expect 'success where all is there' [ "$status" -eq 0 ]
 expect 'does nothing where all is there' [ -z "$calls$output" ]
@@ -103,9 +108,9 @@ output=$(grep -xE "$for_tests_alone" "$sandbox/demo" || true)
 expect 'the demonstration installs nothing for tests' [ -z "$output" ]
 expect 'but its drawings' grep -qx openclipart-svg "$sandbox/demo"
 asked_of_apt program tests >"$sandbox/tests"
-output=$(grep -xE 'valgrind|libc6-dbg|mesa-opencl-icd|inkscape|chromium' "$sandbox/tests" || true)
+output=$(grep -xE 'valgrind|libc6-dbg|mesa-opencl-icd|inkscape' "$sandbox/tests" || true)
 expect 'the tests install nothing for long ones' [ -z "$output" ]
-for package in g++ slurm-wlm libgtest-dev; do
+for package in g++ slurm-wlm libgtest-dev chromium nodejs; do
   expect "the tests install $package" grep -qx "$package" "$sandbox/tests"
 done
 echo "install-packages.sh passes"

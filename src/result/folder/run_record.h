@@ -10,6 +10,12 @@
 
 namespace tessera {
 
+/// How much of the canvas was covered after these seconds of the loop.
+struct GrowthMoment {
+  double seconds = 0;
+  double coverage = 0;  // fraction of the canvas
+};
+
 /// The record of one run of the program. An interrupted collage is made by several runs; the record of the last one is
 /// kept.
 struct RunRecord {
@@ -25,6 +31,7 @@ struct RunRecord {
   std::uint64_t resumed_pieces = 0;  // number of pieces in that checkpoint
   std::vector<RankSite> ranks;
   std::vector<std::string> warnings;
+  std::vector<GrowthMoment> growth;  // some hundred moments of this run at most
 };
 
 /// A list of devices with ", " between them: "gpu "NAME" of PLATFORM, driver VERSION"; "no devices".

@@ -31,4 +31,16 @@ std::optional<double> CoverageHistory::gained_in_last_tenth(double total_s) cons
   return *latest_.coverage - *then;
 }
 
+std::vector<GrowthMoment> CoverageHistory::growth(std::size_t most) const {
+  std::vector<GrowthMoment> known;
+  for (const Moment& moment : moments_) {
+    if (moment.coverage && moment.seconds < latest_.seconds) known.push_back({moment.seconds, *moment.coverage});
+  }
+  if (latest_.coverage) known.push_back({latest_.seconds, *latest_.coverage});
+  if (known.size() <= most) return known;
+  std::vector<GrowthMoment> picked;
+  for (std::size_t k = 1; k <= most; ++k) picked.push_back(known[k * known.size() / most - 1]);
+  return picked;
+}
+
 }  // namespace tessera

@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "result/folder/run_record.h"
+
 namespace tessera {
 
 class CoverageHistory {
@@ -15,6 +17,9 @@ class CoverageHistory {
   /// The gain of coverage from nine tenths of `total_s` to the end; negative where pieces were taken out. Empty where one
   /// of the two is not known (the run may have been resumed later), or where the run is too short.
   std::optional<double> gained_in_last_tenth(double total_s) const;
+
+  /// The known moments, at most `most`, evenly picked; the latest is one of them.
+  std::vector<GrowthMoment> growth(std::size_t most) const;
 
  private:
   struct Moment {

@@ -1,4 +1,4 @@
-#include "run/ranking_run.h"
+#include "run/results/ranking_run.h"
 
 #include <algorithm>
 
@@ -8,6 +8,10 @@
 #include "files/output_folder.h"
 #include "files/output_lock.h"
 #include "render/ranking.h"
+#include "report/campaign_page.h"
+#include "result/folder/folder_name.h"
+#include "run/results/found_cards.h"
+#include "run/results/report_run.h"
 #include "terminal/terminal.h"
 #include "text/number_text.h"
 #include "text/text_table.h"
@@ -18,18 +22,6 @@ namespace {
 std::string output_folder(const RankingArguments& arguments) {
   if (!arguments.out.empty()) return arguments.out;
   return arguments.folders.size() == 1 ? arguments.folders.front() : "out/ranking";
-}
-
-std::vector<ResultCard> cards_of(const std::vector<std::string>& arguments) {
-  FoundResults all;
-  for (const std::string& argument : arguments) {
-    const FoundResults found = find_results(argument);
-    all.cards.insert(all.cards.end(), found.cards.begin(), found.cards.end());
-    all.damages.insert(all.damages.end(), found.damages.begin(), found.damages.end());
-  }
-  if (all.cards.empty()) throw InputError("no whole result to rank: " + all.damages.front());
-  for (const std::string& damage : all.damages) print_warning("not ranked: " + damage);
-  return all.cards;
 }
 
 std::string table_text(const std::vector<RankedResult>& results) {
@@ -72,13 +64,14 @@ std::string table_text(const std::vector<RankedResult>& results) {
 }  // namespace
 
 void check_ranking_can_be_written(const std::string& folder) {
-  for (const char* name : {"ranking.csv", "ranking.json", "ranking.png"}) check_can_be_written(folder + "/" + name);
+  for (const char* name : {"ranking.csv", "ranking.json", "ranking.png", "ranking.html"})
+    check_can_be_written(folder + "/" + name);
 }
 
 int run_ranking(const RankingArguments& arguments) {
   comm::end_stop_handlers();  // of a campaign's collages: a ranking is soon made again
   const RankingWeights weights = ranking_weights(arguments.weights);
-  const std::vector<RankedResult> results = ranked(cards_of(arguments.folders), weights);
+  const std::vector<RankedResult> results = ranked(found_cards(arguments.folders), weights);
   for (const std::string& line : lacking_measures(results, weights)) print_warning(line);
   const std::string out = output_folder(arguments);
   const OutputFolder folder(out);
@@ -86,12 +79,14 @@ int run_ranking(const RankingArguments& arguments) {
                         out);  // a campaign, or a run that goes on, may have the folder's own
   check_ranking_can_be_written(out);
   const RankingFiles files = ranking_files(results, weights);
+  const Page page = campaign_page(folder_name(out), results, weights, tile_bytes(kCampaignPictures_mb));
   {
     const comm::StopDelay delay;  // the files of a ranking belong together
     write_ranking(out, files);
+    write_report_file(out + "/ranking.html", page);
   }
   print_lines(table_text(results) + score_formula(weights) + "\n\n");
-  print_line("written to %s: ranking.csv, ranking.json, ranking.png", out.c_str());
+  print_line("written to %s: ranking.csv, ranking.json, ranking.png, ranking.html", out.c_str());
   return 0;
 }
 

@@ -1,0 +1,24 @@
+import type { Marks } from "../data.ts";
+
+/** With more pieces than this the command takes a file. */
+const kMostOnCommandLine = 40;
+
+/** A word for a POSIX shell, quoted only where it must be. */
+export function shellQuoted(word: string): string {
+  return /^[A-Za-z0-9_@%+=:,./-]+$/.test(word) ? word : `'${word.replaceAll("'", `'\\''`)}'`;
+}
+
+/** Whether the command refers to the file of marks. */
+export function needsFile(marks: Marks): boolean {
+  return marks.pieces.length + marks.lock.length > kMostOnCommandLine;
+}
+
+/** The command that fills the result anew as marked; at least one piece is to be erased. */
+export function refineCommand(folder: string, marks: Marks): string {
+  // A folder that begins with a dash would look like an option.
+  const words = ["tessera", "refine", shellQuoted(folder.startsWith("-") ? `./${folder}` : folder)];
+  if (needsFile(marks)) return [...words, "--marks", "marks.json"].join(" ");
+  words.push(marks.action === "swap" ? "--swap" : "--pieces", marks.pieces.join(","));
+  if (marks.lock.length > 0) words.push("--lock", marks.lock.join(","));
+  return words.join(" ");
+}

@@ -1,0 +1,101 @@
+import type { RefineRequest, ServerState } from "../data.ts";
+import { loadResult, type Result } from "../model/result.ts";
+import { Value } from "../util/value.ts";
+import { fetchResult, fetchState, refine, stopRefining } from "./server.ts";
+
+const kPoll_ms = 300;
+
+export type VariantState = ServerState["results"][number];
+
+/** The results that the server has, and what is loaded of them. */
+export class Variants {
+  readonly list = new Value<readonly VariantState[]>([]);
+  /** What went wrong last; "" after a success. */
+  readonly trouble = new Value("");
+  private readonly loaded = new Map<string, Result>();
+  private awaited = "";
+  private polling = false;
+
+  /** `show` is called with the result that the user waits for, first without and then with its picture. */
+  constructor(
+    first: Result,
+    private readonly show: (name: string) => void,
+  ) {
+    this.loaded.set(first.data.name, first);
+    void this.poll();
+  }
+
+  get(name: string): Result | null {
+    return this.loaded.get(name) ?? null;
+  }
+
+  /** The result that lends its picture to one that has none: the nearest of its ancestors with a picture. */
+  baseOf(name: string): Result | null {
+    let from = this.list.get().find((variant) => variant.name === name)?.from;
+    for (let steps = 0; from && steps < 100; ++steps) {
+      const base = this.get(from);
+      if (base?.data.picture) return base;
+      const above: string = from;
+      from = this.list.get().find((variant) => variant.name === above)?.from;
+    }
+    return null;
+  }
+
+  get running(): VariantState | undefined {
+    return this.list.get().find((variant) => variant.state === "running");
+  }
+
+  /** Loads a result unless what is loaded is as good as what the server has. */
+  async load(name: string): Promise<Result> {
+    const known = this.get(name);
+    const state = this.list.get().find((variant) => variant.name === name);
+    if (known && (known.data.picture || !state?.has_picture)) return known;
+    const source = await fetchResult(name);
+    const result = loadResult(source, source.data);
+    this.loaded.set(name, result);
+    return result;
+  }
+
+  async refine(request: RefineRequest): Promise<void> {
+    await this.attempt(async () => {
+      this.awaited = await refine(request);
+      await this.poll();
+    });
+  }
+
+  async stop(): Promise<void> {
+    await this.attempt(stopRefining);
+  }
+
+  private async attempt(action: () => Promise<unknown>): Promise<void> {
+    try {
+      await action();
+      this.trouble.set("");
+    } catch (error) {
+      this.trouble.set(error instanceof Error ? error.message : String(error));
+    }
+  }
+
+  /** Asks for the state until nothing runs any more. */
+  private async poll(): Promise<void> {
+    if (this.polling) return;
+    this.polling = true;
+    do {
+      await this.attempt(async () => {
+        this.list.set((await fetchState()).results);
+        await this.showAwaited();
+      });
+      if (this.running) await new Promise((resolve) => setTimeout(resolve, kPoll_ms));
+    } while (this.running && this.trouble.get() === "");
+    this.polling = false;
+  }
+
+  private async showAwaited(): Promise<void> {
+    const state = this.list.get().find((variant) => variant.name === this.awaited);
+    if (!state?.has_pieces) return;
+    const before = this.get(state.name);
+    const now = await this.load(state.name);
+    if (now !== before) this.show(state.name);
+    if (state.has_picture || state.state === "failed") this.awaited = "";
+  }
+}

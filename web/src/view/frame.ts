@@ -1,0 +1,44 @@
+import type { Box } from "../model/outlines.ts";
+
+export type Context = CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D;
+
+/** What a layer needs to draw one frame. The canvas is measured in device px, the picture ("world") in px of its own. */
+export interface Frame {
+  context: Context;
+  /** Size of the canvas, device px. */
+  width: number;
+  height: number;
+  /** Device px of a world px, and where the world's origin lies. */
+  scale: number;
+  left: number;
+  top: number;
+  /** Device px of a CSS px. */
+  pixel_ratio: number;
+  /** The part of the world that shows. */
+  visible: Box;
+}
+
+/** Something that a viewer shows; the first one lies lowest. */
+export interface Layer {
+  draw(frame: Frame): void;
+  /** Prepares a part of what `draw` lacked, until the deadline (of performance.now). Returns whether something is left to do. */
+  work?(frame: Frame, deadline_ms: number): boolean;
+}
+
+/** A rectangle of the world in whole device px, so that neighbours meet without a seam. */
+export function deviceRectangle(frame: Frame, box: Box): [left: number, top: number, width: number, height: number] {
+  const left = Math.round(frame.left + box.left * frame.scale);
+  const top = Math.round(frame.top + box.top * frame.scale);
+  const right = Math.round(frame.left + box.right * frame.scale);
+  const bottom = Math.round(frame.top + box.bottom * frame.scale);
+  return [left, top, right - left, bottom - top];
+}
+
+/** Lets the context be used in px of the world. */
+export function useWorld(frame: Frame): void {
+  frame.context.setTransform(frame.scale, 0, 0, frame.scale, frame.left, frame.top);
+}
+
+export function useDevice(frame: Frame): void {
+  frame.context.setTransform(1, 0, 0, 1, 0, 0);
+}

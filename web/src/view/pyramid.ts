@@ -1,0 +1,124 @@
+import type { PictureData, Source } from "../data.ts";
+
+/** Bitmaps of all pictures of the page together, pixels: 24 million take 96 MB. */
+const kBudget_pixels = 24e6;
+const kDecodesAtOnce = 4;
+
+interface Entry {
+  bitmap: ImageBitmap | null;
+  state: "wanted" | "decoding" | "ready" | "absent";
+  used: number;
+  name: string;
+  pyramid: Pyramid;
+}
+
+/** Decoded tiles of all pictures, the latest used ones, within a budget. */
+class TileStore {
+  private readonly entries = new Map<string, Entry>();
+  private readonly queue: Entry[] = [];
+  private decoding = 0;
+  private pixels = 0;
+  private clock = 0;
+
+  /** The tile if it is decoded; else it is decoded soon, and the pyramid then tells its viewers. */
+  get(pyramid: Pyramid, name: string): ImageBitmap | null {
+    const key = `${pyramid.id}/${name}`;
+    let entry = this.entries.get(key);
+    if (!entry) {
+      entry = { bitmap: null, state: "wanted", used: 0, name, pyramid };
+      this.entries.set(key, entry);
+      this.queue.push(entry);
+      this.startDecoding();
+    }
+    entry.used = ++this.clock;
+    return entry.bitmap;
+  }
+
+  /** The tile if it is decoded; asks for nothing. */
+  peek(pyramid: Pyramid, name: string): ImageBitmap | null {
+    return this.entries.get(`${pyramid.id}/${name}`)?.bitmap ?? null;
+  }
+
+  private startDecoding(): void {
+    while (this.decoding < kDecodesAtOnce && this.queue.length > 0) {
+      // The latest wish first: it is what shows now.
+      const entry = this.queue.pop()!;
+      ++this.decoding;
+      void this.decode(entry);
+    }
+  }
+
+  private async decode(entry: Entry): Promise<void> {
+    entry.state = "decoding";
+    try {
+      const bytes = entry.pyramid.source.block(entry.name);
+      entry.bitmap = bytes ? await createImageBitmap(new Blob([bytes as BlobPart], { type: "image/webp" })) : null;
+    } catch {
+      entry.bitmap = null; // a damaged tile; the level above it shows instead
+    }
+    entry.state = entry.bitmap ? "ready" : "absent";
+    this.pixels += entry.bitmap ? entry.bitmap.width * entry.bitmap.height : 0;
+    --this.decoding;
+    this.dropOldest();
+    this.startDecoding();
+    entry.pyramid.tellViewers();
+  }
+
+  private dropOldest(): void {
+    if (this.pixels <= kBudget_pixels) return;
+    const by_age = [...this.entries].filter(([, entry]) => entry.state === "ready").sort(([, a], [, b]) => a.used - b.used);
+    for (const [key, { bitmap }] of by_age) {
+      if (this.pixels <= 0.8 * kBudget_pixels) break;
+      this.pixels -= bitmap!.width * bitmap!.height;
+      bitmap!.close();
+      this.entries.delete(key);
+    }
+  }
+}
+
+const store = new TileStore();
+let pyramids = 0;
+
+/** A picture in tiles that are decoded when they are needed. */
+export class Pyramid {
+  readonly id = ++pyramids;
+  private readonly viewers = new Set<() => void>();
+
+  constructor(
+    readonly data: PictureData,
+    readonly source: Source,
+  ) {}
+
+  /** `tell` is called whenever a tile has been decoded. */
+  addViewer(tell: () => void): void {
+    this.viewers.add(tell);
+  }
+
+  tellViewers(): void {
+    for (const tell of this.viewers) tell();
+  }
+
+  tile(level: number, column: number, row: number): ImageBitmap | null {
+    return store.get(this, this.name(level, column, row));
+  }
+
+  decodedTile(level: number, column: number, row: number): ImageBitmap | null {
+    return store.peek(this, this.name(level, column, row));
+  }
+
+  get coarsest(): number {
+    return this.data.levels.length - 1;
+  }
+
+  /** The smallest level that has at least `width_px` pixels across, or nearly so. */
+  levelFor(width_px: number): number {
+    for (let level = this.coarsest; level > 0; --level) {
+      if (this.data.levels[level]!.width_px >= 0.9 * width_px) return level;
+    }
+    return 0;
+  }
+
+  private name(level: number, column: number, row: number): string {
+    return `tile-${this.data.picture}-${level}-${column}-${row}`;
+  }
+}

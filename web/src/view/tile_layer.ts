@@ -1,0 +1,214 @@
+import type { Box } from "../model/outlines.ts";
+import { boxesMeet } from "../model/geometry.ts";
+import { deviceRectangle, type Frame, type Layer, useDevice } from "./frame.ts";
+
+const kTile_px = 512;
+/** Two steps of level double the scale: a tile is drawn at 0.7 to 1 times its own size. */
+const kLevelsPerOctave = 2;
+/** Cached tiles of a layer: 32 take 32 MB. */
+const kMostTiles = 36;
+
+/** A tile as its painter sees it. */
+export interface Tile {
+  /** Its part of the world, and px of the tile for each px of the world. */
+  box: Box;
+  scale: number;
+  /** For the painter's own use; 0 in a new tile. */
+  progress: number;
+  /** The tile's context, transformed to px of the world. A tile that never asks for it takes no memory. */
+  context(): OffscreenCanvasRenderingContext2D;
+  /** A further canvas of the same size and transform, to compose the tile with. */
+  scratch(): OffscreenCanvasRenderingContext2D;
+  /** Of the tile, px. */
+  size_px: number;
+}
+
+export interface TilePainter {
+  /** Draws a tile bit by bit: at each yield the work may pause until the next frame. */
+  paint(tile: Tile): Generator<void, void, void>;
+  /** Whether a change is drawn over what the tile shows already, instead of onto an empty one. */
+  in_place?: boolean;
+}
+
+class CachedTile implements Tile {
+  progress = 0;
+  canvas: OffscreenCanvas | null = null;
+  readonly size_px = kTile_px;
+  private readonly scratches: OffscreenCanvasRenderingContext2D[] = [];
+
+  constructor(
+    readonly box: Box,
+    readonly scale: number,
+  ) {}
+
+  context(): OffscreenCanvasRenderingContext2D {
+    this.canvas ??= new OffscreenCanvas(kTile_px, kTile_px);
+    return this.transformed(this.canvas);
+  }
+
+  scratch(): OffscreenCanvasRenderingContext2D {
+    const context = this.transformed(new OffscreenCanvas(kTile_px, kTile_px));
+    this.scratches.push(context);
+    return context;
+  }
+
+  /** Lets the browser do now what it was told to draw. It likes to put that off, and the clock would then know nothing of it. */
+  settle(): void {
+    if (this.canvas) this.context().getImageData(0, 0, 1, 1);
+    for (const context of this.scratches) context.getImageData(0, 0, 1, 1);
+  }
+
+  /** Gives the memory of the further canvases back. */
+  finish(): void {
+    this.scratches.length = 0;
+  }
+
+  private transformed(canvas: OffscreenCanvas): OffscreenCanvasRenderingContext2D {
+    // Reading back is what `settle` does, and the overlaps.
+    const context = canvas.getContext("2d", { willReadFrequently: true })!;
+    context.setTransform(this.scale, 0, 0, this.scale, -this.box.left * this.scale, -this.box.top * this.scale);
+    return context;
+  }
+}
+
+interface Slot {
+  level: number;
+  box: Box;
+  /** What shows, and what is being drawn to replace it. */
+  shown: CachedTile | null;
+  next: CachedTile | null;
+  job: Generator<void, void, void> | null;
+  stale: boolean;
+  used: number;
+}
+
+/** Vectors over the picture. They are drawn into tiles of the screen's resolution in small portions, so that panning only copies pixels. */
+export class TileLayer implements Layer {
+  visible = true;
+  private readonly slots = new Map<string, Slot>();
+  private complete_level = 0;
+  private clock = 0;
+
+  constructor(
+    private readonly painter: TilePainter,
+    private readonly world: Box,
+    private readonly opacity = 1,
+  ) {}
+
+  /** What lies in `box` (or anywhere) has changed. The old drawing shows until the new one is ready. */
+  invalidate(box?: Box): void {
+    for (const slot of this.slots.values()) {
+      if (box && !boxesMeet(box, slot.box)) continue;
+      slot.stale = true;
+      slot.job = null;
+      slot.next = null;
+    }
+  }
+
+  /** Forgets everything that is drawn, at once. */
+  reset(): void {
+    this.slots.clear();
+  }
+
+  draw(frame: Frame): void {
+    if (!this.visible) return;
+    useDevice(frame);
+    const { context } = frame;
+    context.globalAlpha = this.opacity;
+    const level = levelFor(frame.scale);
+    const slots = this.slotsFor(frame, level);
+    for (const slot of slots) {
+      if (slot.shown) this.drawTile(frame, slot.shown);
+      else this.drawSubstitute(frame, slot);
+    }
+    if (slots.every((slot) => slot.shown)) this.complete_level = level;
+    context.globalAlpha = 1;
+    this.dropOldest();
+  }
+
+  work(frame: Frame, deadline_ms: number): boolean {
+    if (!this.visible) return false;
+    for (const slot of this.slotsFor(frame, levelFor(frame.scale))) {
+      if (slot.shown && !slot.stale) continue;
+      if (!this.workOn(slot, deadline_ms)) return true;
+    }
+    return false;
+  }
+
+  /** Whether the tile is finished. */
+  private workOn(slot: Slot, deadline_ms: number): boolean {
+    if (!slot.job) {
+      slot.next = this.painter.in_place && slot.shown ? slot.shown : new CachedTile(slot.box, 2 ** (slot.level / kLevelsPerOctave));
+      slot.job = this.painter.paint(slot.next);
+    }
+    do {
+      const { done } = slot.job.next();
+      slot.next!.settle();
+      if (done) {
+        slot.next!.finish();
+        slot.shown = slot.next;
+        slot.next = null;
+        slot.job = null;
+        slot.stale = false;
+        return true;
+      }
+    } while (performance.now() < deadline_ms);
+    return false;
+  }
+
+  private drawTile(frame: Frame, tile: CachedTile): void {
+    if (tile.canvas) frame.context.drawImage(tile.canvas, ...deviceRectangle(frame, tile.box));
+  }
+
+  /** Tiles of the level that was last complete, in the place of one that is not drawn yet. */
+  private drawSubstitute(frame: Frame, missing: Slot): void {
+    const { context } = frame;
+    const others = [...this.slots.values()].filter(
+      (slot) => slot.level === this.complete_level && slot.shown?.canvas && boxesMeet(slot.box, missing.box),
+    );
+    if (others.length === 0) return;
+    context.save();
+    context.beginPath();
+    context.rect(...deviceRectangle(frame, missing.box));
+    context.clip();
+    for (const slot of others) this.drawTile(frame, slot.shown!);
+    context.restore();
+  }
+
+  /** The tiles of a level that show, those in the middle first. */
+  private slotsFor(frame: Frame, level: number): Slot[] {
+    const size = kTile_px / 2 ** (level / kLevelsPerOctave);
+    const { visible } = frame;
+    const [left, top] = [Math.max(this.world.left, visible.left), Math.max(this.world.top, visible.top)];
+    const [right, bottom] = [Math.min(this.world.right, visible.right), Math.min(this.world.bottom, visible.bottom)];
+    const slots: Slot[] = [];
+    for (let row = Math.floor(top / size); row * size < bottom; ++row) {
+      for (let column = Math.floor(left / size); column * size < right; ++column) slots.push(this.slot(level, column, row, size));
+    }
+    const [x, y] = [(left + right) / 2, (top + bottom) / 2];
+    const distance = ({ box }: Slot): number => Math.hypot((box.left + box.right) / 2 - x, (box.top + box.bottom) / 2 - y);
+    return slots.sort((a, b) => distance(a) - distance(b));
+  }
+
+  private slot(level: number, column: number, row: number, size: number): Slot {
+    const key = `${level}/${column}/${row}`;
+    let slot = this.slots.get(key);
+    if (!slot) {
+      const box = { left: column * size, top: row * size, right: (column + 1) * size, bottom: (row + 1) * size };
+      slot = { level, box, shown: null, next: null, job: null, stale: false, used: 0 };
+      this.slots.set(key, slot);
+    }
+    slot.used = ++this.clock;
+    return slot;
+  }
+
+  private dropOldest(): void {
+    if (this.slots.size <= 2 * kMostTiles) return;
+    const by_age = [...this.slots].sort(([, a], [, b]) => b.used - a.used);
+    for (const [key] of by_age.slice(kMostTiles)) this.slots.delete(key);
+  }
+}
+
+function levelFor(scale: number): number {
+  return Math.ceil(kLevelsPerOctave * Math.log2(scale) - 1e-6);
+}

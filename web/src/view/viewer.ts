@@ -1,0 +1,208 @@
+import { select } from "d3-selection";
+import "d3-transition";
+import { type D3ZoomEvent, zoom, type ZoomBehavior, zoomIdentity, type ZoomTransform, zoomTransform } from "d3-zoom";
+import type { Point } from "../model/geometry.ts";
+import type { Box } from "../model/outlines.ts";
+import type { Frame, Layer } from "./frame.ts";
+
+/** Preparing tiles may take this long in each frame. */
+const kWork_ms = 6;
+const kMargin_px = 12;
+/** CSS px of a px of the world at most. */
+const kLargestScale = 24;
+
+/** A point of the world that is in the middle, and CSS px for each px of the world. */
+export interface Place extends Point {
+  k: number;
+}
+
+/** A canvas on which layers lie, with zoom and pan. Transforms are CSS px for each px of the world. */
+export class Viewer {
+  readonly canvas = document.createElement("canvas");
+  readonly layers: Layer[] = [];
+  /** Who else follows the zoom. */
+  readonly followers = new Set<(viewer: Viewer, by_user: boolean) => void>();
+  /** Decides whether a pointer may pan now; the wheel and two fingers always zoom. */
+  mayPan: () => boolean = () => true;
+  private readonly behavior: ZoomBehavior<HTMLCanvasElement, unknown>;
+  private readonly context = this.canvas.getContext("2d")!;
+  private size = { width: 0, height: 0 };
+  private frame_wanted = false;
+  private at_fit = true;
+  /** Where to go once the size is known. */
+  private awaited: Place | null = null;
+
+  constructor(
+    readonly world_width: number,
+    readonly world_height: number,
+  ) {
+    this.behavior = zoom<HTMLCanvasElement, unknown>()
+      .clickDistance(4)
+      .filter((event: Event) => this.accepts(event))
+      .on("zoom", (event: D3ZoomEvent<HTMLCanvasElement, unknown>) => this.zoomed(event.sourceEvent !== null));
+    select(this.canvas).call(this.behavior);
+    new ResizeObserver(() => this.resized()).observe(this.canvas);
+  }
+
+  get transform(): ZoomTransform {
+    return zoomTransform(this.canvas);
+  }
+
+  get width(): number {
+    return this.size.width;
+  }
+
+  get height(): number {
+    return this.size.height;
+  }
+
+  requestFrame(): void {
+    if (this.frame_wanted) return;
+    this.frame_wanted = true;
+    requestAnimationFrame(() => this.drawFrame());
+  }
+
+  fit(animated = true): void {
+    this.go(this.fittingTransform(), animated);
+  }
+
+  zoomBy(factor: number): void {
+    const target = this.canvas;
+    if (stillsMotion()) select(target).call(this.behavior.scaleBy, factor);
+    else select(target).transition().duration(160).call(this.behavior.scaleBy, factor);
+  }
+
+  panBy(dx: number, dy: number): void {
+    const { k } = this.transform;
+    select(this.canvas).call(this.behavior.translateBy, dx / k, dy / k);
+  }
+
+  /** Shows a box in the middle, with some of what lies around it. */
+  showBox(box: Box, part = 0.3, animated = true): void {
+    const across = Math.max(box.right - box.left, 1) / (this.size.width * part);
+    const down = Math.max(box.bottom - box.top, 1) / (this.size.height * part);
+    const k = Math.min(1 / Math.max(across, down), this.behavior.scaleExtent()[1]);
+    this.go(this.centred((box.left + box.right) / 2, (box.top + box.bottom) / 2, k), animated);
+  }
+
+  /** Puts a point of the world into the middle: at once, or as soon as the page is laid out. */
+  centre(x: number, y: number, k: number, animated = false): void {
+    if (this.size.width === 0) this.awaited = { x, y, k };
+    else this.go(this.centred(x, y, k), animated);
+  }
+
+  /** The point of the world in the middle. */
+  middle(): Point {
+    const [x, y] = this.transform.invert([this.size.width / 2, this.size.height / 2]);
+    return { x, y };
+  }
+
+  /** What shows, for another viewer to show it, too; null: all of the world. */
+  place(): Place | null {
+    return this.at_fit || this.size.width === 0 ? null : { ...this.middle(), k: this.transform.k };
+  }
+
+  /** Where a pointer is on the world. */
+  worldPoint(event: MouseEvent): Point {
+    const bounds = this.canvas.getBoundingClientRect();
+    const [x, y] = this.transform.invert([event.clientX - bounds.left, event.clientY - bounds.top]);
+    return { x, y };
+  }
+
+  private accepts(event: Event): boolean {
+    if (event.type === "wheel") return true;
+    if (event.type === "touchstart" && (event as TouchEvent).touches.length > 1) return true;
+    if (event instanceof MouseEvent && event.button === 1) return true;
+    return this.mayPan() && !(event instanceof MouseEvent && event.button !== 0);
+  }
+
+  private centred(x: number, y: number, k: number): ZoomTransform {
+    return zoomIdentity.translate(this.size.width / 2 - x * k, this.size.height / 2 - y * k).scale(k);
+  }
+
+  private go(transform: ZoomTransform, animated: boolean): void {
+    const target = select(this.canvas);
+    if (animated && !stillsMotion()) target.transition().duration(320).call(this.behavior.transform, transform);
+    else target.interrupt().call(this.behavior.transform, transform);
+  }
+
+  private fittingTransform(): ZoomTransform {
+    return this.centred(this.world_width / 2, this.world_height / 2, this.fittingScale());
+  }
+
+  private fittingScale(): number {
+    const { width, height } = this.size;
+    return Math.max(0.001, Math.min((width - 2 * kMargin_px) / this.world_width, (height - 2 * kMargin_px) / this.world_height));
+  }
+
+  private zoomed(by_user: boolean): void {
+    const fitting = this.fittingTransform();
+    const { k, x, y } = this.transform;
+    this.at_fit = Math.abs(k / fitting.k - 1) < 1e-3 && Math.abs(x - fitting.x) < 1 && Math.abs(y - fitting.y) < 1;
+    for (const follow of this.followers) follow(this, by_user);
+    this.requestFrame();
+  }
+
+  /** Keeps the middle in the middle, and the whole picture whole. */
+  private resized(): void {
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    if (width === 0 || height === 0) return;
+    const first = this.size.width === 0;
+    const place = first ? this.awaited : this.place();
+    this.size = { width, height };
+    this.canvas.width = Math.round(width * devicePixelRatio);
+    this.canvas.height = Math.round(height * devicePixelRatio);
+    const smallest = this.fittingScale();
+    const margin_x = width / smallest / 2;
+    const margin_y = height / smallest / 2;
+    this.behavior
+      .extent([
+        [0, 0],
+        [width, height],
+      ])
+      .scaleExtent([smallest * 0.6, Math.max(kLargestScale, smallest * 4)])
+      .translateExtent([
+        [-margin_x, -margin_y],
+        [this.world_width + margin_x, this.world_height + margin_y],
+      ]);
+    if (place) this.centre(place.x, place.y, place.k);
+    else this.fit(false);
+    this.drawFrame(); // at once, because a new size empties the canvas
+  }
+
+  private drawFrame(): void {
+    this.frame_wanted = false;
+    if (this.size.width === 0) return;
+    const frame = this.frame();
+    const deadline_ms = performance.now() + kWork_ms;
+    let left = false;
+    for (const layer of this.layers) {
+      if (layer.work?.(frame, deadline_ms)) left = true;
+    }
+    this.context.setTransform(1, 0, 0, 1, 0, 0);
+    this.context.clearRect(0, 0, frame.width, frame.height);
+    for (const layer of this.layers) layer.draw(frame);
+    if (left) this.requestFrame();
+  }
+
+  private frame(): Frame {
+    const { k, x, y } = this.transform;
+    const pixel_ratio = this.canvas.width / this.size.width;
+    const [left, top] = this.transform.invert([0, 0]);
+    const [right, bottom] = this.transform.invert([this.size.width, this.size.height]);
+    return {
+      context: this.context,
+      width: this.canvas.width,
+      height: this.canvas.height,
+      scale: k * pixel_ratio,
+      left: x * pixel_ratio,
+      top: y * pixel_ratio,
+      pixel_ratio,
+      visible: { left, top, right, bottom },
+    };
+  }
+}
+
+export function stillsMotion(): boolean {
+  return matchMedia("(prefers-reduced-motion: reduce)").matches;
+}
