@@ -1,5 +1,5 @@
 // The data that the program writes into a page, and how the page reaches them. The program's side is src/report/ of Tessera:
-// who changes a name or a unit here changes it there, too (report_json.cpp, outline_codec.h), and `kFormat` with it.
+// who changes a name or a unit here changes it there, too (result_page.cpp, outline_codec.h), and `kFormat` with it.
 
 /** Version of everything in this file. */
 export const kFormat = 1;
@@ -116,7 +116,7 @@ export interface Source {
   block(name: string): Uint8Array | null;
 }
 
-// The server (`tessera serve`, src/serve/). Paths are relative to the page's own URL, which holds the token: http://127.0.0.1:PORT/TOKEN/.
+// The server (`tessera serve`, which is still to be written). Paths are relative to the page's own URL, which holds the token: http://127.0.0.1:PORT/TOKEN/.
 // Each POST has the header "X-Tessera: 1" and a JSON body. Errors are {"error": "text"} with a status of 400 or more.
 //   GET  state               ServerState
 //   GET  data?result=NAME    {"data": ResultData, "blocks": {NAME: base64}}
