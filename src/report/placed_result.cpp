@@ -5,9 +5,8 @@
 #include "core/base/error.h"
 #include "core/base/rank_pool.h"
 #include "job/canvas/canvas_file.h"
-#include "job/pieces/feature_properties.h"
 #include "result/folder/result_file.h"
-#include "result/placed_pieces.h"
+#include "result/piece_properties.h"
 #include "result/polygon_pieces.h"
 
 namespace tessera {
@@ -34,16 +33,8 @@ ShownPiece piece_of(const json& properties) {
 std::vector<ShownPiece> read_properties(const std::string& folder) {
   static const std::vector<std::string_view> kRead = {
       "shape", "source", "group", "x_px", "y_px", "scale", "rotation_deg", "score", "matched_px", "mirrored", "locked"};
-  JsonFile file{open_result_file(folder, kPieces, kMostPiecesBytes)};
   std::vector<ShownPiece> pieces;
-  try {
-    read_feature_properties(file, kRead, kMostPieces,
-                            [&](const json& feature) { pieces.push_back(piece_of(feature.at("properties"))); });
-  } catch (const json::exception& error) {
-    throw InputError(path_in_result(folder, kPieces) + ": not a pieces.geojson of tessera collage: " + error.what());
-  } catch (const InputError& error) {
-    throw InputError(path_in_result(folder, kPieces) + ": " + error.what());
-  }
+  read_piece_properties(folder, kRead, [&](const json& properties) { pieces.push_back(piece_of(properties)); });
   return pieces;
 }
 

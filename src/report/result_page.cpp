@@ -30,7 +30,7 @@ constexpr float kLeastGap_px = 1.5f;
 constexpr std::size_t kMostGaps = 2000;
 
 /// Numbers of texts in the order of their first use.
-class TextTable {
+class NumberedTexts {
  public:
   std::size_t number_of(const std::string& text) {
     const auto [at, is_new] = numbers_.try_emplace(text, texts_.size());
@@ -53,7 +53,7 @@ Json column(const std::vector<ShownPiece>& pieces, Value value) {
 
 /// Shapes, groups and pieces of ResultData.
 void add_pieces(const PlacedResult& result, Json& data) {
-  TextTable shapes, groups;
+  NumberedTexts shapes, groups;
   std::vector<std::string> sources;
   const auto shape_of = [&](const ShownPiece& piece) {
     const std::size_t number = shapes.number_of(piece.shape);

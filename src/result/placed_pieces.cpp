@@ -4,9 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
-#include "job/pieces/feature_properties.h"
-#include "result/folder/result_file.h"
 #include "result/geojson_output.h"
+#include "result/piece_properties.h"
 #include "text/number_text.h"
 #include "text/pose.h"
 
@@ -35,17 +34,8 @@ double written(double value) { return std::stod(fixed(value, kPixelDecimals)); }
 std::vector<PlacedPiece> read_placed_pieces(const std::string& dir) {
   static const std::vector<std::string_view> kRead = {"shape", "scale",  "rotation_deg",     "x_px",
                                                       "y_px",  "locked", "canvas_from_shape"};
-  JsonFile file{open_result_file(dir, "pieces.geojson", kMostPiecesBytes)};
-  const std::string path = path_in_result(dir, "pieces.geojson");
   std::vector<PlacedPiece> pieces;
-  try {
-    read_feature_properties(file, kRead, kMostPieces,
-                            [&](const json& feature) { pieces.push_back(piece_of(feature.at("properties"))); });
-  } catch (const json::exception& error) {
-    throw InputError(path + ": not a pieces.geojson of tessera collage: " + error.what());
-  } catch (const InputError& error) {
-    throw InputError(path + ": " + error.what());
-  }
+  read_piece_properties(dir, kRead, [&](const json& properties) { pieces.push_back(piece_of(properties)); });
   return pieces;
 }
 

@@ -116,7 +116,8 @@ export interface Source {
   block(name: string): Uint8Array | null;
 }
 
-// The server (`tessera serve`, which is still to be written). Paths are relative to the page's own URL, which holds the token: http://127.0.0.1:PORT/TOKEN/.
+// The server (`tessera serve`, which is still to be written). Paths are relative to the page's own URL, which holds the token:
+// http://127.0.0.1:PORT/TOKEN/.
 // Each POST has the header "X-Tessera: 1" and a JSON body. Errors are {"error": "text"} with a status of 400 or more.
 //   GET  state               ServerState
 //   GET  data?result=NAME    {"data": ResultData, "blocks": {NAME: base64}}

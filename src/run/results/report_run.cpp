@@ -54,7 +54,6 @@ std::size_t write_report_file(const std::string& path, const Page& page) {
     file.write({reinterpret_cast<const std::uint8_t*>(part.data()), part.size()});
     bytes += part.size();
   });
-  file.flush();
   file.commit();
   return bytes;
 }

@@ -68,21 +68,26 @@ export function orderPainter(result: Result): TilePainter {
   return fillPainter(result, (piece) => rampColour(kViridis, piece / last));
 }
 
+/** Fills all pieces of a tile. Parts of a pixel add up where two pieces meet in it, so that no pale line stays between them. */
+function* addUpPieces(result: Result, tile: Tile, context: OffscreenCanvasRenderingContext2D): Generator<void> {
+  context.globalCompositeOperation = "lighter";
+  for (const portion of portions(result, tile)) {
+    for (const appearance of portion) {
+      context.beginPath();
+      tracePiece(context, result.outlines, appearance, leastStep(tile));
+      context.fill("evenodd");
+    }
+    yield;
+  }
+}
+
 /** Adds up how often each pixel is covered, and shows those that are covered more than once. */
 export function overlapPainter(result: Result): TilePainter {
   return {
     *paint(tile) {
       const counting = tile.scratch();
-      counting.globalCompositeOperation = "lighter";
       counting.fillStyle = "rgb(80,0,0)";
-      for (const portion of portions(result, tile)) {
-        for (const appearance of portion) {
-          counting.beginPath();
-          tracePiece(counting, result.outlines, appearance, leastStep(tile));
-          counting.fill("evenodd");
-        }
-        yield;
-      }
+      yield* addUpPieces(result, tile, counting);
       const image = counting.getImageData(0, 0, tile.size_px, tile.size_px);
       // Where two pieces meet within a pixel their parts add up to one cover, 80; one and a half is an overlap.
       if (colourOverlaps(image.data)) tile.context().putImageData(image, 0, 0);
@@ -108,16 +113,7 @@ export function freePainter(result: Result): TilePainter {
   return {
     *paint(tile) {
       const covered = tile.scratch();
-      // Parts of a pixel add up where two pieces meet in it, so that no pale line stays between them.
-      covered.globalCompositeOperation = "lighter";
-      for (const portion of portions(result, tile)) {
-        for (const appearance of portion) {
-          covered.beginPath();
-          tracePiece(covered, result.outlines, appearance, leastStep(tile));
-          covered.fill("evenodd");
-        }
-        yield;
-      }
+      yield* addUpPieces(result, tile, covered);
       const context = tile.context();
       context.beginPath();
       traceRegion(context, result.region, result.data.canvas.width_px, result.data.canvas.height_px);
