@@ -45,5 +45,14 @@ TEST_F(MarksFile, refusals_name_file_key_found_and_allowed) {
   EXPECT_NE(refusal(std::string(100, '[')).find("marks.json: "), std::string::npos);
 }
 
+TEST_F(MarksFile, reads_what_marks_text_writes) {
+  const Marks marks{.swaps = true, .pieces = {3, 17}, .locked = {4}};
+  const Marks read = read_marks(written(marks_text(marks, "0123456789abcdef")), "0123456789abcdef");
+  EXPECT_TRUE(read.swaps);
+  EXPECT_EQ(read.pieces, marks.pieces);
+  EXPECT_EQ(read.locked, marks.locked);
+  EXPECT_FALSE(read_marks(written(marks_text({.pieces = {1}}, "x")), "x").swaps);
+}
+
 }  // namespace test_marks_file
 }  // namespace tessera

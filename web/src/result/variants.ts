@@ -3,7 +3,7 @@ import { loadResult, type Result } from "../model/result.ts";
 import { Value } from "../util/value.ts";
 import { fetchResult, fetchState, refine, stopRefining } from "./server.ts";
 
-const kPoll_ms = 300;
+const kPoll_ms = 100;
 
 export type VariantState = ServerState["results"][number];
 
