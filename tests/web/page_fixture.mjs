@@ -20,12 +20,12 @@ export function startBrowser() {
     "--disable-background-networking",
     "--disable-component-update",
     "--no-first-run",
-    "--host-resolver-rules=MAP * ~NOTFOUND",
+    "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
   ];
   return chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args });
 }
 
-/** Opens a page from the disk, and notes its complaints and requests. `options` are those of a browser's context. */
+/** Opens a page from the disk or of a server, and notes its complaints and foreign requests. `options`: of a browser's context. */
 export async function openPage(browser, file, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, reducedMotion: "reduce", ...options });
   const page = await context.newPage();
@@ -33,7 +33,9 @@ export async function openPage(browser, file, options = {}) {
   page.on("console", (message) => /^(error|warning)$/.test(message.type()) && faults.push(`console: ${message.text()}`));
   page.on("pageerror", (error) => faults.push(`exception: ${error.message}`));
   page.on("dialog", (dialog) => (faults.push(`dialog: ${dialog.message()}`), dialog.dismiss()));
-  page.on("request", (request) => /^(file|data|blob):/.test(request.url()) || faults.push(`request: ${request.url()}`));
+  const address = file.startsWith("http:") ? file : pathToFileURL(resolve(file)).href;
+  const own = (url) => /^(data|blob):/.test(url) || url.startsWith(address);
+  page.on("request", (request) => own(request.url()) || faults.push(`request: ${request.url()}`));
   await page.addInitScript(() => {
     window.layout_shift = 0;
     new PerformanceObserver((list) => {
@@ -42,7 +44,7 @@ export async function openPage(browser, file, options = {}) {
   });
   page.setDefaultTimeout(kReady_ms);
   const begin_ms = Date.now();
-  await page.goto(pathToFileURL(resolve(file)).href);
+  await page.goto(address);
   await page.waitForFunction(() => window.tesseraReport);
   await page.evaluate(() => window.tesseraReport.ready);
   const ready_ms = Date.now() - begin_ms;

@@ -2,7 +2,6 @@ import type { ResultData, Source } from "../data.ts";
 import { loadResult, type Result } from "../model/result.ts";
 import type { TestHooks } from "../test_hooks.ts";
 import { announcer } from "../ui/announce.ts";
-
 import { keysHelp } from "../ui/header.ts";
 import { linkViewers } from "../view/link.ts";
 import { addKeys, kKeys } from "./keyboard.ts";
@@ -17,6 +16,7 @@ class ResultPage {
   private readonly keys = keysHelp(kKeys);
   private tab = "piece";
   private unlink: () => void = () => {};
+  private shown = new AbortController();
 
   constructor(
     private readonly page: HTMLElement,
@@ -43,6 +43,8 @@ class ResultPage {
 
   private build(beside: Result | null): void {
     this.unlink();
+    this.shown.abort();
+    this.shown = new AbortController();
     const { session, variants } = this;
     const { name } = session.result.data;
     const space = workspace(session, {
@@ -50,6 +52,7 @@ class ResultPage {
       beside,
       beside_base: beside ? (variants?.baseOf(beside.data.name) ?? null) : null,
       variants,
+      until: this.shown.signal,
       tab: this.tab,
       keys_button: this.keys[0],
       tabChanged: (tab) => {

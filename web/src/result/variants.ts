@@ -57,37 +57,44 @@ export class Variants {
   }
 
   async refine(request: RefineRequest): Promise<void> {
-    await this.attempt(async () => {
+    this.trouble.set("");
+    const begin = async (): Promise<void> => {
       this.awaited = await refine(request);
-      await this.poll();
-    });
+    };
+    if (await this.attempt(begin)) await this.poll();
   }
 
   async stop(): Promise<void> {
+    this.trouble.set("");
     await this.attempt(stopRefining);
   }
 
-  private async attempt(action: () => Promise<unknown>): Promise<void> {
+  /** Whether it succeeded; a failure is told. */
+  private async attempt(action: () => Promise<unknown>): Promise<boolean> {
     try {
       await action();
-      this.trouble.set("");
+      return true;
     } catch (error) {
       this.trouble.set(error instanceof Error ? error.message : String(error));
+      return false;
     }
   }
 
-  /** Asks for the state until nothing runs any more. */
+  /** Asks for the state until nothing runs any more, or the server is gone. */
   private async poll(): Promise<void> {
     if (this.polling) return;
     this.polling = true;
-    do {
-      await this.attempt(async () => {
-        this.list.set((await fetchState()).results);
-        await this.showAwaited();
-      });
-      if (this.running) await new Promise((resolve) => setTimeout(resolve, kPoll_ms));
-    } while (this.running && this.trouble.get() === "");
+    while (await this.attempt(async () => this.take((await fetchState()).results))) {
+      await this.attempt(() => this.showAwaited());
+      if (!this.running) break;
+      await new Promise((resolve) => setTimeout(resolve, kPoll_ms));
+    }
     this.polling = false;
+  }
+
+  /** Tells of changes only: whoever walks through the list with the keyboard keeps their place. */
+  private take(now: readonly VariantState[]): void {
+    if (JSON.stringify(now) !== JSON.stringify(this.list.get())) this.list.set(now);
   }
 
   private async showAwaited(): Promise<void> {

@@ -5,7 +5,7 @@ import { sessionMarks } from "./edit_tab.ts";
 import type { Variants, VariantState } from "./variants.ts";
 
 /** The button that has the marked pieces refilled by the server, with its progress. */
-export function refillBox(session: Session, variants: Variants): HTMLElement {
+export function refillBox(session: Session, variants: Variants, until: AbortSignal): HTMLElement {
   const seed = element("input", {
     type: "number",
     id: "seed",
@@ -33,11 +33,11 @@ export function refillBox(session: Session, variants: Variants): HTMLElement {
     stop.hidden = running === undefined;
     message.textContent = running ? printable(running.message || "It begins …") : "";
   };
-  variants.list.watch(show);
+  variants.list.watch(show, until);
   session.marks_changed.watch(show);
   variants.trouble.watch((text) => {
     trouble.textContent = printable(text);
-  });
+  }, until);
   return element(
     "div",
     { class: "refill" },
@@ -48,12 +48,18 @@ export function refillBox(session: Session, variants: Variants): HTMLElement {
   );
 }
 
+export interface VariantsOptions {
+  show(name: string): void;
+  compare(name: string): void;
+  until: AbortSignal;
+}
+
 /** The list of results of the server. Any two can be shown side by side. */
-export function variantsTab(shown: string, variants: Variants, show: (name: string) => void, compare: (name: string) => void): HTMLElement {
+export function variantsTab(shown: string, variants: Variants, options: VariantsOptions): HTMLElement {
   const list = element("ul", { class: "variants", "data-testid": "variants" });
   variants.list.watch((all) => {
-    list.replaceChildren(...all.map((variant) => entry(variant, shown, show, compare)));
-  });
+    list.replaceChildren(...all.map((variant) => entry(variant, shown, options)));
+  }, options.until);
   return element(
     "div",
     {},
@@ -65,7 +71,7 @@ export function variantsTab(shown: string, variants: Variants, show: (name: stri
 
 const state_texts = { finished: "finished", running: "at work", failed: "failed" } as const;
 
-function entry(variant: VariantState, shown: string, show: (name: string) => void, compare: (name: string) => void): HTMLElement {
+function entry(variant: VariantState, shown: string, { show, compare }: VariantsOptions): HTMLElement {
   const is_shown = variant.name === shown;
   const line = element("li", { "aria-current": is_shown ? "true" : null }, element("strong", {}, foreignName(variant.name)));
   line.append(element("span", { class: "tag" }, is_shown ? "shown" : state_texts[variant.state]));
