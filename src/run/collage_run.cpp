@@ -18,6 +18,8 @@
 #include "job/pieces/job_library.h"
 #include "library/library_shapes.h"
 #include "master/collage_loop.h"
+#include "result/folder/folder_name.h"
+#include "result/folder/result_file.h"
 #include "result/rank_table.h"
 #include "run/collage_checkpoints.h"
 #include "run/collage_input.h"
@@ -165,6 +167,8 @@ CollageEnd compute(const MasterRun& run) {
   return conclude(run, loop, checkpoints);
 }
 
+bool wants_report(const CollageInput& input) { return input.problem.job().output.report; }
+
 /// Draws the pictures of a finished collage. False: interrupted.
 bool draw_pictures(const CollageArguments& arguments, const CollageInput& input, const TimeLimit& limit,
                    comm::Communicator& ranks) {
@@ -178,7 +182,7 @@ bool draw_pictures(const CollageArguments& arguments, const CollageInput& input,
       return limit.must_end_drawing(shutdown_s(ranks)) ? std::optional(StopReason::time_limit) : std::nullopt;
     });
     if (!drawn) ranks.end_soon();
-    if (drawn && input.problem.job().output.report) write_result_report(input.folder);
+    if (drawn && wants_report(input)) write_result_report(input.folder);
     return drawn;
   } catch (const EnvironmentError& error) {
     throw EnvironmentError(std::string(error.what()) + "; the collage is finished, tessera draw " + input.folder +
@@ -195,7 +199,10 @@ CollageEnd lead(const CollageArguments& arguments, comm::Communicator& ranks) {
     say(arguments, input.folder + ": finished before, nothing is left to compute");
     end = end_of_finished(input.earlier.whole->manifest);
     print_warning(incomplete_warning(input.folder, input.earlier.whole->manifest));
-    if (input.earlier.whole->drawn) return end;
+    if (input.earlier.whole->drawn) {
+      if (wants_report(input) && !is_in_result(input.folder, kReportName)) write_result_report(input.folder);
+      return end;
+    }
   } else {
     const auto journal = std::make_shared<CollageJournal>(input.folder, record_of(input));
     end = journal->watch([&] { return compute({arguments, input, limit, ranks, journal}); });
