@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "core/base/error.h"
 #include "files/regular_file.h"
@@ -14,6 +15,17 @@ using nlohmann::json;
 
 constexpr std::size_t kMostBytes = std::size_t(16) << 20;
 
+constexpr std::pair<Marks::Action, const char*> kActions[] = {
+    {Marks::Action::erase, "erase"}, {Marks::Action::swap, "swap"}, {Marks::Action::relax, "relax"}};
+
+Marks::Action action_in(const json& object) {
+  const json found = member(object, "action");
+  for (const auto& [action, name] : kActions) {
+    if (found == name) return action;
+  }
+  refuse_member("action", found, "\"erase\", \"swap\" or \"relax\"");
+}
+
 Marks marks_of(const json& marks, const std::string& pieces_digest) {
   if (member(marks, "format") != 1) refuse_member("format", member(marks, "format"), "1");
   if (member(marks, "pieces_digest") != pieces_digest) {
@@ -21,11 +33,7 @@ Marks marks_of(const json& marks, const std::string& pieces_digest) {
         "pieces_digest", member(marks, "pieces_digest"),
         "\"" + pieces_digest + "\", as in the manifest.json of the result: the marks were made on another result");
   }
-  const json action = member(marks, "action");
-  if (action != "erase" && action != "swap") refuse_member("action", action, "\"erase\" or \"swap\"");
-  Marks read = listed_marks(marks, action == "swap");
-  if (read.pieces.empty()) refuse_member("pieces", member(marks, "pieces"), "at least one piece to erase or to swap");
-  return read;
+  return marks_in(marks);
 }
 
 }  // namespace
@@ -46,17 +54,22 @@ Marks read_marks(const std::string& path, const std::string& pieces_digest) {
 std::string marks_text(const Marks& marks, const std::string& pieces_digest) {
   const nlohmann::ordered_json file = {{"format", 1},
                                        {"pieces_digest", pieces_digest},
-                                       {"action", marks.swaps ? "swap" : "erase"},
+                                       {"action", kActions[std::size_t(marks.action)].second},
                                        {"pieces", marks.pieces},
                                        {"lock", marks.locked}};
   return file.dump() + "\n";
 }
 
-Marks listed_marks(const json& object, bool swaps) {
+Marks marks_in(const json& object) {
   const auto numbers = [&](const char* key) {
     return numbers_member(object, key, int(kMostPieces), "a list of numbers of pieces, from 0");
   };
-  return {.swaps = swaps, .pieces = numbers("pieces"), .locked = numbers("lock")};
+  Marks marks{.action = action_in(object), .pieces = numbers("pieces"), .locked = numbers("lock")};
+  const bool needs_pieces = marks.action != Marks::Action::relax;
+  if (needs_pieces && marks.pieces.empty()) {
+    refuse_member("pieces", member(object, "pieces"), "at least one piece to erase or to swap");
+  }
+  return marks;
 }
 
 }  // namespace tessera

@@ -12,8 +12,9 @@ namespace tessera {
 
 /// Numbers of pieces, `index` of pieces.geojson.
 struct Marks {
-  bool swaps = false;            // other drawings shall replace the pieces
-  std::vector<int> pieces = {};  // to remove
+  enum class Action { erase, swap, relax };  // relax: all pieces that are not locked
+  Action action = Action::erase;
+  std::vector<int> pieces = {};  // to erase or to swap
   std::vector<int> locked = {};
 };
 
@@ -27,7 +28,7 @@ Marks read_marks(const std::string& path, const std::string& pieces_digest);
 /// The text of such a file.
 std::string marks_text(const Marks& marks, const std::string& pieces_digest);
 
-/// The members `pieces` and `lock`. Throws InputError that names the key.
-Marks listed_marks(const nlohmann::json& object, bool swaps);
+/// The members `action`, `pieces` and `lock` of an object. Throws InputError that names the key.
+Marks marks_in(const nlohmann::json& object);
 
 }  // namespace tessera

@@ -1,7 +1,10 @@
 // A request of a browser and its answer.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
+
+#include "text/utf8_text.h"
 
 namespace tessera::serve {
 
@@ -25,6 +28,8 @@ struct HttpAnswer {
 };
 
 /// {"error": TEXT}; bytes of `text` that cannot be shown are replaced.
-HttpAnswer error_answer(int status, const std::string& text);
+inline HttpAnswer error_answer(int status, const std::string& text) {
+  return {.status = status, .body = nlohmann::json{{"error", printable_utf8(text)}}.dump()};
+}
 
 }  // namespace tessera::serve

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "serve/own_peer.h"
 
 namespace tessera::serve {
 namespace {
@@ -116,6 +117,12 @@ struct HttpServer::Daemon {
     }
   }
 
+  /// Other users of the machine could otherwise take all connections.
+  static MHD_Result on_connection(void* self, const sockaddr* peer, socklen_t /*bytes*/) {
+    const MHD_DaemonInfo* bound = MHD_get_daemon_info(static_cast<Daemon*>(self)->daemon, MHD_DAEMON_INFO_BIND_PORT);
+    return is_own_peer(*reinterpret_cast<const sockaddr_in*>(peer), bound->port) ? MHD_YES : MHD_NO;
+  }
+
   static void on_end(void* /*self*/, MHD_Connection* /*connection*/, void** state, MHD_RequestTerminationCode /*why*/) {
     delete static_cast<HttpRequest*>(*state);
     *state = nullptr;
@@ -130,7 +137,7 @@ HttpServer::HttpServer(int port, Guard guard, Handler handler)
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   const unsigned flags = MHD_USE_INTERNAL_POLLING_THREAD | MHD_USE_THREAD_PER_CONNECTION | MHD_USE_POLL;
   daemon_->daemon = MHD_start_daemon(
-      flags, 0, nullptr, nullptr, &Daemon::on_request, daemon_.get(), MHD_OPTION_SOCK_ADDR,
+      flags, 0, &Daemon::on_connection, daemon_.get(), &Daemon::on_request, daemon_.get(), MHD_OPTION_SOCK_ADDR,
       reinterpret_cast<const sockaddr*>(&address), MHD_OPTION_NOTIFY_COMPLETED, &Daemon::on_end, nullptr,
       MHD_OPTION_CONNECTION_LIMIT, kMostConnections, MHD_OPTION_CONNECTION_TIMEOUT, kIdle_s,
       MHD_OPTION_CONNECTION_MEMORY_LIMIT, kConnectionMemory_bytes, MHD_OPTION_STRICT_FOR_CLIENT, 1, MHD_OPTION_END);

@@ -9,7 +9,7 @@
 
 namespace tessera::serve {
 
-/// A request with a longer body is refused (413).
+/// A request with a longer body is refused: with 413 where it says its length, otherwise its connection ends.
 inline constexpr std::size_t kMostBody_bytes = std::size_t(8) << 20;
 
 class HttpServer {

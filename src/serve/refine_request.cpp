@@ -10,6 +10,12 @@ namespace {
 
 using nlohmann::json;
 
+std::string text_of(const json& request, const char* key) {
+  const json text = member(request, key);
+  if (!text.is_string()) refuse_member(key, text, "a text");
+  return text;
+}
+
 std::optional<std::uint64_t> seed_of(const json& request) {
   const json seed = member(request, "seed");
   if (seed.is_null()) return {};
@@ -23,19 +29,10 @@ RefineRequest parse_refine_request(const std::string& body) {
   check_json(body, kMarksBounds);
   const json request = json::parse(body, nullptr, false);
   if (!request.is_object()) throw InputError("the body is no JSON object");
-  const json result = member(request, "result"), action = member(request, "action");
-  if (!result.is_string()) refuse_member("result", result, "the name of a result");
-  if (action != "erase" && action != "swap" && action != "relax") {
-    refuse_member("action", action, "\"erase\", \"swap\" or \"relax\"");
-  }
-  RefineRequest read{.result = result,
-                     .relaxes = action == "relax",
-                     .marks = listed_marks(request, action == "swap"),
-                     .seed = seed_of(request)};
-  if (!read.relaxes && read.marks.pieces.empty()) {
-    refuse_member("pieces", member(request, "pieces"), "at least one piece to erase or to swap");
-  }
-  return read;
+  return {.result = text_of(request, "result"),
+          .pieces_digest = text_of(request, "pieces_digest"),
+          .marks = marks_in(request),
+          .seed = seed_of(request)};
 }
 
 }  // namespace tessera::serve

@@ -11,8 +11,8 @@
 namespace tessera::serve {
 
 struct RefineRequest {
-  std::string result;    // the name of the result to refine
-  bool relaxes = false;  // all pieces; otherwise those of `marks` are erased or swapped
+  std::string result;         // the name of the result to refine
+  std::string pieces_digest;  // of the pieces that the user saw
   Marks marks;
   std::optional<std::uint64_t> seed;  // of the new filling; empty: the job's
 };

@@ -12,7 +12,6 @@
 #include <system_error>
 
 #include "core/base/error.h"
-#include "files/own_program.h"
 
 namespace tessera::serve {
 namespace {
@@ -79,14 +78,13 @@ std::string without_prefix(std::string line) {
 
 }  // namespace
 
-Refinement::Refinement(const std::vector<std::string>& arguments) {
+Refinement::Refinement(const std::string& program, const std::vector<std::string>& arguments) {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) {
     throw EnvironmentError("cannot start tessera refine: " + std::generic_category().message(errno));
   }
   output_ = FileDescriptor(ends[0]);
   const FileDescriptor errors(ends[1]);
-  const std::string program = own_program();
   std::vector<std::string> words = {"tessera", "refine"};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<std::string> environment = environment_of_child();
@@ -96,7 +94,13 @@ Refinement::Refinement(const std::vector<std::string>& arguments) {
   if (error != 0) {
     throw EnvironmentError("cannot start tessera refine: " + program + ": " + std::generic_category().message(error));
   }
-  reader_ = std::thread([this] { read_to_the_end(); });
+  try {
+    reader_ = std::thread([this] { read_to_the_end(); });
+  } catch (const std::system_error& thrown) {
+    ::kill(pid_, SIGKILL);
+    exit_code_of(pid_);
+    throw EnvironmentError(std::string("cannot watch tessera refine: ") + thrown.what());
+  }
 }
 
 Refinement::~Refinement() {

@@ -14,8 +14,8 @@ namespace tessera::serve {
 
 class Refinement {
  public:
-  /// Starts `tessera refine ARGUMENTS`. Throws EnvironmentError.
-  explicit Refinement(const std::vector<std::string>& arguments);
+  /// Starts `tessera refine ARGUMENTS`; `program` is the path of tessera. Throws EnvironmentError.
+  Refinement(const std::string& program, const std::vector<std::string>& arguments);
   /// Stops it and waits for its end.
   ~Refinement();
   Refinement(const Refinement&) = delete;
@@ -28,7 +28,7 @@ class Refinement {
   };
   State state() const;
 
-  /// Asks it to end with a checkpoint; again: to end at once.
+  /// Asks it to end with a checkpoint. A second call asks it to end at once.
   void stop();
 
  private:

@@ -31,6 +31,11 @@ bool is_from_own_page(const HttpRequest& request) {
   return request.origin.empty() || request.origin == "http://" + request.host;
 }
 
+bool is_json(const std::string& content_type) {
+  constexpr std::string_view kJson = "application/json";
+  return content_type.starts_with(kJson) && (content_type.size() == kJson.size() || content_type[kJson.size()] == ';');
+}
+
 }  // namespace
 
 std::optional<HttpAnswer> refusal(const HttpRequest& request, std::string_view token) {
@@ -40,7 +45,7 @@ std::optional<HttpAnswer> refusal(const HttpRequest& request, std::string_view t
   if (request.method == "GET" || request.method == "HEAD") return {};
   if (request.method != "POST") return error_answer(405, "allowed methods: GET, POST");
   if (request.mark != "1") return error_answer(403, "the header X-Tessera: 1 is missing");
-  if (request.content_type != "application/json") return error_answer(415, "allowed: Content-Type: application/json");
+  if (!is_json(request.content_type)) return error_answer(415, "allowed: Content-Type: application/json");
   return {};
 }
 

@@ -1,11 +1,10 @@
 // Answers the page of a served result: what it shows, and refinements.
 #pragma once
 
-#include <functional>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "serve/http.h"
 #include "serve/refine_request.h"
@@ -16,17 +15,17 @@ namespace tessera::serve {
 
 class Service {
  public:
-  /// Reads the result and makes its page. `picture_bytes`: the most for the tiles of a page. `tell` is called with lines
-  /// for the user's terminal. Throws InputError and EnvironmentError.
-  Service(const std::string& folder, std::size_t picture_bytes, std::function<void(const std::string&)> tell);
+  /// Reads the result and makes its page. `picture_bytes`: the most for the tiles of a page. Throws InputError and
+  /// EnvironmentError.
+  Service(const std::string& folder, std::size_t picture_bytes);
 
   /// The answer to a request that is not refused; `path` is that below the token (web/src/data.ts). May be called from
   /// several threads.
   HttpAnswer answer(const HttpRequest& request, const std::string& path);
 
-  /// Notes how a refinement has ended; to be called from time to time.
-  void look_after_refinement();
-  /// Begins no further refinement, and stops the running one; again: at once.
+  /// What the user's terminal should show since the last call: lines in order. To be called from time to time.
+  std::vector<std::string> news();
+  /// Begins no further refinement, and stops the one that runs. A second call stops it at once.
   void close();
   bool refines();
 
@@ -35,18 +34,21 @@ class Service {
   HttpAnswer data(const std::string& name);
   HttpAnswer refine(const RefineRequest& request);
   HttpAnswer stop();
-  void note_end(const Refinement::State& end);
+  void start(const RefineRequest& request, const ServedResult& from, const ServedResult& result);
+  void note_end();
 
   std::size_t picture_bytes_;
-  std::function<void(const std::string&)> tell_;
+  std::string program_;
   std::string page_;  // HTML of the first result
 
-  std::mutex mutex_;  // of all below
+  std::mutex making_page_;  // one at a time: each takes much memory
+
+  std::mutex mutex_;  // of all below; never held while something is printed
   bool closes_ = false;
   ServedResults results_;
-  std::unique_ptr<Refinement> refinement_;       // null: none runs
-  std::string refined_;                          // the name of its result
-  std::map<std::string, std::string> failures_;  // by name; what the last line was
+  std::unique_ptr<Refinement> refinement_;  // null: none runs
+  std::string refined_;                     // the name of its result
+  std::vector<std::string> news_;
 };
 
 }  // namespace tessera::serve

@@ -2,12 +2,14 @@
 
 attack           requests that must be refused, none of which changes anything
 state            prints NAME STATE FROM for each result
-refine JSON      begins a refinement and prints the status and the answer
+refine RESULT ACTION [PIECES [LOCK [SEED [DIGEST]]]]
+                 begins a refinement and prints the status and the answer; lists are as in JSON, without brackets
 wait             waits until no refinement runs, and prints the state of the last one with its message
 stop             stops the running refinement
 """
 import http.client
 import json
+import os
 import sys
 import time
 from urllib.parse import urlsplit
@@ -82,11 +84,12 @@ def attack():
     expect(404, "GET", page("refine"))
     expect(404, "POST", page("state"), b"{}", POST)
     # Bodies.
-    for body in [b"", b"[]", b"{", b"\xff\x00", b"[" * 100_000, b'{"result":"result","action":"erase","pieces":[],"lock":[]}',
-                 b'{"result":"../result","action":"erase","pieces":[0],"lock":[]}',
-                 b'{"result":"result","action":"erase","pieces":[0],"lock":["--out=x"]}',
-                 b'{"result":"result","action":"erase","pieces":[0],"lock":[],"seed":"1 --out x"}']:
+    order = {"result": "result", "pieces_digest": "0", "action": "erase", "pieces": [0], "lock": [], "seed": None}
+    for body in [b"", b"[]", b"{", b"\xff\x00", b"[" * 100_000, *(json.dumps(order | change).encode() for change in [
+            {"pieces": []}, {"result": "../result"}, {"lock": ["--out=x"]}, {"seed": "1 --out x"}, {"action": "-x"},
+            {"pieces_digest": None}])]:
         expect(400, "POST", page("refine"), body, POST)
+    expect(409, "POST", page("refine"), json.dumps(order).encode(), POST)  # the pieces of another result
     expect(413, "POST", page("refine"), b"x" * 9_000_000, POST)
     assert state() == before, "a refused request has changed something"
 
@@ -100,8 +103,13 @@ def wait():
     print(last["name"], last["state"], last["message"])
 
 
-def refine(body):
-    status, text = ask("POST", page("refine"), body.encode(), POST)
+def refine(result, action, pieces="", lock="", seed="null", digest=None):
+    if digest is None:
+        with open(f"{result}/manifest.json", encoding="utf-8") as file:
+            digest = json.load(file)["pieces"]["digest"]
+    body = {"result": os.path.basename(result), "pieces_digest": digest, "action": action, "pieces": json.loads(f"[{pieces}]"),
+            "lock": json.loads(f"[{lock}]"), "seed": json.loads(seed)}
+    status, text = ask("POST", page("refine"), json.dumps(body).encode(), POST)
     print(status, text.decode())
 
 

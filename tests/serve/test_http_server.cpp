@@ -77,7 +77,8 @@ TEST_F(HttpServerTest, answers_with_headers_that_keep_others_out) {
   EXPECT_EQ(status(answer), 200);
   for (const char* header :
        {"Cache-Control: no-store", "X-Content-Type-Options: nosniff", "Referrer-Policy: no-referrer",
-        "X-Frame-Options: DENY", "Cross-Origin-Resource-Policy: same-origin"}) {
+        "X-Frame-Options: DENY", "Cross-Origin-Resource-Policy: same-origin", "Cross-Origin-Opener-Policy: same-origin",
+        "Content-Security-Policy: frame-ancestors 'none'"}) {
     EXPECT_NE(answer.find(header), answer.npos) << header;
   }
   EXPECT_EQ(answer.find("Access-Control"), answer.npos);
@@ -106,6 +107,11 @@ TEST_F(HttpServerTest, refuses_before_the_body_comes) {
 TEST_F(HttpServerTest, refuses_a_body_that_is_too_long) {
   const std::string length = std::to_string(kMostBody_bytes + 1);
   EXPECT_EQ(status(post("Content-Length: " + length + "\r\n", "abc")), 413);
+  EXPECT_EQ(handled_, 0);
+  EXPECT_EQ(
+      status(post("Content-Length: " + std::to_string(kMostBody_bytes) + "\r\n", std::string(kMostBody_bytes, 'x'))),
+      200);
+  handled_ = 0;
   EXPECT_EQ(status(post("Content-Length: 99999999999999999999999999\r\n", "abc")) / 100, 4);
   EXPECT_EQ(status(post("Content-Length: -1\r\n", "abc")) / 100, 4);
   EXPECT_EQ(handled_, 0);

@@ -12,25 +12,27 @@ std::string refusal(const std::string& body) {
 }
 
 TEST(RefineRequest, erases_swaps_and_relaxes) {
-  const RefineRequest erases =
-      parse_refine_request(R"({"result":"a","action":"erase","pieces":[3,17],"lock":[4],"seed":7})");
+  const RefineRequest erases = parse_refine_request(
+      R"({"result":"a","pieces_digest":"12","action":"erase","pieces":[3,17],"lock":[4],"seed":7})");
   EXPECT_EQ(erases.result, "a");
-  EXPECT_FALSE(erases.relaxes || erases.marks.swaps);
+  EXPECT_EQ(erases.pieces_digest, "12");
+  EXPECT_EQ(erases.marks.action, Marks::Action::erase);
   EXPECT_EQ(erases.marks.pieces, (std::vector<int>{3, 17}));
   EXPECT_EQ(erases.marks.locked, (std::vector<int>{4}));
   EXPECT_EQ(erases.seed, 7u);
-  const RefineRequest swaps = parse_refine_request(R"({"result":"a","action":"swap","pieces":[3],"lock":[]})");
-  EXPECT_TRUE(swaps.marks.swaps);
-  EXPECT_FALSE(swaps.seed);
-  EXPECT_TRUE(parse_refine_request(R"({"result":"a","action":"relax","pieces":[],"lock":[],"seed":null})").relaxes);
+  const RefineRequest relaxes =
+      parse_refine_request(R"({"result":"a","pieces_digest":"12","action":"relax","pieces":[],"lock":[],"seed":null})");
+  EXPECT_EQ(relaxes.marks.action, Marks::Action::relax);
+  EXPECT_FALSE(relaxes.seed);
 }
 
 TEST(RefineRequest, refusals_name_key_found_and_allowed) {
   EXPECT_EQ(refusal("[]"), "the body is no JSON object");
   EXPECT_EQ(refusal("{"), "the body is no JSON object");
   EXPECT_EQ(refusal(""), "the body is no JSON object");
-  EXPECT_EQ(refusal("{}"), "result: found nothing, allowed: the name of a result");
-  const std::string head = R"({"result":"a","action":)";
+  EXPECT_EQ(refusal("{}"), "result: found nothing, allowed: a text");
+  EXPECT_EQ(refusal(R"({"result":"a"})"), "pieces_digest: found nothing, allowed: a text");
+  const std::string head = R"({"result":"a","pieces_digest":"12","action":)";
   EXPECT_EQ(refusal(head + R"("burn"})"), R"(action: found "burn", allowed: "erase", "swap" or "relax")");
   EXPECT_EQ(refusal(head + R"("erase","pieces":[],"lock":[]})"),
             "pieces: found [], allowed: at least one piece to erase or to swap");

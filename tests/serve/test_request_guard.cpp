@@ -76,6 +76,8 @@ TEST(RequestGuard, a_post_is_json_with_the_mark) {
   EXPECT_EQ(status_of_changed(post(), [](HttpRequest& r) { r.mark = "2"; }), 403);
   EXPECT_EQ(status_of_changed(post(), [](HttpRequest& r) { r.content_type = "text/plain"; }), 415);
   EXPECT_EQ(status_of_changed(post(), [](HttpRequest& r) { r.content_type = ""; }), 415);
+  EXPECT_EQ(status_of_changed(post(), [](HttpRequest& r) { r.content_type = "application/jsonx"; }), 415);
+  EXPECT_EQ(status_of_changed(post(), [](HttpRequest& r) { r.content_type = "application/json; charset=utf-8"; }), 200);
 }
 
 TEST(RequestGuard, other_methods_are_refused) {

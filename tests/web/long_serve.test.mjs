@@ -22,12 +22,14 @@ async function serve(t, folder) {
   spawnSync("cp", ["-r", "result", folder]);
   const server = spawn(process.env.TESSERA, ["serve", folder], { stdio: ["ignore", "pipe", "inherit"] });
   t.after(() => server.kill("SIGKILL"));
+  // Its output is a pipe, which others might read: so the address stands in a file.
   let text = "";
   for await (const part of server.stdout) {
     text += part;
     if (text.includes("Ctrl-C")) break;
   }
-  const [address] = text.match(/http:\/\/127\.0\.0\.1:\d+\/[0-9a-f]{32}\//);
+  assert.doesNotMatch(text, /127\.0\.0\.1:\d+\/[0-9a-f]/);
+  const address = readFileSync(`${folder}/serve_address.txt`, "utf8").trim();
   const end = async () => {
     server.kill("SIGINT");
     const [code] = server.exitCode === null ? await once(server, "exit") : [server.exitCode];

@@ -140,6 +140,8 @@ export interface ServerState {
 
 export interface RefineRequest {
   result: string;
+  /** ResultData.pieces_digest of the pieces that the numbers mean; 409 where the result has other ones by now. */
+  pieces_digest: string;
   action: "erase" | "swap" | "relax";
   pieces: number[]; // to erase or to swap
   lock: number[];
@@ -151,7 +153,7 @@ export interface RefineRequest {
 export interface Marks {
   format: number;
   pieces_digest: string;
-  action: "erase" | "swap";
+  action: "erase" | "swap" | "relax";
   pieces: number[];
   lock: number[];
 }

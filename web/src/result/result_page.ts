@@ -22,14 +22,18 @@ class ResultPage {
     private readonly page: HTMLElement,
     first: Result,
   ) {
-    this.variants = first.data.served ? new Variants(first, (name) => void this.show(name)) : null;
+    this.variants = first.data.served ? new Variants(first, (name) => this.show(name)) : null;
     this.session = new Session(first);
     this.build(null);
     addKeys(() => this.session);
   }
 
+  private show(name: string, beside: string | null = null): void {
+    void this.variants!.attempt(() => this.showLoaded(name, beside));
+  }
+
   /** Shows another result, at the same place, with the same tab open. */
-  private async show(name: string, beside: string | null = null): Promise<void> {
+  private async showLoaded(name: string, beside: string | null): Promise<void> {
     const result = await this.variants!.load(name);
     const other = beside === null ? null : await this.variants!.load(beside);
     const { viewer, marks, result: before } = this.session;
@@ -58,9 +62,9 @@ class ResultPage {
       tabChanged: (tab) => {
         this.tab = tab;
       },
-      show: (other) => void this.show(other),
-      compare: (other) => void this.show(name, other),
-      closeCompare: () => void this.show(name),
+      show: (other) => this.show(other),
+      compare: (other) => this.show(name, other),
+      closeCompare: () => this.show(name),
     });
     this.page.replaceChildren(space.element, announcer(), this.keys[1]);
     this.unlink = space.other_viewer ? linkViewers([session.viewer, space.other_viewer]) : () => {};

@@ -70,7 +70,7 @@ export class Variants {
   }
 
   /** Whether it succeeded; a failure is told. */
-  private async attempt(action: () => Promise<unknown>): Promise<boolean> {
+  async attempt(action: () => Promise<unknown>): Promise<boolean> {
     try {
       await action();
       return true;
@@ -80,13 +80,13 @@ export class Variants {
     }
   }
 
-  /** Asks for the state until nothing runs any more, or the server is gone. */
+  /** Asks for the state until nothing runs or is awaited any more, or the server is gone. */
   private async poll(): Promise<void> {
     if (this.polling) return;
     this.polling = true;
     while (await this.attempt(async () => this.take((await fetchState()).results))) {
       await this.attempt(() => this.showAwaited());
-      if (!this.running) break;
+      if (!this.running && this.awaited === "") break;
       await new Promise((resolve) => setTimeout(resolve, kPoll_ms));
     }
     this.polling = false;
@@ -97,12 +97,15 @@ export class Variants {
     if (JSON.stringify(now) !== JSON.stringify(this.list.get())) this.list.set(now);
   }
 
+  /** Shows what there is of the awaited result, and says so where it failed. Another one may be awaited afterwards. */
   private async showAwaited(): Promise<void> {
     const state = this.list.get().find((variant) => variant.name === this.awaited);
-    if (!state?.has_pieces) return;
+    if (!state) return;
+    if (state.state !== "running") this.awaited = "";
+    if (state.state === "failed") this.trouble.set(state.message || `${state.name} failed`);
+    if (!state.has_pieces) return;
     const before = this.get(state.name);
     const now = await this.load(state.name);
     if (now !== before) this.show(state.name);
-    if (state.has_picture || state.state === "failed") this.awaited = "";
   }
 }

@@ -16,8 +16,8 @@ export function refillBox(session: Session, variants: Variants, until: AbortSign
     "data-testid": "seed",
   });
   const send = (action: "erase" | "swap" | "relax"): void => {
-    const { pieces, lock } = sessionMarks(session);
-    const request = { result: session.result.data.name, action, pieces: action === "relax" ? [] : pieces, lock };
+    const { pieces, lock, pieces_digest } = sessionMarks(session);
+    const request = { result: session.result.data.name, pieces_digest, action, pieces: action === "relax" ? [] : pieces, lock };
     void variants.refine({ ...request, seed: seed.value === "" ? null : Number(seed.value) });
   };
   const refill = button({ label: "Refill", kind: "primary", testid: "refill" }, () => send(session.swap.get() ? "swap" : "erase"));
@@ -25,7 +25,6 @@ export function refillBox(session: Session, variants: Variants, until: AbortSign
   relax.title = "Lets all pieces that are not locked move into better places";
   const stop = button({ label: "Stop", testid: "refill-stop" }, () => void variants.stop());
   const message = element("p", { class: "note", role: "status", "data-testid": "refill-message" });
-  const trouble = element("p", { class: "trouble", role: "alert" });
   const show = (): void => {
     const { running } = variants;
     refill.disabled = running !== undefined || session.marks.pieces("erase").length === 0;
@@ -35,17 +34,22 @@ export function refillBox(session: Session, variants: Variants, until: AbortSign
   };
   variants.list.watch(show, until);
   session.marks_changed.watch(show);
-  variants.trouble.watch((text) => {
-    trouble.textContent = printable(text);
-  }, until);
   return element(
     "div",
     { class: "refill" },
     element("div", { class: "row" }, refill, relax, stop),
     element("div", { class: "slider-row" }, element("label", { for: "seed" }, "Seed of the filling"), seed),
     message,
-    trouble,
+    troubleLine(variants, until),
   );
+}
+
+function troubleLine(variants: Variants, until: AbortSignal): HTMLElement {
+  const line = element("p", { class: "trouble", role: "alert" });
+  variants.trouble.watch((text) => {
+    line.textContent = printable(text);
+  }, until);
+  return line;
 }
 
 export interface VariantsOptions {
@@ -66,6 +70,7 @@ export function variantsTab(shown: string, variants: Variants, options: Variants
     element("h2", {}, "Variants"),
     element("p", { class: "note" }, "Each refill is a result of its own; the one that it came from stays as it is."),
     list,
+    troubleLine(variants, options.until),
   );
 }
 
