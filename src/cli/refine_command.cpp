@@ -238,6 +238,8 @@ void add_refine_command(CLI::App& app, Command& selected) {
                    "and rank them (tessera rank)")
       ->type_name("N")
       ->check(CLI::Range(2, int(kMaxSheetCollages)));
+  refine->add_flag("--early", arguments->collage.early,
+                   "Also write pieces.geojson once the room is filled, before it is improved: for a reader who waits");
   add_collage_options(*refine, arguments->collage,
                       "<RESULT>-relaxed, -deformed, -voronoi, -erased, -swapped or -variants");
   refine->callback([arguments, &selected] {

@@ -27,6 +27,7 @@
 #include "run/collage_publishing.h"
 #include "run/collage_worker.h"
 #include "run/command_line.h"
+#include "run/early_result.h"
 #include "run/loop_matchers.h"
 #include "run/messages/collage_warnings.h"
 #include "run/problem_exchange.h"
@@ -118,7 +119,7 @@ LoopMatchers signal_safe_matchers(const MasterRun& run, ShapeSource& shapes, con
 }
 
 LoopOutcome run_loop(const MasterRun& run, LoopMatchers& matchers, ShapeSource& shapes,
-                     CollageCheckpoints& checkpoints) {
+                     master::CheckpointKeeper& checkpoints) {
   const CollageInput& input = run.input;
   const CheckpointState* from = input.from ? &*input.from : nullptr;
   comm::LoopClock clock(run.ranks);
@@ -163,7 +164,9 @@ CollageEnd compute(const MasterRun& run) {
   run.journal->set_rank_sites(comm::gather_sites(run.ranks, matchers.site));
   if (input.start == Start::restart) input.checkpoints.remove();
   CollageCheckpoints checkpoints(input.checkpoints, input.origin, input.problem.job().checkpoint.every_s);
-  const LoopOutcome loop = run_loop(run, matchers, shapes, checkpoints);
+  EarlyResult early(input, record_of(input), checkpoints);
+  master::CheckpointKeeper& keeper = run.arguments.early ? static_cast<master::CheckpointKeeper&>(early) : checkpoints;
+  const LoopOutcome loop = run_loop(run, matchers, shapes, keeper);
   return conclude(run, loop, checkpoints);
 }
 

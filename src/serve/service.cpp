@@ -33,8 +33,9 @@ std::string marks_path(const ServedResult& result) { return path_in_result(resul
 /// The arguments of tessera refine.
 std::vector<std::string> refine_arguments(const RefineRequest& request, const ServedResult& from,
                                           const ServedResult& result) {
-  std::vector<std::string> arguments = {as_argument(from.folder), "--out", as_argument(result.folder), "--marks",
-                                        as_argument(marks_path(result))};
+  std::vector<std::string> arguments = {as_argument(from.folder),        "--out",
+                                        as_argument(result.folder),      "--marks",
+                                        as_argument(marks_path(result)), "--early"};
   if (request.seed) arguments.insert(arguments.end(), {"--set", "seed=" + std::to_string(*request.seed)});
   return arguments;
 }

@@ -105,7 +105,8 @@ export class Variants {
     if (state.state === "failed") this.trouble.set(state.message || `${state.name} failed`);
     if (!state.has_pieces) return;
     const before = this.get(state.name);
-    const now = await this.load(state.name);
+    // While it runs its files may change under the server's hands; the next answer has them whole.
+    const now = state.state === "running" ? await this.load(state.name).catch(() => before) : await this.load(state.name);
     if (now !== before) this.show(state.name);
   }
 }
