@@ -74,7 +74,7 @@ echo "ok refinements"
 # The pieces are there before they are improved, and do not change what comes of it.
 run 0 refine result --marks result-2/marks.json --out early --quiet --early
 cmp result-2/pieces.geojson early/pieces.geojson || fail "--early gives another result"
-"$tessera" refine result --marks result-2/marks.json --out earlier --quiet --early --set improve.trials=1000000 >/dev/null 2>&1 &
+"$tessera" refine result --marks result-2/marks.json --out earlier --quiet --early --set improve.trials=1000000 --set stop.pieces=0 >/dev/null 2>&1 &
 refining=$!
 for ((tries = 0; tries < 600; ++tries)); do [[ -e earlier/manifest.json ]] && break; sleep 0.05; done
 kill -9 "$refining"
