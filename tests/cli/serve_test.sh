@@ -15,7 +15,7 @@ start_server() { # RESULT OPTION...: sets $server and $address
   "$tessera" serve "$@" >address.txt 2>told.txt &
   server=$!
   for ((tries = 0; tries < 600; ++tries)); do
-    address=$(grep -o 'http://127.0.0.1:[0-9]*/[0-9a-f]\{32\}/' address.txt) && return
+    address=$(grep -o 'http://127.0.0.1:[0-9]*/[0-9a-f]\{32\}/' address.txt 2>/dev/null) && return
     kill -0 "$server" 2>/dev/null || break
     sleep 0.05
   done
