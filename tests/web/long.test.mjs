@@ -137,6 +137,21 @@ test("each overlay changes the picture and goes again; the picture fades", limit
   await finish();
 });
 
+test("a dragged picture shows what it shows when it is drawn anew", limits, async (t) => {
+  const { page, finish } = await open(t);
+  await page.getByTestId("tab-overlays").click();
+  for (const name of ["outlines", "contact"]) await page.getByTestId(`overlay-${name}`).check();
+  for (const [x, y] of [[40, 25], [-70, 30], [30, -60]]) {
+    await page.evaluate(() => window.tesseraReport.view.centre(150, 100, 7));
+    await editing.drag(page, [{ x: 150, y: 100 }, { x: 150 + x / 2, y: 100 }, { x: 150 + x, y: 100 + y }]);
+    const dragged = await fixture.settledShot(page);
+    await page.getByTestId("picture-strength").dispatchEvent("input");
+    const difference = await fixture.changedFraction(browser, dragged, await fixture.settledShot(page));
+    assert.ok(difference < 1e-4, `dragged by (${x}, ${y}): ${difference} of the picture differs`);
+  }
+  await finish();
+});
+
 test("growth: the slider shows the first pieces, playing adds the others", limits, async (t) => {
   const { page, finish } = await open(t);
   const whole = await fixture.settledShot(page);

@@ -133,7 +133,7 @@ export class Comparison {
       shown = 1 - shown;
       viewer.layers.splice(0, 1, layers[shown]!);
       title.replaceChildren(this.paneName(results[shown]!));
-      viewer.requestFrame();
+      viewer.redraw();
     };
     const pause = button({ label: "Pause", testid: "blink-pause" }, () => {
       const stopped = this.blinking !== 0;
@@ -158,7 +158,7 @@ export class Comparison {
   /** A result's picture, over the whole world of a viewer. */
   private pictureLayer(result: CampaignResult, viewer: Viewer): Layer {
     const pyramid = new Pyramid(result.picture!, this.source);
-    return new PictureLayer(pyramid, viewer.world_width, viewer.world_height, () => viewer.requestFrame());
+    return new PictureLayer(pyramid, viewer.world_width, viewer.world_height, (box) => viewer.redraw(box));
   }
 
   private paneName(result: CampaignResult): HTMLElement {

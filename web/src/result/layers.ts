@@ -24,8 +24,8 @@ export function addLayers(session: Session, base_result: Result | null): Layers 
   const { result, viewer } = session;
   const { width_px, height_px } = result.data.canvas;
   const world = { left: 0, top: 0, right: width_px, bottom: height_px };
-  const redraw = (): void => viewer.requestFrame();
-  const base = new PictureBase(result, base_result, redraw);
+  const redraw = (): void => viewer.redraw();
+  const base = new PictureBase(result, base_result, (box) => viewer.redraw(box));
   const overlays: Layers["overlays"] = {
     order: new TileLayer(orderPainter(result), world, 0.8),
     free: new TileLayer(freePainter(result), world, 0.85),
@@ -42,7 +42,8 @@ export function addLayers(session: Session, base_result: Result | null): Layers 
     world,
   );
   const marks = new TileLayer(marksPainter(result, session.marks), world);
-  viewer.layers.push(base, ...Object.values(overlays), uses, marks, new LiveLayer(session));
+  viewer.layers.push(base, ...Object.values(overlays), uses, marks);
+  viewer.live_layers.push(new LiveLayer(session));
 
   session.growth.watch((count) => {
     base.showFirst(count);
@@ -63,9 +64,7 @@ export function addLayers(session: Session, base_result: Result | null): Layers 
     }
     redraw();
   });
-  session.hovered.watch(redraw);
-  session.brush.watch(redraw);
-  session.lasso.watch(redraw);
+  for (const value of [session.hovered, session.brush, session.lasso]) value.watch(() => viewer.requestFrame());
   return { base, overlays };
 }
 

@@ -24,7 +24,7 @@ export function overlaysTab(session: Session, layers: Layers): HTMLElement {
       layers.overlays[name].visible = on;
       if (legend) legend.hidden = !on;
       strength.fade(Object.entries(layers.overlays).some(([other, layer]) => layer.visible && other !== "outlines"));
-      session.viewer.requestFrame();
+      session.viewer.redraw();
     });
     if (legend) {
       legend.hidden = true;
@@ -70,7 +70,7 @@ function strengthSlider(session: Session, layers: Layers): { element: HTMLElemen
   const apply = (): void => {
     layers.base.strength = Number(input.value) / 100;
     input.setAttribute("aria-valuetext", `${input.value} %`);
-    session.viewer.requestFrame();
+    session.viewer.redraw();
   };
   input.addEventListener("input", () => {
     touched = true;

@@ -128,7 +128,7 @@ function highlightNote(session: Session): HTMLElement {
 function otherPane(result: Result, base: Result | null, close: () => void): { element: HTMLElement; viewer: Viewer } {
   const { name, canvas } = result.data;
   const viewer = new Viewer(canvas.width_px, canvas.height_px);
-  viewer.layers.push(new PictureBase(result, base, () => viewer.requestFrame()));
+  viewer.layers.push(new PictureBase(result, base, (box) => viewer.redraw(box)));
   const end = button({ label: "Close", icon: icon("clear"), testid: "compare-close" }, close);
   const title = element("p", { class: "pane-name" }, foreignName(name), end);
   return { element: viewerBox(viewer, `Collage ${spokenName(name)}, for comparison`, "viewer-beside", title), viewer };

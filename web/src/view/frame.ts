@@ -8,7 +8,7 @@ export interface Frame {
   /** Size of the canvas, device px. */
   width: number;
   height: number;
-  /** Device px of a world px, and where the world's origin lies. */
+  /** Device px of a world px, and where the world's origin lies, whole device px: so that pixels can be kept while the picture moves. */
   scale: number;
   left: number;
   top: number;
@@ -20,9 +20,20 @@ export interface Frame {
 
 /** Something that a viewer shows; the first one lies lowest. */
 export interface Layer {
+  /** Draws what lies in `frame.visible`, at least. */
   draw(frame: Frame): void;
-  /** Prepares a part of what `draw` lacked, until the deadline (of performance.now). Returns whether something is left to do. */
-  work?(frame: Frame, deadline_ms: number): boolean;
+  /** Prepares a part of what `draw` lacks. Returns whether something is left to do. */
+  work?(frame: Frame, work: Work): boolean;
+}
+
+/** What layers may prepare in one frame. */
+export interface Work {
+  /** The part of the world to prepare: what shows, or more than that. */
+  box: Box;
+  /** Of performance.now; shared by all layers. */
+  deadline_ms: number;
+  /** A layer tells what it would draw otherwise than before. */
+  changed(box: Box): void;
 }
 
 /** A rectangle of the world in whole device px, so that neighbours meet without a seam. */

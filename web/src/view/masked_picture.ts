@@ -1,6 +1,6 @@
 import type { Box } from "../model/outlines.ts";
 import type { Result } from "../model/result.ts";
-import { type Frame, type Layer, useDevice, useWorld } from "./frame.ts";
+import { type Frame, type Layer, useDevice, useWorld, type Work } from "./frame.ts";
 import { type Tile, TileLayer, type TilePainter } from "./tile_layer.ts";
 import { tracePiece, traceRegion } from "./trace.ts";
 
@@ -93,9 +93,10 @@ export class MaskedPicture implements Layer {
     this.flat.draw(frame);
   }
 
-  work(frame: Frame, deadline_ms: number): boolean {
-    const mask_left = this.picture ? this.mask.work(frame, deadline_ms) : false;
-    const flat_left = this.flat.work(frame, deadline_ms);
+  work(frame: Frame, work: Work): boolean {
+    this.picture?.work?.(frame, work);
+    const mask_left = this.picture ? this.mask.work(frame, work) : false;
+    const flat_left = this.flat.work(frame, work);
     return mask_left || flat_left;
   }
 

@@ -1,7 +1,8 @@
 import { unchangedPieces } from "../model/changes.ts";
 import { flatColour } from "../model/ramp.ts";
 import type { Result } from "../model/result.ts";
-import type { Frame, Layer } from "./frame.ts";
+import type { Box } from "../model/outlines.ts";
+import type { Frame, Layer, Work } from "./frame.ts";
 import { MaskedPicture } from "./masked_picture.ts";
 import { PictureLayer } from "./picture_layer.ts";
 import { Pyramid } from "./pyramid.ts";
@@ -18,7 +19,7 @@ export class PictureBase implements Layer {
   constructor(
     private readonly result: Result,
     base: Result | null,
-    tell: () => void,
+    tell: (box: Box) => void,
   ) {
     const { data, source } = result;
     const { width_px, height_px } = data.canvas;
@@ -50,9 +51,8 @@ export class PictureBase implements Layer {
     if (this.strength < 1) this.fade(frame);
   }
 
-  work(frame: Frame, deadline_ms: number): boolean {
-    const layer = this.drawn();
-    return layer.work?.(frame, deadline_ms) ?? false;
+  work(frame: Frame, work: Work): boolean {
+    return this.drawn().work?.(frame, work) ?? false;
   }
 
   private drawn(): Layer {

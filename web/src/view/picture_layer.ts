@@ -16,9 +16,9 @@ export class PictureLayer implements Layer {
     private readonly pyramid: Pyramid,
     private readonly width_px: number,
     private readonly height_px: number,
-    tell: () => void,
+    tell: (box: Box) => void,
   ) {
-    pyramid.addViewer(tell);
+    pyramid.addViewer((level, column, row) => tell(this.tileBox(level, column, row)));
   }
 
   draw(frame: Frame): void {
@@ -32,6 +32,13 @@ export class PictureLayer implements Layer {
       if (bitmap) frame.context.drawImage(bitmap, ...deviceRectangle(frame, place.box));
       else this.drawSubstitute(frame, level, place);
     }
+  }
+
+  /** Asks for the tiles that show: those that stay in sight are drawn seldom, and must not be taken for unused ones. */
+  work(frame: Frame): boolean {
+    const level = this.pyramid.levelFor(this.width_px * frame.scale);
+    for (const { column, row } of this.places(level, frame.visible)) this.pyramid.tile(level, column, row);
+    return false;
   }
 
   /** The part of the next coarser decoded tile, and above it the finer tiles that are decoded. */
