@@ -166,8 +166,8 @@ export async function settledShot(page, testid = "viewer") {
 /** The fraction of pixels of two PNG files that differ clearly; 1 if their sizes differ. */
 export const changedFraction = (a, b) => differentSquares(a, b, 1, 12);
 
-/** Divides two PNG files into squares, and gives the fraction of those whose mean colours differ by more than `least`, of 255, in a channel; 1
- *  if the sizes of the pictures differ. */
+/** Divides two PNG files into squares, and gives the fraction of those whose mean colours differ by more than `least`, of 255, in a channel;
+ *  1 if the sizes of the pictures differ. */
 export async function differentSquares(a, b, square_px, least) {
   const page = await browser.newPage();
   const urls = [a, b].map((png) => `data:image/png;base64,${png.toString("base64")}`);
