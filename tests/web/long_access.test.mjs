@@ -152,3 +152,49 @@ test("a campaign with the keyboard alone", limits, async (t) => {
   assert.equal(await focused(page), "compare");
   await finish();
 });
+
+const darkness = (page) => page.evaluate(() => getComputedStyle(document.documentElement).colorScheme);
+const reload = async (page) => {
+  await page.reload();
+  await page.evaluate(() => window.tesseraReport.ready);
+};
+
+test("the chosen colours stay when the page is opened again", limits, async (t) => {
+  const { page, finish } = await fixture.open(t);
+  await page.getByTestId("theme").selectOption("dark");
+  await reload(page);
+  assert.equal(await darkness(page), "dark");
+  assert.equal(await page.getByTestId("theme").inputValue(), "dark");
+  // Where the browser keeps nothing the choice holds until the page is closed.
+  await page.addInitScript(() => Object.defineProperty(window, "localStorage", { get: () => { throw new Error("refused"); } }));
+  await reload(page);
+  assert.equal(await page.getByTestId("theme").inputValue(), "auto");
+  await page.getByTestId("theme").selectOption("light");
+  assert.equal(await darkness(page), "light");
+  await finish();
+});
+
+test("a question mark shows the keys", limits, async (t) => {
+  const { page, finish } = await fixture.open(t);
+  await page.getByTestId("viewer").focus();
+  await page.keyboard.press("?");
+  assert.ok(await page.getByRole("dialog", { name: "Keys" }).isVisible());
+  await page.keyboard.press("Escape");
+  assert.equal(await page.getByRole("dialog").count(), 0);
+  await finish();
+});
+
+test("forced colours: legends keep their colours, and what is chosen shows", limits, async (t) => {
+  const { page, finish } = await fixture.open(t, "result.html", { forcedColors: "active" });
+  await page.getByTestId("tab-overlays").click();
+  await page.getByTestId("overlay-contact").check();
+  const colours = await page.locator(".swatch:visible").evaluateAll((all) => all.map((one) => getComputedStyle(one).backgroundColor));
+  assert.equal(new Set(colours).size, 5);
+  const lines = await page.locator(".tab").evaluateAll((all) => all.map((one) => getComputedStyle(one).borderBottomColor));
+  assert.equal(new Set(lines).size, 2, "the open tab looks like the others");
+  await page.getByTestId("tab-edit").click();
+  const tools = await page.locator(".segments span").evaluateAll((all) => all.map((one) => getComputedStyle(one).backgroundColor));
+  assert.ok(new Set(tools).size > 1, "the chosen tool looks like the others");
+  await fixture.expectAccessible(page, "forced colours");
+  await finish();
+});

@@ -13,6 +13,7 @@ export const kKeys: readonly [keys: string, meaning: string][] = [
   ["e and l", "mark the selected piece to be erased, or locked"],
   ["u", "undo the last mark"],
   ["Esc", "select nothing"],
+  ["?", "show these keys"],
 ];
 
 /** Whether a key belongs to the control that has the focus. */
@@ -24,11 +25,11 @@ function isForControl(event: KeyboardEvent): boolean {
   return (uses_arrows && /^(Arrow|Page|Home|End)/.test(event.key)) || (event.key === "Enter" && target !== document.body);
 }
 
-/** Keys of the whole page. `session` gives the one that shows. */
-export function addKeys(session: () => Session): void {
+/** Keys of the whole page. `session` gives the one that shows; `showKeys` opens the list of keys. */
+export function addKeys(session: () => Session, showKeys: () => void): void {
   document.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || isForControl(event)) return;
-    const press = actions(session())[event.key];
+    const press = event.key === "?" ? showKeys : actions(session())[event.key];
     if (!press) return;
     event.preventDefault();
     press();

@@ -2,7 +2,6 @@ import type { ResultData, Source } from "../data.ts";
 import { loadResult, type Result } from "../model/result.ts";
 import type { TestHooks } from "../test_hooks.ts";
 import { announcer } from "../ui/announce.ts";
-
 import { keysHelp } from "../ui/header.ts";
 import { linkViewers } from "../view/link.ts";
 import { addKeys, kKeys } from "./keyboard.ts";
@@ -25,7 +24,10 @@ class ResultPage {
     this.variants = first.data.served ? new Variants(first, (name) => void this.show(name)) : null;
     this.session = new Session(first);
     this.build(null);
-    addKeys(() => this.session);
+    addKeys(
+      () => this.session,
+      () => this.keys[0].click(),
+    );
   }
 
   /** Shows another result, at the same place, with the same tab open. */
