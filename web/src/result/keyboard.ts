@@ -1,4 +1,3 @@
-import { toggleMark } from "./pointer.ts";
 import type { Session } from "./session.ts";
 
 const kPan_px = 60;
@@ -42,7 +41,7 @@ function actions(session: Session): Record<string, (() => void) | undefined> {
   const mark = (kind: "erase" | "lock") => () => {
     if (selected === null) return;
     session.mark_kind.set(kind);
-    toggleMark(session, selected);
+    session.toggleMark(selected);
   };
   return {
     ArrowLeft: () => viewer.panBy(kPan_px, 0),
@@ -57,7 +56,7 @@ function actions(session: Session): Record<string, (() => void) | undefined> {
     p: () => step(session, -1),
     e: mark("erase"),
     l: mark("lock"),
-    u: () => session.marked(session.marks.undo()),
+    u: () => session.undo(),
     Enter: () => selected !== null && session.zoomTo([selected]),
     Escape: () => session.select(null),
   };

@@ -1,8 +1,8 @@
 import { checkbox, element } from "../ui/dom.ts";
+import { gapClasses } from "../model/gap_classes.ts";
 import { kViridis } from "../model/ramp.ts";
 import { fixed } from "../util/format.ts";
 import { kContactClasses } from "../view/contact_painter.ts";
-import { gapClasses } from "../view/painters.ts";
 import type { Layers, OverlayName } from "./layers.ts";
 import type { Session } from "./session.ts";
 
@@ -98,8 +98,7 @@ function legendOf(entries: readonly { colour: string; text: string }[]): HTMLEle
 }
 
 function gapLegend(session: Session): HTMLElement {
-  const classes = gapClasses(session.result.data.gaps.radius_px[0] ?? 0);
-  return legendOf(classes.map(({ from_px, colour }) => ({ colour, text: `from ${fixed(from_px, 1)} px` })));
+  return legendOf(gapClasses(session.result.data.gaps.radius_px).map(({ from_px, colour }) => ({ colour, text: `from ${fixed(from_px, 1)} px` })));
 }
 
 function contactLegend(): HTMLElement {

@@ -45,6 +45,18 @@ export function deviceRectangle(frame: Frame, box: Box): [left: number, top: num
   return [left, top, right - left, bottom - top];
 }
 
+/** Draws with the context bounded to a box of the world. */
+export function drawWithin(frame: Frame, box: Box, draw: () => void): void {
+  const { context } = frame;
+  context.save();
+  useDevice(frame);
+  context.beginPath();
+  context.rect(...deviceRectangle(frame, box));
+  context.clip();
+  draw();
+  context.restore();
+}
+
 /** Lets the context be used in px of the world. */
 export function useWorld(frame: Frame): void {
   frame.context.setTransform(frame.scale, 0, 0, frame.scale, frame.left, frame.top);

@@ -50,12 +50,7 @@ class TileStore {
 
   private async decode(entry: Entry): Promise<void> {
     entry.state = "decoding";
-    try {
-      const bytes = entry.pyramid.block(...entry.place);
-      entry.bitmap = bytes ? await createImageBitmap(new Blob([bytes as BlobPart], { type: "image/webp" })) : null;
-    } catch {
-      entry.bitmap = null; // a damaged tile; the level above it shows instead
-    }
+    entry.bitmap = await entry.pyramid.decoded(...entry.place);
     entry.state = entry.bitmap ? "ready" : "absent";
     this.pixels += entry.bitmap ? entry.bitmap.width * entry.bitmap.height : 0;
     --this.decoding;
@@ -108,6 +103,16 @@ export class Pyramid {
     return store.peek(this, [level, column, row]);
   }
 
+  /** A bitmap of the caller's own. Null where there is no tile, or a damaged one: the level above it shows instead. */
+  async decoded(level: number, column: number, row: number): Promise<ImageBitmap | null> {
+    try {
+      const bytes = this.block(level, column, row);
+      return bytes ? await createImageBitmap(new Blob([bytes as BlobPart], { type: "image/webp" })) : null;
+    } catch {
+      return null;
+    }
+  }
+
   get coarsest(): number {
     return this.data.levels.length - 1;
   }
@@ -121,7 +126,7 @@ export class Pyramid {
   }
 
   /** The bytes of a tile; null where there are none. */
-  block(level: number, column: number, row: number): Uint8Array | null {
+  private block(level: number, column: number, row: number): Uint8Array | null {
     return this.source.block(`tile-${this.data.picture}-${level}-${column}-${row}`);
   }
 }

@@ -1,6 +1,6 @@
 import type { Box } from "../model/outlines.ts";
 import { boxesMeet } from "../model/geometry.ts";
-import { deviceRectangle, type Frame, type Layer, useDevice, type Work } from "./frame.ts";
+import { deviceRectangle, drawWithin, type Frame, type Layer, type Work } from "./frame.ts";
 
 const kTile_px = 512;
 /** Two steps of level double the scale: a tile is drawn at 0.7 to 1 times its own size. */
@@ -27,7 +27,7 @@ export interface TilePainter {
   /** Draws a tile bit by bit: at each yield the work may pause until the next frame. */
   paint(tile: Tile): Generator<void, void, void>;
   /** Whether a change is drawn over what the tile shows already, instead of onto an empty one. */
-  in_place?: boolean;
+  inPlace?(tile: Tile): boolean;
 }
 
 class CachedTile implements Tile {
@@ -112,14 +112,14 @@ export class TileLayer implements Layer {
 
   draw(frame: Frame): void {
     if (!this.visible) return;
-    useDevice(frame);
-    const { context } = frame;
-    context.globalAlpha = this.opacity;
-    for (const slot of this.slotsFor(frame.visible, levelFor(frame.scale))) {
-      if (slot.shown) this.drawTile(frame, slot.shown);
-      else this.drawSubstitute(frame, slot);
-    }
-    context.globalAlpha = 1;
+    // The last tiles reach beyond the world; what they have there (on a seamless canvas parts of pieces) must not show.
+    drawWithin(frame, this.world, () => {
+      frame.context.globalAlpha = this.opacity;
+      for (const slot of this.slotsFor(frame.visible, levelFor(frame.scale))) {
+        if (slot.shown) this.drawTile(frame, slot.shown);
+        else this.drawSubstitute(frame, slot);
+      }
+    });
   }
 
   work(frame: Frame, work: Work): boolean {
@@ -150,7 +150,8 @@ export class TileLayer implements Layer {
   /** Draws a portion of a tile. Returns whether the tile is finished; then it shows. */
   private step(slot: Slot): boolean {
     if (!slot.job) {
-      slot.next = this.painter.in_place && slot.shown ? slot.shown : new CachedTile(slot.box, 2 ** (slot.level / kLevelsPerOctave));
+      const goes_on = slot.shown && this.painter.inPlace?.(slot.shown);
+      slot.next = goes_on ? slot.shown! : new CachedTile(slot.box, 2 ** (slot.level / kLevelsPerOctave));
       slot.job = this.painter.paint(slot.next);
     }
     const { done } = slot.job.next();
@@ -174,13 +175,9 @@ export class TileLayer implements Layer {
     const levels = [this.complete_level, Math.max(...coarser)];
     const level = levels.find((wanted) => wanted !== missing.level && others.some((slot) => slot.level === wanted));
     if (level === undefined) return;
-    const { context } = frame;
-    context.save();
-    context.beginPath();
-    context.rect(...deviceRectangle(frame, missing.box));
-    context.clip();
-    for (const slot of others) if (slot.level === level) this.drawTile(frame, slot.shown!);
-    context.restore();
+    drawWithin(frame, missing.box, () => {
+      for (const slot of others) if (slot.level === level) this.drawTile(frame, slot.shown!);
+    });
   }
 
   /** The tiles of a level in a part of the world, those in the middle first. */

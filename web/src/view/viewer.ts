@@ -34,6 +34,8 @@ export class Viewer {
   readonly followers = new Set<(viewer: Viewer, by_user: boolean) => void>();
   /** Decides whether a pointer may pan now; the wheel and two fingers always zoom. */
   mayPan: () => boolean = () => true;
+  /** Whether a double click, or a double tap, zooms in: not where each click does something. */
+  zoomsOnDoubleClick: () => boolean = () => true;
   private readonly behavior: ZoomBehavior<HTMLCanvasElement, unknown>;
   private readonly context = this.canvas.getContext("2d")!;
   private size = { width: 0, height: 0 };
@@ -52,7 +54,9 @@ export class Viewer {
       .clickDistance(4)
       .filter((event: Event) => this.accepts(event))
       .on("zoom", (event: D3ZoomEvent<HTMLCanvasElement, unknown>) => this.zoomed(event.sourceEvent !== null));
-    select(this.canvas).call(this.behavior);
+    // d3's own double click would swallow the second click, and takes taps on two pieces close to each other for one double tap.
+    select(this.canvas).call(this.behavior).on("dblclick.zoom", null);
+    this.canvas.addEventListener("dblclick", (event) => this.doubleClicked(event));
     new ResizeObserver(() => this.resized()).observe(this.canvas);
   }
 
@@ -85,10 +89,11 @@ export class Viewer {
     this.go(this.fittingTransform(), animated);
   }
 
-  zoomBy(factor: number): void {
-    const target = this.canvas;
-    if (stillsMotion()) select(target).call(this.behavior.scaleBy, factor);
-    else select(target).transition().duration(160).call(this.behavior.scaleBy, factor);
+  /** `around`: CSS px of the canvas, the point that stays where it is; the middle by default. */
+  zoomBy(factor: number, around?: [number, number]): void {
+    const target = select(this.canvas);
+    if (stillsMotion()) target.call(this.behavior.scaleBy, factor, around);
+    else target.transition().duration(160).call(this.behavior.scaleBy, factor, around);
   }
 
   panBy(dx: number, dy: number): void {
@@ -96,12 +101,13 @@ export class Viewer {
     select(this.canvas).call(this.behavior.translateBy, dx / k, dy / k);
   }
 
-  /** Shows a box in the middle, with some of what lies around it. */
+  /** Shows a box in the middle, with some of what lies around it; for a large box the whole picture, but no less. */
   showBox(box: Box, part = 0.3, animated = true): void {
     const across = Math.max(box.right - box.left, 1) / (this.size.width * part);
     const down = Math.max(box.bottom - box.top, 1) / (this.size.height * part);
     const k = Math.min(1 / Math.max(across, down), this.behavior.scaleExtent()[1]);
-    this.go(this.centred((box.left + box.right) / 2, (box.top + box.bottom) / 2, k), animated);
+    if (k <= this.fittingScale()) this.fit(animated);
+    else this.go(this.centred((box.left + box.right) / 2, (box.top + box.bottom) / 2, k), animated);
   }
 
   /** Puts a point of the world into the middle: at once, or as soon as the page is laid out. */
@@ -135,6 +141,12 @@ export class Viewer {
     return this.mayPan() && !(event instanceof MouseEvent && event.button !== 0);
   }
 
+  private doubleClicked(event: MouseEvent): void {
+    if (!this.zoomsOnDoubleClick()) return;
+    const bounds = this.canvas.getBoundingClientRect();
+    this.zoomBy(event.shiftKey ? 0.5 : 2, [event.clientX - bounds.left, event.clientY - bounds.top]);
+  }
+
   private centred(x: number, y: number, k: number): ZoomTransform {
     return zoomIdentity.translate(this.size.width / 2 - x * k, this.size.height / 2 - y * k).scale(k);
   }
@@ -149,7 +161,8 @@ export class Viewer {
     return this.centred(this.world_width / 2, this.world_height / 2, this.fittingScale());
   }
 
-  private fittingScale(): number {
+  /** At this scale the whole picture shows. */
+  fittingScale(): number {
     const { width, height } = this.size;
     return Math.max(0.001, Math.min((width - 2 * kMargin_px) / this.world_width, (height - 2 * kMargin_px) / this.world_height));
   }
