@@ -25,10 +25,13 @@ struct Picture {
   cv::Size2d full_px;
 };
 
-/// A damaged picture is no error: tessera draw makes it again, and the page shows the pieces without it.
+/// A missing or damaged picture is no error: tessera draw makes it, and the page shows the pieces without it.
 Picture read_picture(const std::string& folder, std::vector<std::string>& warnings) {
   const std::string path = path_in_result(folder, "collage.png");
-  if (!is_in_result(folder, "collage.png")) return {};
+  if (!is_in_result(folder, "collage.png")) {
+    warnings.push_back("the page has no picture: " + path + ": no such file; tessera draw " + folder + " makes it");
+    return {};
+  }
   try {
     const std::vector<std::uint8_t> bytes = read_regular_file(path, kMostFileBytes);
     const std::optional<cv::Size2d> full = image_size_from_header(bytes);

@@ -48,6 +48,9 @@ echo x >damaged/collage.png
 run 0 report damaged
 expect_word "the page has no picture: damaged/collage.png: "
 expect_value damaged/report.html 'data["picture"]' None
+rm damaged/collage.png
+run 0 report damaged
+expect_word "the page has no picture: damaged/collage.png: no such file; tessera draw damaged makes it"
 echo "ok tessera report"
 
 # Another job replaces a result: its page must not stay.
