@@ -46,6 +46,12 @@ for (const colorScheme of ["light", "dark"]) {
   test(`a transparent picture, ${colorScheme}: on white paper, also while it grows and below overlays`, limits, async (t) => {
     const { page, finish } = await fixture.open(t, "clear.html", { colorScheme });
     const points = inLargest("clear");
+    const gap = await page.evaluate(() => {
+      const { x_px, y_px } = JSON.parse(document.getElementById("data").textContent).gaps;
+      return { x: x_px[0], y: y_px[0] };
+    });
+    const [ground] = await coloursAt(page, [gap]);
+    assert.deepEqual(ground, kWhite, "the paper between the pieces");
     await showFirst(page, 0);
     for (const colour of await coloursAt(page, points)) assert.ok(near(colour, kWhite), `the bare canvas is ${colour}`);
     await showFirst(page, 40);
