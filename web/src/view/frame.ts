@@ -45,6 +45,13 @@ export function deviceRectangle(frame: Frame, box: Box): [left: number, top: num
   return [left, top, right - left, bottom - top];
 }
 
+/** The part of the canvas that shows `frame.visible`, as a frame of its own: to draw on a further canvas no more than is wanted. `left` and
+ *  `top` tell where the part lies on the canvas. */
+export function partOf(frame: Frame, context: Context): { part: Frame; left: number; top: number } {
+  const [left, top, width, height] = deviceRectangle(frame, frame.visible);
+  return { part: { ...frame, context, width, height, left: frame.left - left, top: frame.top - top }, left, top };
+}
+
 /** Lets the context be used in px of the world. */
 export function useWorld(frame: Frame): void {
   frame.context.setTransform(frame.scale, 0, 0, frame.scale, frame.left, frame.top);

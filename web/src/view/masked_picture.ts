@@ -1,6 +1,6 @@
 import type { Box } from "../model/outlines.ts";
 import type { Result } from "../model/result.ts";
-import { type Frame, type Layer, useDevice, useWorld, type Work } from "./frame.ts";
+import { type Frame, type Layer, partOf, useDevice, useWorld, type Work } from "./frame.ts";
 import { type Tile, TileLayer, type TilePainter } from "./tile_layer.ts";
 import { tracePiece, traceRegion } from "./trace.ts";
 
@@ -44,7 +44,7 @@ function growingPainter(result: Result, shown: Shown, draw: Draw): TilePainter {
 export class MaskedPicture implements Layer {
   private readonly mask: TileLayer;
   private readonly flat: TileLayer;
-  private scratch: OffscreenCanvas | null = null;
+  private readonly scratch = new OffscreenCanvas(1, 1);
 
   constructor(
     private readonly result: Result,
@@ -111,17 +111,14 @@ export class MaskedPicture implements Layer {
   }
 
   private drawMasked(frame: Frame, picture: Layer): void {
-    const { width, height } = frame;
-    if (!this.scratch || this.scratch.width !== width || this.scratch.height !== height) this.scratch = new OffscreenCanvas(width, height);
     const context = this.scratch.getContext("2d")!;
-    context.setTransform(1, 0, 0, 1, 0, 0);
-    context.clearRect(0, 0, width, height);
-    const inner = { ...frame, context };
-    this.mask.draw(inner);
+    const { part, left, top } = partOf(frame, context);
+    this.scratch.width = part.width; // also empties it
+    this.scratch.height = part.height;
+    this.mask.draw(part);
     context.globalCompositeOperation = "source-atop";
-    picture.draw(inner);
-    context.globalCompositeOperation = "source-over";
+    picture.draw(part);
     useDevice(frame);
-    frame.context.drawImage(this.scratch, 0, 0);
+    frame.context.drawImage(this.scratch, left, top);
   }
 }
