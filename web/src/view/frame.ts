@@ -45,6 +45,13 @@ export function deviceRectangle(frame: Frame, box: Box): [left: number, top: num
   return [left, top, right - left, bottom - top];
 }
 
+/** The part of the canvas that shows `frame.visible`, as a frame of its own: to draw on a further canvas no more than is wanted. `left` and
+ *  `top` tell where the part lies on the canvas. */
+export function partOf(frame: Frame, context: Context): { part: Frame; left: number; top: number } {
+  const [left, top, width, height] = deviceRectangle(frame, frame.visible);
+  return { part: { ...frame, context, width, height, left: frame.left - left, top: frame.top - top }, left, top };
+}
+
 /** Draws with the context bounded to a box of the world. */
 export function drawWithin(frame: Frame, box: Box, draw: () => void): void {
   const { context } = frame;

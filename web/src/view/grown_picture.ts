@@ -1,6 +1,6 @@
 import type { Box } from "../model/outlines.ts";
 import type { Result } from "../model/result.ts";
-import { type Frame, type Layer, useDevice, useWorld, type Work } from "./frame.ts";
+import { type Frame, type Layer, partOf, useDevice, useWorld, type Work } from "./frame.ts";
 import type { Shown } from "./painters.ts";
 import { type Tile, TileLayer, type TilePainter } from "./tile_layer.ts";
 import { traceBeyondRegion, tracePiece, traceRegion } from "./trace.ts";
@@ -160,16 +160,18 @@ export class GrownPicture implements Layer {
     inside.globalCompositeOperation = "lighter";
     inside.drawImage(outside.canvas, 0, 0);
     useDevice(frame);
-    frame.context.drawImage(inside.canvas, 0, 0);
+    const { left, top } = partOf(frame, inside);
+    frame.context.drawImage(inside.canvas, left, top);
   }
 
-  /** A layer alone, as the frame shows it. */
+  /** A layer alone, in the part of the frame that is wanted. */
   private drawn(frame: Frame, layer: Layer, scratch: number): Drawn {
     const canvas = this.scratches[scratch]!;
-    canvas.width = frame.width; // also empties it
-    canvas.height = frame.height;
     const context = canvas.getContext("2d")!;
-    layer.draw({ ...frame, context });
+    const { part } = partOf(frame, context);
+    canvas.width = part.width; // also empties it
+    canvas.height = part.height;
+    layer.draw(part);
     context.setTransform(1, 0, 0, 1, 0, 0);
     return context;
   }

@@ -8,7 +8,7 @@ import type { Frame, Layer, Work } from "./frame.ts";
 import { copyShifted, KeptFrame } from "./kept_frame.ts";
 
 /** All layers together may prepare tiles for this long in each frame: while the picture moves, and while it rests. */
-const kWorkMoving_ms = 7;
+const kWorkMoving_ms = 6;
 const kWorkResting_ms = 10;
 /** The picture rests when it has not moved for this time. */
 const kRest_ms = 120;
