@@ -45,13 +45,18 @@ Picture read_picture(const std::string& folder, std::vector<std::string>& warnin
   }
 }
 
-/// The colour between the pieces, "#rrggbb"; null where that is transparent, or a picture.
+/// The colour between the pieces, "#rrggbb"; null where that is transparent, a picture, or of several colours.
 Json background_of(const WholeResult& result) {
   const auto& pictures = result.manifest.pictures;
   const auto png = std::find_if(pictures.begin(), pictures.end(),
                                 [](const DrawnPicture& picture) { return picture.file == "collage.png"; });
-  const OutputSpec& output = png == pictures.end() ? result.job.output : png->output;
-  return output.background.starts_with('#') && output.ground.empty() ? Json(output.background) : Json();
+  const bool drawn = png != pictures.end();
+  const OutputSpec& output = drawn ? png->output : result.job.output;
+  const double overlay = drawn ? png->overlay : result.job.colour.overlay;
+  const std::vector<std::string>& regions = result.job.canvas.region_backgrounds;
+  const bool one_colour = output.background.starts_with('#') && output.ground.empty() && overlay == 0 &&
+                          std::all_of(regions.begin(), regions.end(), [](const std::string& c) { return c.empty(); });
+  return one_colour ? Json(output.background) : Json();
 }
 
 }  // namespace

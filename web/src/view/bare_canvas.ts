@@ -20,8 +20,8 @@ const makeContext = (width: number, height: number): OffscreenCanvasRenderingCon
 
 const pause = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
 
-/** The canvas as it looks without pieces, wherever it may be seen: guessed from the gaps of the picture. Nobody drew it alone, and what
- *  drew it (regions with their own colours, pictures of a ground) is not on the page. */
+/** The canvas as it looks without pieces, within the region to fill: in its colour. Where it has no single one, it is guessed from the gaps
+ *  of the picture: the regions' colours, or the picture of a ground, are not on the page. */
 export class BareCanvas implements Layer {
   private picture: OffscreenCanvas | null = null;
   private begun = false;
@@ -34,13 +34,13 @@ export class BareCanvas implements Layer {
   ) {}
 
   draw(frame: Frame): void {
-    if (!this.begun) void this.make();
+    if (!this.begun && this.pyramid.data.background === null) void this.make();
     useDevice(frame);
     if (this.picture) frame.context.drawImage(this.picture, ...deviceRectangle(frame, this.world));
     else this.drawPlain(frame);
   }
 
-  /** Until it is made, and where pieces cover everything. */
+  /** The known colour; paper until the canvas is made, and where pieces cover everything. */
   private drawPlain(frame: Frame): void {
     frame.context.fillStyle = this.pyramid.data.background ?? kPaper;
     frame.context.fillRect(...deviceRectangle(frame, this.world));

@@ -1,3 +1,4 @@
+import { grownBox } from "../model/geometry.ts";
 import type { Box } from "../model/outlines.ts";
 import type { Result } from "../model/result.ts";
 import { type Frame, type Layer, partOf, useDevice, useWorld, type Work } from "./frame.ts";
@@ -10,11 +11,13 @@ const kRim_px = 1.5;
 /** The region to fill, where there is no picture of it and it is not the whole canvas. */
 const kPlainRegion = "#ecebe7";
 
-/** A picture, the result whose pieces it shows, and the same without its pieces. */
+/** A picture, the result whose pieces it shows, and the same without its pieces. `gaps`: between pieces the picture shows more than
+ *  the bare canvas. */
 export interface Pictured {
   result: Result;
   picture: Layer;
   bare: Layer;
+  gaps: boolean;
 }
 
 type Draw = (context: OffscreenCanvasRenderingContext2D, piece: number) => void;
@@ -55,7 +58,16 @@ function growingPainter(
   };
 }
 
-/** Covers a tile but for all pieces of a picture and, within the region to fill, a rim around them. */
+/** Covers what lies beyond the region to fill. */
+function coverBeyond(result: Result, tile: Tile): void {
+  const context = tile.context();
+  context.globalCompositeOperation = "source-over";
+  context.beginPath();
+  traceBeyondRegion(context, result.region, tile.box);
+  context.fill("evenodd");
+}
+
+/** Covers a tile but for all pieces of a picture and a rim around them. */
 function* coverGaps(result: Result, tile: Tile): Generator<void, void, void> {
   const { left, top, right, bottom } = tile.box;
   const context = tile.context();
@@ -63,8 +75,7 @@ function* coverGaps(result: Result, tile: Tile): Generator<void, void, void> {
   context.fillRect(left, top, right - left, bottom - top);
   context.lineJoin = "round";
   context.lineWidth = 2 * kRim_px;
-  const around = { left: left - kRim_px, top: top - kRim_px, right: right + kRim_px, bottom: bottom + kRim_px };
-  for (const [position, appearance] of result.index.within(around).entries()) {
+  for (const [position, appearance] of result.index.within(grownBox(tile.box, kRim_px)).entries()) {
     context.globalCompositeOperation = "destination-out";
     context.beginPath();
     tracePiece(context, result.outlines, appearance, 0.5 / tile.scale);
@@ -72,16 +83,11 @@ function* coverGaps(result: Result, tile: Tile): Generator<void, void, void> {
     context.stroke();
     if (position % 24 === 23) yield;
   }
-  const last = tile.context();
-  last.globalCompositeOperation = "source-over";
-  last.beginPath();
-  traceBeyondRegion(last, result.region, tile.box);
-  last.fill("evenodd");
 }
 
 /** The collage while some of its pieces do not show: in their places the bare canvas. Pieces that are on no picture have flat colours. */
 export class GrownPicture implements Layer {
-  /** Where the picture shows: between all pieces, and within those that show. */
+  /** Where the picture shows: beyond the region to fill, between all pieces, and within those that show. */
   private readonly mask: TileLayer;
   private readonly flat: TileLayer;
   private readonly scratches = [0, 1, 2].map(() => new OffscreenCanvas(1, 1));
@@ -103,7 +109,10 @@ export class GrownPicture implements Layer {
       context.fillStyle = colour(piece);
       context.fill("evenodd");
     };
-    const beginMask = (tile: Tile): Generator<void, void, void> => coverGaps(pictured?.result ?? result, tile);
+    const beginMask = function* (tile: Tile): Generator<void, void, void> {
+      if (pictured?.gaps) yield* coverGaps(pictured.result, tile);
+      coverBeyond(result, tile);
+    };
     this.mask = new TileLayer(growingPainter(result, shown, in_picture, reveal, beginMask), world);
     this.flat = new TileLayer(
       growingPainter(

@@ -69,5 +69,10 @@ function picturedBy(result: Result, world: Box, tell: (box: Box) => void): Pictu
   const { picture } = result.data;
   if (!picture) return null;
   const pyramid = new Pyramid(picture, result.source);
-  return { result, picture: new PictureLayer(pyramid, world, tell), bare: new BareCanvas(result, pyramid, world, tell) };
+  return {
+    result,
+    picture: new PictureLayer(pyramid, world, tell),
+    bare: new BareCanvas(result, pyramid, world, tell),
+    gaps: picture.background === null,
+  };
 }
