@@ -25,10 +25,13 @@ struct Picture {
   cv::Size2d full_px;
 };
 
-/// A damaged picture is no error: tessera draw makes it again, and the page shows the pieces without it.
+/// A missing or damaged picture is no error: tessera draw makes it, and the page shows the pieces without it.
 Picture read_picture(const std::string& folder, std::vector<std::string>& warnings) {
   const std::string path = path_in_result(folder, "collage.png");
-  if (!is_in_result(folder, "collage.png")) return {};
+  if (!is_in_result(folder, "collage.png")) {
+    warnings.push_back("the page has no picture: " + path + ": no such file; tessera draw " + folder + " makes it");
+    return {};
+  }
   try {
     const std::vector<std::uint8_t> bytes = read_regular_file(path, kMostFileBytes);
     const std::optional<cv::Size2d> full = image_size_from_header(bytes);
@@ -42,13 +45,18 @@ Picture read_picture(const std::string& folder, std::vector<std::string>& warnin
   }
 }
 
-/// The colour between the pieces, "#rrggbb"; null where that is transparent, or a picture.
+/// The colour between the pieces, "#rrggbb"; null where that is transparent, a picture, or of several colours.
 Json background_of(const WholeResult& result) {
   const auto& pictures = result.manifest.pictures;
   const auto png = std::find_if(pictures.begin(), pictures.end(),
                                 [](const DrawnPicture& picture) { return picture.file == "collage.png"; });
-  const OutputSpec& output = png == pictures.end() ? result.job.output : png->output;
-  return output.background.starts_with('#') && output.ground.empty() ? Json(output.background) : Json();
+  const bool drawn = png != pictures.end();
+  const OutputSpec& output = drawn ? png->output : result.job.output;
+  const double overlay = drawn ? png->overlay : result.job.colour.overlay;
+  const std::vector<std::string>& regions = result.job.canvas.region_backgrounds;
+  const bool one_colour = output.background.starts_with('#') && output.ground.empty() && overlay == 0 &&
+                          std::all_of(regions.begin(), regions.end(), [](const std::string& c) { return c.empty(); });
+  return one_colour ? Json(output.background) : Json();
 }
 
 }  // namespace

@@ -11,8 +11,8 @@
 namespace tessera {
 
 /// PictureData of web/src/data.ts for collage.png in the folder; its tiles, of `most_bytes` in all, are appended to the
-/// page's blocks. `number`: of the picture on its page. Null where there is no collage.png; where it is damaged, the page
-/// gets a warning, too. Throws EnvironmentError.
+/// page's blocks. `number`: of the picture on its page. Null, with a warning for the page, where collage.png is
+/// missing or damaged. Throws EnvironmentError.
 nlohmann::ordered_json picture_data(const std::string& folder, const WholeResult& result, std::size_t number,
                                     std::size_t most_bytes, Page& page);
 

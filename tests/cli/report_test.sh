@@ -53,7 +53,23 @@ echo x >damaged/collage.png
 run 0 report damaged
 expect_word "the page has no picture: damaged/collage.png: "
 expect_value damaged/report.html 'data["picture"]' None
+rm damaged/collage.png
+run 0 report damaged
+expect_word "the page has no picture: damaged/collage.png: no such file; tessera draw damaged makes it"
 echo "ok tessera report"
+
+expect_value result/report.html 'data["picture"]["background"]' "#f3f0ec"
+cat >halves.svg <<'END'
+<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 120 90'><rect width='60' height='90' fill='#c05030'/><rect x='60' width='60' height='90' fill='#406080'/></svg>
+END
+{
+  sed "s/^\[canvas\]/&\nfile = 'halves.svg'/" job.toml
+  printf "[[regions]]\nname = '%s'\ncolour = '%s'\nbackground = '%s'\n" left '#c05030' '#ffeeee' right '#406080' '#eeeeff'
+} >halves.toml
+run 0 collage halves.toml --out halves --quiet
+run 0 report halves
+expect_value halves/report.html 'data["picture"]["background"]' None
+echo "ok colours of the canvas"
 
 # Another job replaces a result: its page must not stay.
 run 0 collage job.toml --out result --quiet --set seed=2

@@ -67,6 +67,6 @@ run collage wild.toml --out "$hostile" --quiet
 run report "$hostile" -o hostile.html
 run report "$hostile" result -o hostile_both.html
 
-export TESSERA=$tessera CHROMIUM=$chromium
+export TESSERA=$tessera CHROMIUM=$chromium SHOTS=$here/shots
 # Files run one after the other: a browser of each would share the cores.
 exec timeout "$([[ $part == long ]] && echo 1200 || echo 300)" node --test --test-reporter=spec --test-concurrency=1 "$part"*.test.mjs

@@ -3,33 +3,17 @@
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { existsSync, readFileSync } from "node:fs";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import * as editing from "./editing_fixture.mjs";
 import * as fixture from "./page_fixture.mjs";
 
 const limits = { timeout: 120_000 };
 const pieces = fixture.piecesOf("result");
 const by_room = [...pieces].sort((a, b) => b.inside?.distance - a.inside?.distance);
-let browser;
-before(async () => {
-  browser = await fixture.startBrowser();
-});
-after(() => browser?.close());
-
-/** A page that must have caused no complaints and no requests, and must not have jumped, when the test ends. */
-async function open(t, file = "result.html", options = {}) {
-  const { page, faults, context } = await fixture.openPage(browser, file, options);
-  t.after(() => context.close());
-  const finish = async () => {
-    assert.deepEqual(faults, []);
-    const shift = await page.evaluate(() => window.layout_shift);
-    assert.ok(shift < 0.05, `the layout shifted by ${shift}`);
-  };
-  return { page, finish };
-}
+fixture.useBrowser();
 
 test("zoom by wheel, keys and buttons; pan by pointer and keys", limits, async (t) => {
-  const { page, finish } = await open(t);
+  const { page, finish } = await fixture.open(t);
   const start = await fixture.transform(page);
   const [x, y] = await fixture.onPage(page, { x: 100, y: 60 });
   await page.mouse.move(x, y);
@@ -67,7 +51,7 @@ test("zoom by wheel, keys and buttons; pan by pointer and keys", limits, async (
 });
 
 test("hover, select, next, previous and zoom to a piece", limits, async (t) => {
-  const { page, finish } = await open(t);
+  const { page, finish } = await fixture.open(t);
   for (const piece of by_room.slice(0, 5)) {
     const [x, y] = await fixture.onPage(page, piece.inside);
     await page.mouse.move(x, y);
@@ -96,7 +80,7 @@ test("hover, select, next, previous and zoom to a piece", limits, async (t) => {
 });
 
 test("search", limits, async (t) => {
-  const { page, finish } = await open(t);
+  const { page, finish } = await fixture.open(t);
   await page.getByTestId("tab-search").click();
   const [name, uses] = fixture.mostUsed("result");
   await page.getByTestId("search-input").fill(name.slice(0, 3).toUpperCase());
@@ -104,7 +88,7 @@ test("search", limits, async (t) => {
   const before = await fixture.settledShot(page);
   await page.keyboard.press("Enter");
   assert.match(await page.getByTestId("highlight-note").textContent(), new RegExp(`^${name} · ${uses} ×`));
-  assert.ok((await fixture.changedFraction(browser, before, await fixture.settledShot(page))) > 0.002, "nothing is marked");
+  assert.ok((await fixture.changedFraction(before, await fixture.settledShot(page))) > 0.002, "nothing is marked");
   await page.getByTestId("tab-search").click();
   await page.getByTestId("search-input").fill("no such name");
   assert.equal(await page.getByTestId("search-summary").textContent(), "Nothing has this name.");
@@ -112,7 +96,7 @@ test("search", limits, async (t) => {
 });
 
 test("each overlay changes the picture and goes again; the picture fades", limits, async (t) => {
-  const { page, finish } = await open(t);
+  const { page, finish } = await fixture.open(t);
   await page.getByTestId("tab-overlays").click();
   const plain = await fixture.settledShot(page);
   const strength = page.getByTestId("picture-strength");
@@ -121,30 +105,45 @@ test("each overlay changes the picture and goes again; the picture fades", limit
     await box.check();
     const on = await fixture.settledShot(page);
     // The picture fades beneath all but the outlines; an overlay alone must show, too.
-    assert.ok((await fixture.changedFraction(browser, plain, on)) > 0.005, `${name} does not show`);
+    assert.ok((await fixture.changedFraction(plain, on)) > 0.005, `${name} does not show`);
     await box.uncheck();
-    assert.ok((await fixture.changedFraction(browser, plain, await fixture.settledShot(page))) < 0.001, `${name} stays`);
+    assert.ok((await fixture.changedFraction(plain, await fixture.settledShot(page))) < 0.001, `${name} stays`);
   }
   await strength.fill("0");
   const blank = await fixture.settledShot(page);
-  assert.ok((await fixture.changedFraction(browser, plain, blank)) > 0.3, "the picture does not fade");
+  assert.ok((await fixture.changedFraction(plain, blank)) > 0.3, "the picture does not fade");
   for (const name of ["outlines", "free", "gaps", "contact", "order"]) {
     const box = page.getByTestId(`overlay-${name}`);
     await box.check();
-    assert.ok((await fixture.changedFraction(browser, blank, await fixture.settledShot(page))) > 0.002, `${name} is not drawn`);
+    assert.ok((await fixture.changedFraction(blank, await fixture.settledShot(page))) > 0.002, `${name} is not drawn`);
     await box.uncheck();
   }
   await finish();
 });
 
+test("a dragged picture shows what it shows when it is drawn anew", limits, async (t) => {
+  const { page, finish } = await fixture.open(t);
+  await page.getByTestId("tab-overlays").click();
+  for (const name of ["outlines", "contact"]) await page.getByTestId(`overlay-${name}`).check();
+  for (const [x, y] of [[40, 25], [-70, 30], [30, -60]]) {
+    await page.evaluate(() => window.tesseraReport.view.centre(150, 100, 7));
+    await editing.drag(page, [{ x: 150, y: 100 }, { x: 150 + x / 2, y: 100 }, { x: 150 + x, y: 100 + y }]);
+    const dragged = await fixture.settledShot(page);
+    await page.getByTestId("picture-strength").dispatchEvent("input");
+    const difference = await fixture.changedFraction(dragged, await fixture.settledShot(page));
+    assert.ok(difference < 1e-4, `dragged by (${x}, ${y}): ${difference} of the picture differs`);
+  }
+  await finish();
+});
+
 test("growth: the slider shows the first pieces, playing adds the others", limits, async (t) => {
-  const { page, finish } = await open(t);
+  const { page, finish } = await fixture.open(t);
   const whole = await fixture.settledShot(page);
   const text = page.getByTestId("growth-text");
   assert.equal(await text.textContent(), `${pieces.length} / ${pieces.length}`);
   await page.getByTestId("growth-slider").fill("3");
   assert.equal(await text.textContent(), `3 / ${pieces.length}`);
-  assert.ok((await fixture.changedFraction(browser, whole, await fixture.settledShot(page))) > 0.1, "all pieces still show");
+  assert.ok((await fixture.changedFraction(whole, await fixture.settledShot(page))) > 0.1, "all pieces still show");
   const later = by_room.find(({ index }) => index >= 3);
   await page.mouse.move(...(await fixture.onPage(page, later.inside)));
   assert.equal(await page.getByTestId("hover-label").isVisible(), false, "the name of a piece that is not there yet");
@@ -154,12 +153,12 @@ test("growth: the slider shows the first pieces, playing adds the others", limit
   await page.waitForFunction((all) => document.querySelector("[data-testid=growth-slider]").value === all, String(pieces.length));
   await page.waitForFunction(() => /^Play/.test(document.querySelector("[data-testid=growth-play]").ariaLabel));
   await page.mouse.move(5, 5);
-  assert.ok((await fixture.changedFraction(browser, whole, await fixture.settledShot(page))) < 0.001, "another picture at the end");
+  assert.ok((await fixture.changedFraction(whole, await fixture.settledShot(page))) < 0.001, "another picture at the end");
   await finish();
 });
 
 test("scribble and lasso mark pieces; command, undo and files", limits, async (t) => {
-  const { page, finish } = await open(t);
+  const { page, finish } = await fixture.open(t);
   await page.getByTestId("tab-edit").click();
   assert.equal(await editing.command(page), "# mark pieces to erase first");
 
@@ -202,7 +201,7 @@ test("scribble and lasso mark pieces; command, undo and files", limits, async (t
 });
 
 test("what the page gives out is what the program takes", limits, async (t) => {
-  const { page, finish } = await open(t);
+  const { page, finish } = await fixture.open(t);
   await editing.useTool(page, "click");
   const chosen = by_room.slice(0, 2);
   for (const { inside } of chosen) await page.mouse.click(...(await fixture.onPage(page, inside)));

@@ -1,7 +1,7 @@
 // Pages with the keyboard alone, with axe-core in all colours and widths, and the comparison of results.
 
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import * as fixture from "./page_fixture.mjs";
 
 const limits = { timeout: 180_000 };
@@ -13,23 +13,7 @@ const looks = [
   { colorScheme: "dark", viewport: { width: 390, height: 780 }, hasTouch: true, deviceScaleFactor: 2 },
 ];
 const nameOf = ({ colorScheme, viewport }) => `${colorScheme}, ${viewport.width} px wide`;
-let browser;
-before(async () => {
-  browser = await fixture.startBrowser();
-});
-after(() => browser?.close());
-
-async function open(t, file, options) {
-  const opened = await fixture.openPage(browser, file, options);
-  t.after(() => opened.context.close());
-  return opened;
-}
-
-async function finish({ page, faults }) {
-  assert.deepEqual(faults, []);
-  const shift = await page.evaluate(() => window.layout_shift);
-  assert.ok(shift < 0.05, `the layout shifted by ${shift}`);
-}
+fixture.useBrowser();
 
 /** Nothing is wider than the page, so that nobody must scroll it sideways. */
 async function expectNarrow(page, what) {
@@ -39,8 +23,7 @@ async function expectNarrow(page, what) {
 
 for (const look of looks) {
   test(`a result, ${nameOf(look)}: each tab is accessible`, limits, async (t) => {
-    const opened = await open(t, "result.html", look);
-    const { page } = opened;
+    const { page, finish } = await fixture.open(t, "result.html", look);
     await page.evaluate(() => window.tesseraReport.view.select(1));
     for (const tab of tabs) {
       await page.getByTestId(`tab-${tab}`).click();
@@ -56,12 +39,11 @@ for (const look of looks) {
       await page.getByTestId("keys").click();
       await fixture.expectAccessible(page, `the keys, ${nameOf(look)}`);
     }
-    await finish(opened);
+    await finish();
   });
 
   test(`a campaign, ${nameOf(look)}: sorted, side by side, difference, blinking`, limits, async (t) => {
-    const opened = await open(t, "both.html", look);
-    const { page } = opened;
+    const { page, finish } = await fixture.open(t, "both.html", look);
     const order = async () => (await page.getByTestId("ranking").locator("tbody th").allTextContents()).join();
     await page.getByTestId("sort-1").click();
     assert.equal(await order(), "other,result");
@@ -77,14 +59,14 @@ for (const look of looks) {
     await page.getByTestId("compare").click();
 
     const [one, two] = [await fixture.settledShot(page), await fixture.settledShot(page, "viewer-beside")];
-    assert.ok((await fixture.changedFraction(browser, one, two)) > 0.05, "both sides show the same");
+    assert.ok((await fixture.changedFraction(one, two)) > 0.05, "both sides show the same");
     await page.getByTestId("viewer").focus();
     const both = await page.getByTestId("zoom-in").count();
     assert.equal(both, 2);
     await page.getByTestId("zoom-in").first().click();
     await fixture.settledShot(page);
     const beside = await fixture.settledShot(page, "viewer-beside");
-    assert.ok((await fixture.changedFraction(browser, two, beside)) > 0.05, "the other side does not follow");
+    assert.ok((await fixture.changedFraction(two, beside)) > 0.05, "the other side does not follow");
     await fixture.expectAccessible(page, `side by side, ${nameOf(look)}`);
     const zoomed = await fixture.middle(page);
     for (const mode of ["difference", "blink"]) {
@@ -93,7 +75,7 @@ for (const look of looks) {
       for (const [key, value] of Object.entries(await fixture.middle(page))) {
         assert.ok(Math.abs(value / zoomed[key] - 1) < 0.01, `${mode} shows another place: ${key} ${value}, not ${zoomed[key]}`);
       }
-      if (mode === "difference") assert.ok((await fixture.changedFraction(browser, one, await fixture.settledShot(page))) > 0.05);
+      if (mode === "difference") assert.ok((await fixture.changedFraction(one, await fixture.settledShot(page))) > 0.05);
       else await page.getByTestId("blink-pause").click();
       await fixture.expectAccessible(page, `${mode}, ${nameOf(look)}`);
       await expectNarrow(page, mode);
@@ -101,7 +83,7 @@ for (const look of looks) {
     }
     await page.getByTestId("compare-close").click();
     assert.equal(await page.evaluate(() => document.activeElement.dataset.testid), "compare");
-    await finish(opened);
+    await finish();
   });
 }
 
@@ -124,8 +106,7 @@ async function tabTo(page, wanted) {
 }
 
 test("a result with the keyboard alone", limits, async (t) => {
-  const opened = await open(t, "result.html");
-  const { page } = opened;
+  const { page, finish } = await fixture.open(t);
   for (const wanted of ["keys", "panel-toggle", "theme", "viewer", "zoom-in", "zoom-out", "zoom-fit", "growth-play", "growth-slider"]) {
     await tabTo(page, wanted);
     // The focus must be seen: its outline or its shadow.
@@ -154,12 +135,11 @@ test("a result with the keyboard alone", limits, async (t) => {
   assert.equal(await focused(page), "tab-edit");
   assert.equal(await page.getByTestId("command").textContent(), "tessera refine result --pieces 1 --lock 2");
   for (const wanted of ["edit-swap", "command", "command-copy", "save-marks", "save-mask"]) await tabTo(page, wanted);
-  await finish(opened);
+  await finish();
 });
 
 test("a campaign with the keyboard alone", limits, async (t) => {
-  const opened = await open(t, "both.html");
-  const { page } = opened;
+  const { page, finish } = await fixture.open(t, "both.html");
   for (const card of ["card-0", "card-1"]) {
     await tabTo(page, card);
     await page.keyboard.press("Enter");
@@ -170,5 +150,51 @@ test("a campaign with the keyboard alone", limits, async (t) => {
   await tabTo(page, "compare-close");
   await page.keyboard.press("Enter");
   assert.equal(await focused(page), "compare");
-  await finish(opened);
+  await finish();
+});
+
+const darkness = (page) => page.evaluate(() => getComputedStyle(document.documentElement).colorScheme);
+const reload = async (page) => {
+  await page.reload();
+  await page.evaluate(() => window.tesseraReport.ready);
+};
+
+test("the chosen colours stay when the page is opened again", limits, async (t) => {
+  const { page, finish } = await fixture.open(t);
+  await page.getByTestId("theme").selectOption("dark");
+  await reload(page);
+  assert.equal(await darkness(page), "dark");
+  assert.equal(await page.getByTestId("theme").inputValue(), "dark");
+  // Where the browser keeps nothing the choice holds until the page is closed.
+  await page.addInitScript(() => Object.defineProperty(window, "localStorage", { get: () => { throw new Error("refused"); } }));
+  await reload(page);
+  assert.equal(await page.getByTestId("theme").inputValue(), "auto");
+  await page.getByTestId("theme").selectOption("light");
+  assert.equal(await darkness(page), "light");
+  await finish();
+});
+
+test("a question mark shows the keys", limits, async (t) => {
+  const { page, finish } = await fixture.open(t);
+  await page.getByTestId("viewer").focus();
+  await page.keyboard.press("?");
+  assert.ok(await page.getByRole("dialog", { name: "Keys" }).isVisible());
+  await page.keyboard.press("Escape");
+  assert.equal(await page.getByRole("dialog").count(), 0);
+  await finish();
+});
+
+test("forced colours: legends keep their colours, and what is chosen shows", limits, async (t) => {
+  const { page, finish } = await fixture.open(t, "result.html", { forcedColors: "active" });
+  await page.getByTestId("tab-overlays").click();
+  await page.getByTestId("overlay-contact").check();
+  const colours = await page.locator(".swatch:visible").evaluateAll((all) => all.map((one) => getComputedStyle(one).backgroundColor));
+  assert.equal(new Set(colours).size, 5);
+  const lines = await page.locator(".tab").evaluateAll((all) => all.map((one) => getComputedStyle(one).borderBottomColor));
+  assert.equal(new Set(lines).size, 2, "the open tab looks like the others");
+  await page.getByTestId("tab-edit").click();
+  const tools = await page.locator(".segments span").evaluateAll((all) => all.map((one) => getComputedStyle(one).backgroundColor));
+  assert.ok(new Set(tools).size > 1, "the chosen tool looks like the others");
+  await fixture.expectAccessible(page, "forced colours");
+  await finish();
 });

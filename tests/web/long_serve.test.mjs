@@ -5,16 +5,12 @@ import { spawn, spawnSync } from "node:child_process";
 import { once } from "node:events";
 import { existsSync, readFileSync, rmSync } from "node:fs";
 import { createServer } from "node:http";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import * as editing from "./editing_fixture.mjs";
 import * as fixture from "./page_fixture.mjs";
 
 const limits = { timeout: 180_000 };
-let browser;
-before(async () => {
-  browser = await fixture.startBrowser();
-});
-after(() => browser?.close());
+fixture.useBrowser();
 
 /** A server for a fresh copy of a result, and its address. */
 async function serve(t, folder) {
@@ -43,7 +39,7 @@ const waitForName = (page, name) => page.waitForFunction((wanted) => document.qu
 
 test("scribble, refill, compare; the results stay", limits, async (t) => {
   const { address, end } = await serve(t, "served");
-  const { page, faults } = await fixture.openPage(browser, address);
+  const { page, faults } = await fixture.open(t, address);
   const pieces = fixture.piecesOf("served");
   const [largest] = [...pieces].sort((a, b) => b.inside?.distance - a.inside?.distance);
   await editing.useTool(page, "scribble");
@@ -58,7 +54,7 @@ test("scribble, refill, compare; the results stay", limits, async (t) => {
   // The preview has no picture of its own yet, or has it already; in the end it has.
   await page.waitForFunction(() => document.querySelector("[data-testid=refill-message]").textContent === "", null, { timeout: 60_000 });
   await page.waitForTimeout(500);
-  assert.ok((await fixture.changedFraction(browser, before_it, await fixture.settledShot(page))) > 0.001, "the picture is the old one");
+  assert.ok((await fixture.changedFraction(before_it, await fixture.settledShot(page))) > 0.001, "the picture is the old one");
   assert.deepEqual(JSON.parse(readFileSync("served-2/marks.json", "utf8")).pieces, [largest.index]);
   assert.ok(existsSync("served-2/collage.png"));
 
@@ -107,7 +103,7 @@ for (const look of [
 ]) {
   test(`the tabs of a served page are accessible, ${look.colorScheme}, ${look.viewport.width} px wide`, limits, async (t) => {
     const { address, end } = await serve(t, `served_${look.colorScheme}`);
-    const { page, faults } = await fixture.openPage(browser, address, look);
+    const { page, faults } = await fixture.open(t, address, look);
     for (const tab of ["edit", "variants"]) {
       await page.getByTestId(`tab-${tab}`).click();
       await fixture.expectAccessible(page, tab);
@@ -124,7 +120,7 @@ test("another site in the same browser reaches nothing, even with the address", 
   const other = createServer((_request, answer) => answer.setHeader("Content-Type", "text/html").end("<title>other</title>"));
   await once(other.listen(0, "127.0.0.1"), "listening");
   t.after(() => other.close());
-  const page = await browser.newPage();
+  const page = await fixture.newPage();
   await page.goto(`http://127.0.0.1:${other.address().port}/`);
   const read = await page.evaluate(async (to) => {
     const failed = async (...request) => fetch(...request).then(async (answer) => `read: ${await answer.text()}`, () => "failed");

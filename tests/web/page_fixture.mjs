@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { resolve } from "node:path";
+import { after, before } from "node:test";
 import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
 
@@ -17,6 +18,7 @@ export function startBrowser() {
   const args = [
     "--no-sandbox",
     "--disable-gpu",
+    "--force-color-profile=srgb",
     "--disable-background-networking",
     "--disable-component-update",
     "--no-first-run",
@@ -25,31 +27,62 @@ export function startBrowser() {
   return chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args });
 }
 
-/** Opens a page from the disk or of a server, and notes its complaints and foreign requests. `options`: of a browser's context. */
-export async function openPage(browser, file, options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, reducedMotion: "reduce", ...options });
-  const page = await context.newPage();
-  const faults = [];
-  page.on("console", (message) => /^(error|warning)$/.test(message.type()) && faults.push(`console: ${message.text()}`));
-  page.on("pageerror", (error) => faults.push(`exception: ${error.message}`));
-  page.on("dialog", (dialog) => (faults.push(`dialog: ${dialog.message()}`), dialog.dismiss()));
-  const address = file.startsWith("http:") ? file : pathToFileURL(resolve(file)).href;
-  const own = (url) => /^(data|blob):/.test(url) || url.startsWith(address);
-  page.on("request", (request) => own(request.url()) || faults.push(`request: ${request.url()}`));
-  await page.addInitScript(() => {
-    window.layout_shift = 0;
-    new PerformanceObserver((list) => {
-      for (const entry of list.getEntries()) if (!entry.hadRecentInput) window.layout_shift += entry.value;
-    }).observe({ type: "layout-shift", buffered: true });
+let browser;
+
+/** Gives the tests of a file one browser for all. */
+export function useBrowser() {
+  before(async () => {
+    browser = await startBrowser();
   });
+  after(() => browser?.close());
+}
+
+/** An empty page of the browser, without any checks. */
+export const newPage = () => browser.newPage();
+
+/** Opens a page from the disk or of a server until the test `t` ends. `options` are those of a browser's context. The test calls `finish` at
+ *  its end: the page must have caused no complaints and no foreign requests (`faults`), and must not have jumped. */
+export async function open(t, file = "result.html", options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, reducedMotion: "reduce", ...options });
+  t.after(() => context.close());
+  const page = await context.newPage();
   page.setDefaultTimeout(kReady_ms);
+  const address = file.startsWith("http:") ? file : pathToFileURL(resolve(file)).href;
+  const faults = noteFaults(page, address);
+  await noteShifts(page);
   const begin_ms = Date.now();
   await page.goto(address);
   await page.waitForFunction(() => window.tesseraReport);
   await page.evaluate(() => window.tesseraReport.ready);
   const ready_ms = Date.now() - begin_ms;
   assert.equal(await page.getByTestId("failure").count(), 0, "the page says that it cannot be shown");
-  return { page, context, faults, ready_ms };
+  const finish = async () => {
+    assert.deepEqual(faults, []);
+    const shift = await page.evaluate(() => window.layout_shift);
+    assert.ok(shift < 0.05, `the layout shifted by ${shift}`);
+  };
+  return { page, faults, ready_ms, finish };
+}
+
+/** A list to which the page's complaints and its requests to other addresses are added. */
+function noteFaults(page, address) {
+  const faults = [];
+  page.on("console", (message) => /^(error|warning)$/.test(message.type()) && faults.push(`console: ${message.text()}`));
+  page.on("pageerror", (error) => faults.push(`exception: ${error.message}`));
+  page.on("dialog", (dialog) => (faults.push(`dialog: ${dialog.message()}`), dialog.dismiss()));
+  const own = (url) => /^(data|blob):/.test(url) || url.startsWith(address);
+  page.on("request", (request) => own(request.url()) || faults.push(`request: ${request.url()}`));
+  return faults;
+}
+
+/** Adds up by how much the layout jumps without a user's doing. */
+function noteShifts(page) {
+  return page.addInitScript(() => {
+    window.layout_shift = 0;
+    new PerformanceObserver((list) => {
+      for (const entry of list.getEntries()) if (!entry.hadRecentInput) window.layout_shift += entry.value;
+    }).observe({ type: "layout-shift", buffered: true });
+  });
 }
 
 /** Fails if axe-core finds anything on the page as it is now. */
@@ -122,11 +155,12 @@ export async function middle(page) {
 export const transform = (page) => page.evaluate(() => window.tesseraReport.view.transform());
 export const selected = (page) => page.evaluate(() => window.tesseraReport.view.selected());
 
-/** A picture of an element once it no longer changes. */
+/** A picture of an element, or of the whole page (null), once it no longer changes. */
 export async function settledShot(page, testid = "viewer") {
+  const seen = testid === null ? page : page.getByTestId(testid);
   let before = null;
   for (let tries = 0; tries < 40; ++tries) {
-    const now = await page.getByTestId(testid).screenshot();
+    const now = await seen.screenshot();
     if (before?.equals(now)) return now;
     before = now;
     await page.waitForTimeout(80);
@@ -135,29 +169,44 @@ export async function settledShot(page, testid = "viewer") {
 }
 
 /** The fraction of pixels of two PNG files that differ clearly; 1 if their sizes differ. */
-export async function changedFraction(browser, a, b) {
+export const changedFraction = (a, b) => differentSquares(a, b, 1, 12);
+
+/** Divides two PNG files into squares, and gives the fraction of those whose mean colours differ by more than `least`, of 255, in a channel;
+ *  1 if the sizes of the pictures differ. */
+export async function differentSquares(a, b, square_px, least) {
   const page = await browser.newPage();
+  const urls = [a, b].map((png) => `data:image/png;base64,${png.toString("base64")}`);
   const fraction = await page.evaluate(
-    async (urls) => {
-      const [one, two] = await Promise.all(
-        urls.map(async (url) => {
-          const picture = new Image();
-          picture.src = url;
-          await picture.decode();
-          const context = new OffscreenCanvas(picture.width, picture.height).getContext("2d");
-          context.drawImage(picture, 0, 0);
-          return context.getImageData(0, 0, picture.width, picture.height);
-        }),
-      );
+    async ([urls, square_px, least]) => {
+      const means = async (url) => {
+        const picture = new Image();
+        picture.src = url;
+        await picture.decode();
+        const { width, height } = picture;
+        const context = new OffscreenCanvas(width, height).getContext("2d");
+        context.drawImage(picture, 0, 0);
+        const { data } = context.getImageData(0, 0, width, height);
+        const across = Math.ceil(width / square_px);
+        const sums = new Float64Array(4 * across * Math.ceil(height / square_px));
+        for (let y = 0; y < height; ++y) {
+          for (let x = 0; x < width; ++x) {
+            const square = 4 * (Math.floor(y / square_px) * across + Math.floor(x / square_px));
+            for (let channel = 0; channel < 3; ++channel) sums[square + channel] += data[4 * (y * width + x) + channel];
+            ++sums[square + 3]; // pixels
+          }
+        }
+        return { width, height, sums };
+      };
+      const [one, two] = await Promise.all(urls.map(means));
       if (one.width !== two.width || one.height !== two.height) return 1;
       let changed = 0;
-      for (let at = 0; at < one.data.length; at += 4) {
-        const far = [0, 1, 2].some((channel) => Math.abs(one.data[at + channel] - two.data[at + channel]) > 12);
+      for (let at = 0; at < one.sums.length; at += 4) {
+        const far = [0, 1, 2].some((channel) => Math.abs(one.sums[at + channel] - two.sums[at + channel]) > least * one.sums[at + 3]);
         if (far) ++changed;
       }
-      return changed / (one.width * one.height);
+      return (4 * changed) / one.sums.length;
     },
-    [a, b].map((png) => `data:image/png;base64,${png.toString("base64")}`),
+    [urls, square_px, least],
   );
   await page.close();
   return fraction;

@@ -17,7 +17,7 @@ export interface PictureData {
   tile_px: number;
   /** The largest first; each further level has half the size, rounded up. The last one is a single tile. */
   levels: { width_px: number; height_px: number }[];
-  /** "#rrggbb" of the canvas between the pieces; null: transparent, or a picture. */
+  /** "#rrggbb" of the canvas between the pieces; null: transparent, a picture, or several colours. */
   background: string | null;
 }
 

@@ -3,6 +3,7 @@ import { pageSource } from "./page_source.ts";
 import { showResult } from "./result/result_page.ts";
 import type { TestHooks } from "./test_hooks.ts";
 import { element, printable } from "./ui/dom.ts";
+import { restoreTheme } from "./ui/theme.ts";
 
 async function start(page: HTMLElement): Promise<TestHooks["view"]> {
   // The browser shows the waiting text before the work begins.
@@ -11,6 +12,7 @@ async function start(page: HTMLElement): Promise<TestHooks["view"]> {
   return source.data.kind === "result" ? showResult(page, source, source.data) : showCampaign(page, source, source.data);
 }
 
+restoreTheme();
 const page = document.getElementById("page")!;
 const hooks: TestHooks = { ready: Promise.resolve(), view: null };
 window.tesseraReport = hooks;

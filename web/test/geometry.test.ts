@@ -70,6 +70,11 @@ test("on a seamless canvas pieces are found and are neighbours across the edge",
   assert.equal(seamless.pieceAt(2, 15), 0);
   assert.equal(seamless.pieceAt(98, 15), 0);
   assert.deepEqual(neighboursOf(outlines, seamless, 1, 2), [0]);
+  assert.deepEqual(seamless.appearancesOf(0), [
+    { piece: 0, dx: 0, dy: 0 },
+    { piece: 0, dx: -100, dy: 0 },
+  ]);
+  assert.equal(seamless.appearancesOf(1).length, 1);
   assert.equal(new SpatialIndex(outlines, plain).pieceAt(2, 15), null);
 });
 

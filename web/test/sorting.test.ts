@@ -42,8 +42,8 @@ test("ramps begin and end with their colours", () => {
 });
 
 test("numbers in words", () => {
-  assert.equal(percent(0.901923), "90.2 %");
-  assert.equal(percent(0.00143), "0.14 %");
+  assert.equal(percent(0.901923), "90.2\u00a0%");
+  assert.equal(percent(0.00143), "0.14\u00a0%");
   assert.equal(counted(1, "piece"), "1 piece");
   assert.equal(counted(20359, "piece"), "20,359 pieces");
   assert.equal(duration(196.939), "3 min 17 s");

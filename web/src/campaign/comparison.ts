@@ -1,10 +1,12 @@
 import type { CampaignData, CampaignResult, PictureData, Source } from "../data.ts";
+import { containedBox } from "../model/geometry.ts";
 import { announce } from "../ui/announce.ts";
 import { button, choice, element, foreignName, spokenName } from "../ui/dom.ts";
 import { icon } from "../ui/icons.ts";
 import { viewerBox } from "../ui/viewer_box.ts";
 import type { Layer } from "../view/frame.ts";
 import { linkViewers } from "../view/link.ts";
+import { OnPaper } from "../view/paper.ts";
 import { PictureLayer } from "../view/picture_layer.ts";
 import { Pyramid } from "../view/pyramid.ts";
 import { Viewer } from "../view/viewer.ts";
@@ -133,7 +135,7 @@ export class Comparison {
       shown = 1 - shown;
       viewer.layers.splice(0, 1, layers[shown]!);
       title.replaceChildren(this.paneName(results[shown]!));
-      viewer.requestFrame();
+      viewer.redraw();
     };
     const pause = button({ label: "Pause", testid: "blink-pause" }, () => {
       const stopped = this.blinking !== 0;
@@ -155,10 +157,11 @@ export class Comparison {
     return new Viewer(picture.full_width_px, picture.full_height_px);
   }
 
-  /** A result's picture, over the whole world of a viewer. */
+  /** A result's picture on paper. It fills the world of the viewer; a picture of another shape lies in its middle, as large as it can. */
   private pictureLayer(result: CampaignResult, viewer: Viewer): Layer {
-    const pyramid = new Pyramid(result.picture!, this.source);
-    return new PictureLayer(pyramid, viewer.world_width, viewer.world_height, () => viewer.requestFrame());
+    const { full_width_px, full_height_px } = result.picture!;
+    const box = containedBox(full_width_px, full_height_px, viewer.world_width, viewer.world_height);
+    return new OnPaper(new PictureLayer(new Pyramid(result.picture!, this.source), box, (part) => viewer.redraw(part)), box);
   }
 
   private paneName(result: CampaignResult): HTMLElement {

@@ -63,12 +63,12 @@ function drawThumbnail(canvas: HTMLCanvasElement, result: CampaignResult, source
   canvas.width = Math.max(1, Math.round(picture.full_width_px * scale));
   canvas.height = Math.max(1, Math.round(picture.full_height_px * scale));
   const context = canvas.getContext("2d")!;
+  const visible = { left: 0, top: 0, right: picture.full_width_px, bottom: picture.full_height_px };
   const draw = (): void => {
     const { width, height } = canvas;
-    const visible = { left: 0, top: 0, right: picture.full_width_px, bottom: picture.full_height_px };
     context.clearRect(0, 0, width, height);
     layer.draw({ context, width, height, scale, left: 0, top: 0, pixel_ratio: devicePixelRatio, visible });
   };
-  const layer = new PictureLayer(new Pyramid(picture, source), picture.full_width_px, picture.full_height_px, draw);
+  const layer = new PictureLayer(new Pyramid(picture, source), visible, draw);
   draw();
 }

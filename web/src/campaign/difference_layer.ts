@@ -1,5 +1,5 @@
 import type { Box } from "../model/outlines.ts";
-import { deviceRectangle, type Frame, type Layer, useDevice } from "../view/frame.ts";
+import { deviceRectangle, type Frame, type Layer, partOf, useDevice, type Work } from "../view/frame.ts";
 
 /** The absolute difference of two pictures, pixel by pixel and channel by channel: black where they are equal. The browser computes it
  *  for what shows, from the tiles that both pictures draw anyway. */
@@ -15,6 +15,11 @@ export class DifferenceLayer implements Layer {
     private readonly world: Box,
   ) {}
 
+  work(frame: Frame, work: Work): boolean {
+    for (const picture of [this.a, this.b]) picture.work?.(frame, work);
+    return false;
+  }
+
   draw(frame: Frame): void {
     const first = this.drawn(frame, this.one, this.a);
     this.drawn(frame, this.other, this.b);
@@ -27,18 +32,20 @@ export class DifferenceLayer implements Layer {
     frame.context.beginPath();
     frame.context.rect(...deviceRectangle(frame, this.world));
     frame.context.clip();
-    frame.context.drawImage(this.one, 0, 0);
+    const { left, top } = partOf(frame, first);
+    frame.context.drawImage(this.one, left, top);
     frame.context.restore();
   }
 
   /** A picture alone, on white as in the result's own file. */
   private drawn(frame: Frame, canvas: OffscreenCanvas, picture: Layer): OffscreenCanvasRenderingContext2D {
-    canvas.width = frame.width; // also empties it
-    canvas.height = frame.height;
     const context = canvas.getContext("2d")!;
+    const { part } = partOf(frame, context);
+    canvas.width = part.width; // also empties it
+    canvas.height = part.height;
     context.fillStyle = "#ffffff";
     context.fillRect(0, 0, canvas.width, canvas.height);
-    picture.draw({ ...frame, context });
+    picture.draw(part);
     return context;
   }
 }

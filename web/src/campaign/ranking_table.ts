@@ -4,10 +4,10 @@ import { element, foreignName, spokenName } from "../ui/dom.ts";
 import { fixed } from "../util/format.ts";
 import { type Chosen, toggleChosen } from "./chosen.ts";
 
-/** A value as people read it. */
+/** A value as people read it; no line ends before its unit. */
 export function shownValue(measure: Measure, value: number | null): string {
   if (value === null) return "–";
-  return `${fixed(value, measure.decimals)}${measure.unit ? ` ${measure.unit}` : ""}`;
+  return `${fixed(value, measure.decimals)}${measure.unit ? `\u00a0${measure.unit}` : ""}`;
 }
 
 interface Column {

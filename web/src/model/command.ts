@@ -13,10 +13,14 @@ export function needsFile(marks: Marks): boolean {
   return marks.pieces.length + marks.lock.length > kMostOnCommandLine;
 }
 
+/** The folder of a result as a word of a command. One that begins with a dash would look like an option. */
+export function folderWord(folder: string): string {
+  return shellQuoted(folder.startsWith("-") ? `./${folder}` : folder);
+}
+
 /** The command that fills the result anew as marked; at least one piece is to be erased. */
 export function refineCommand(folder: string, marks: Marks): string {
-  // A folder that begins with a dash would look like an option.
-  const words = ["tessera", "refine", shellQuoted(folder.startsWith("-") ? `./${folder}` : folder)];
+  const words = ["tessera", "refine", folderWord(folder)];
   if (needsFile(marks)) return [...words, "--marks", "marks.json"].join(" ");
   words.push(marks.action === "swap" ? "--swap" : "--pieces", marks.pieces.join(","));
   if (marks.lock.length > 0) words.push("--lock", marks.lock.join(","));

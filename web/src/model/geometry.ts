@@ -17,6 +17,20 @@ export function movedBox(box: Box, dx: number, dy: number): Box {
   return { left: box.left + dx, top: box.top + dy, right: box.right + dx, bottom: box.bottom + dy };
 }
 
+/** Whether rectangles have the same shape, but for rounded sizes. */
+export function sameShape(width: number, height: number, other_width: number, other_height: number): boolean {
+  return Math.abs((width * other_height) / (height * other_width) - 1) < 0.01;
+}
+
+/** Where a rectangle of some shape lies in a frame from (0, 0): all of the frame for the same shape, else as large as it can, in the
+ *  middle. */
+export function containedBox(width: number, height: number, frame_width: number, frame_height: number): Box {
+  if (sameShape(width, height, frame_width, frame_height)) return { left: 0, top: 0, right: frame_width, bottom: frame_height };
+  const scale = Math.min(frame_width / width, frame_height / height);
+  const [left, top] = [(frame_width - scale * width) / 2, (frame_height - scale * height) / 2];
+  return { left, top, right: frame_width - left, bottom: frame_height - top };
+}
+
 /** Even-odd rule, holes included. */
 export function pieceContains(outlines: Outlines, piece: number, x: number, y: number): boolean {
   let inside = false;

@@ -24,7 +24,10 @@ function shifts(low: number, high: number, size: number, repeats: boolean): numb
 
 /** Finds pieces by place. */
 export class SpatialIndex {
+  /** By piece, in order of placement. */
   private readonly appearances: Appearance[] = [];
+  /** The first appearance of each piece; one more at the end. */
+  private readonly first: number[] = [];
   private readonly tree: Flatbush | null;
 
   constructor(
@@ -34,6 +37,7 @@ export class SpatialIndex {
     const boxes: Box[] = [];
     for (let piece = 0; piece < pieceCount(outlines); ++piece) {
       const box = boxOf(outlines, piece);
+      this.first.push(this.appearances.length);
       for (const dx of shifts(box.left, box.right, period.width_px, period.repeats_x)) {
         for (const dy of shifts(box.top, box.bottom, period.height_px, period.repeats_y)) {
           this.appearances.push({ piece, dx, dy });
@@ -41,6 +45,7 @@ export class SpatialIndex {
         }
       }
     }
+    this.first.push(this.appearances.length);
     // Flatbush refuses to be empty.
     this.tree = boxes.length > 0 ? new Flatbush(boxes.length, 16, Float32Array) : null;
     for (const box of boxes) this.tree?.add(box.left, box.top, box.right, box.bottom);
@@ -53,9 +58,9 @@ export class SpatialIndex {
     return found.sort((a, b) => a - b).map((index) => this.appearances[index]!);
   }
 
-  /** Where a piece appears. */
-  appearancesOf(piece: number): Appearance[] {
-    return this.within(boxOf(this.outlines, piece)).filter((appearance) => appearance.piece === piece);
+  /** All places where a piece appears, its own place first. */
+  appearancesOf(piece: number): readonly Appearance[] {
+    return this.appearances.slice(this.first[piece], this.first[piece + 1]);
   }
 
   /** The uppermost piece at a point. */

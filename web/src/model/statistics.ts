@@ -30,3 +30,9 @@ export function spreadIndices(length: number, most: number): number[] {
   if (length <= most) return Array.from({ length }, (_, index) => index);
   return Array.from({ length: most }, (_, index) => Math.round((index * (length - 1)) / (most - 1)));
 }
+
+/** A run may fill the canvas several times. The first index of each attempt: where the coverage falls by more than a tenth. Improving a
+ *  collage takes single pieces away, which is no new attempt. */
+export function attemptStarts(coverage: readonly number[]): number[] {
+  return coverage.flatMap((value, index) => (index === 0 || value < coverage[index - 1]! - 0.1 ? [index] : []));
+}

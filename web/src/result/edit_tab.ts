@@ -3,7 +3,7 @@ import { needsFile, refineCommand } from "../model/command.ts";
 import { button, checkbox, choice, element } from "../ui/dom.ts";
 import { copyButton, download } from "../ui/files.ts";
 import { icon, type IconName } from "../ui/icons.ts";
-import { counted } from "../util/format.ts";
+import { count, counted } from "../util/format.ts";
 import { maskPicture } from "./mask_picture.ts";
 import type { Session, Tool } from "./session.ts";
 
@@ -13,6 +13,8 @@ const tools: readonly { value: Tool; label: string; icon: IconName; hint: string
   { value: "scribble", label: "Scribble", icon: "brush", hint: "Paint over pieces; all that the brush touches are marked." },
   { value: "lasso", label: "Lasso", icon: "lasso", hint: "Draw around pieces; those whose centres lie inside are marked." },
 ];
+
+const kLeftOut = "Pieces that stood from the start cannot be erased, and were left out.";
 
 /** Marks as the command and the files have them. */
 export function sessionMarks(session: Session): Marks {
@@ -26,6 +28,7 @@ export function editTab(session: Session, refill: HTMLElement | null): HTMLEleme
     { class: "edit" },
     element("h2", {}, "Edit"),
     element("p", { class: "note" }, "Mark pieces to erase them; Tessera then fills their place anew. Locked pieces stay where they are."),
+    ...fixedNote(session),
     toolPicker(session),
     brushSlider(session),
     kindPicker(session),
@@ -37,6 +40,15 @@ export function editTab(session: Session, refill: HTMLElement | null): HTMLEleme
     ...command(session),
     ...files(session),
   );
+}
+
+/** Says where pieces cannot be erased. */
+function fixedNote(session: Session): Node[] {
+  const fixed = session.result.data.pieces.locked.filter((locked) => locked === 1).length;
+  if (fixed === 0) return [];
+  const which = fixed === session.pieces ? "All pieces" : `${count(fixed)} of ${counted(session.pieces, "piece")}`;
+  const text = `${which} stood from the start: ${fixed === 1 ? "it" : "they"} cannot be erased.`;
+  return [element("p", { class: "note", "data-testid": "fixed-note" }, text)];
 }
 
 function toolPicker(session: Session): HTMLElement {
@@ -88,16 +100,18 @@ function kindPicker(session: Session): HTMLElement {
 
 function status(session: Session): HTMLElement {
   const text = element("p", { class: "marks-status", role: "status", "data-testid": "marks-status" });
-  const undo = button({ label: "Undo", icon: icon("undo"), testid: "marks-undo" }, () => session.marked(session.marks.undo()));
-  const clear = button({ label: "Clear", icon: icon("clear"), testid: "marks-clear" }, () => session.marked(session.marks.clear()));
-  session.marks_changed.watch(() => {
+  const undo = button({ label: "Undo", icon: icon("undo"), testid: "marks-undo" }, () => session.undo());
+  const clear = button({ label: "Clear", icon: icon("clear"), testid: "marks-clear" }, () => session.clearMarks());
+  const show = (): void => {
     const { pieces, lock } = sessionMarks(session);
-    text.textContent =
-      session.marks.size === 0 ? "Nothing is marked." : `${counted(pieces.length, "piece")} to erase, ${lock.length} locked.`;
+    const marked = session.marks.size === 0 ? "Nothing is marked." : `${counted(pieces.length, "piece")} to erase, ${lock.length} locked.`;
+    text.textContent = session.left_out.get() ? `${marked} ${kLeftOut}` : marked;
     undo.disabled = !session.marks.canUndo;
     clear.disabled = session.marks.size === 0;
-  });
-  return element("div", { class: "row spread" }, text, element("div", { class: "row" }, undo, clear));
+  };
+  session.marks_changed.watch(show);
+  session.left_out.watch(show);
+  return element("div", {}, text, element("div", { class: "row" }, undo, clear));
 }
 
 function command(session: Session): Node[] {

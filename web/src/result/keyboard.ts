@@ -1,4 +1,3 @@
-import { toggleMark } from "./pointer.ts";
 import type { Session } from "./session.ts";
 
 const kPan_px = 60;
@@ -13,6 +12,7 @@ export const kKeys: readonly [keys: string, meaning: string][] = [
   ["e and l", "mark the selected piece to be erased, or locked"],
   ["u", "undo the last mark"],
   ["Esc", "select nothing"],
+  ["?", "show these keys"],
 ];
 
 /** Whether a key belongs to the control that has the focus. */
@@ -24,11 +24,11 @@ function isForControl(event: KeyboardEvent): boolean {
   return (uses_arrows && /^(Arrow|Page|Home|End)/.test(event.key)) || (event.key === "Enter" && target !== document.body);
 }
 
-/** Keys of the whole page. `session` gives the one that shows. */
-export function addKeys(session: () => Session): void {
+/** Keys of the whole page. `session` gives the one that shows; `showKeys` opens the list of keys. */
+export function addKeys(session: () => Session, showKeys: () => void): void {
   document.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || isForControl(event)) return;
-    const press = actions(session())[event.key];
+    const press = event.key === "?" ? showKeys : actions(session())[event.key];
     if (!press) return;
     event.preventDefault();
     press();
@@ -41,7 +41,7 @@ function actions(session: Session): Record<string, (() => void) | undefined> {
   const mark = (kind: "erase" | "lock") => () => {
     if (selected === null) return;
     session.mark_kind.set(kind);
-    toggleMark(session, selected);
+    session.toggleMark(selected);
   };
   return {
     ArrowLeft: () => viewer.panBy(kPan_px, 0),
@@ -56,7 +56,7 @@ function actions(session: Session): Record<string, (() => void) | undefined> {
     p: () => step(session, -1),
     e: mark("erase"),
     l: mark("lock"),
-    u: () => session.marked(session.marks.undo()),
+    u: () => session.undo(),
     Enter: () => selected !== null && session.zoomTo([selected]),
     Escape: () => session.select(null),
   };

@@ -12,6 +12,9 @@ import type { Session } from "./session.ts";
 /** A mark's line may reach this far beyond its piece. */
 const kMarkMargin_px = 8;
 
+/** While the collage grows, overlays are drawn anew after this time. */
+const kOverlaysGrow_ms = 150;
+
 export type OverlayName = "order" | "free" | "gaps" | "overlaps" | "contact" | "outlines";
 
 export interface Layers {
@@ -24,15 +27,20 @@ export function addLayers(session: Session, base_result: Result | null): Layers 
   const { result, viewer } = session;
   const { width_px, height_px } = result.data.canvas;
   const world = { left: 0, top: 0, right: width_px, bottom: height_px };
-  const redraw = (): void => viewer.requestFrame();
-  const base = new PictureBase(result, base_result, redraw);
+  const redraw = (): void => viewer.redraw();
+  const base = new PictureBase(result, base_result, (box) => viewer.redraw(box));
+  const shown = {
+    get count() {
+      return session.growth.get();
+    },
+  };
   const overlays: Layers["overlays"] = {
-    order: new TileLayer(orderPainter(result), world, 0.8),
-    free: new TileLayer(freePainter(result), world, 0.85),
+    order: new TileLayer(orderPainter(result, shown), world, 0.8),
+    free: new TileLayer(freePainter(result, shown), world, 0.85),
     gaps: new TileLayer(gapPainter(result), world, 0.9),
-    overlaps: new TileLayer(overlapPainter(result), world),
-    outlines: new TileLayer(outlinePainter(result), world),
-    contact: new TileLayer(contactPainter(result), world),
+    overlaps: new TileLayer(overlapPainter(result, shown), world),
+    outlines: new TileLayer(outlinePainter(result, shown), world),
+    contact: new TileLayer(contactPainter(result, shown), world),
   };
   for (const overlay of Object.values(overlays)) overlay.visible = false;
   // A selected piece shall be seen among its neighbours; drawings that someone searched for shall be seen at once.
@@ -42,10 +50,16 @@ export function addLayers(session: Session, base_result: Result | null): Layers 
     world,
   );
   const marks = new TileLayer(marksPainter(result, session.marks), world);
-  viewer.layers.push(base, ...Object.values(overlays), uses, marks, new LiveLayer(session));
+  viewer.layers.push(base, ...Object.values(overlays), uses, marks);
+  viewer.live_layers.push(new LiveLayer(session));
 
+  const overlaysGrow = seldom(() => {
+    for (const overlay of [...Object.values(overlays), uses]) overlay.invalidate();
+    redraw();
+  });
   session.growth.watch((count) => {
     base.showFirst(count);
+    overlaysGrow();
     redraw();
   });
   session.highlight.watch(() => {
@@ -63,14 +77,25 @@ export function addLayers(session: Session, base_result: Result | null): Layers 
     }
     redraw();
   });
-  session.hovered.watch(redraw);
-  session.brush.watch(redraw);
-  session.lasso.watch(redraw);
+  for (const value of [session.hovered, session.brush, session.lasso]) value.watch(() => viewer.requestFrame());
   return { base, overlays };
 }
 
-/** The marked uses, without the selected piece: its own outline says more. */
+/** Calls `action` after the first of several calls that follow each other closely: a tile that starts anew in each frame is never done. */
+function seldom(action: () => void): () => void {
+  let waiting = false;
+  return () => {
+    if (waiting) return;
+    waiting = true;
+    setTimeout(() => {
+      waiting = false;
+      action();
+    }, kOverlaysGrow_ms);
+  };
+}
+
+/** The marked uses that show, without the selected piece: its own outline says more. */
 function highlighted(session: Session): readonly number[] {
   const selected = session.selected.get();
-  return (session.highlight.get()?.pieces ?? []).filter((piece) => piece !== selected);
+  return (session.highlight.get()?.pieces ?? []).filter((piece) => piece !== selected && piece < session.growth.get());
 }

@@ -1,8 +1,8 @@
 import { checkbox, element } from "../ui/dom.ts";
+import { gapClasses } from "../model/gap_classes.ts";
 import { kViridis } from "../model/ramp.ts";
 import { fixed } from "../util/format.ts";
 import { kContactClasses } from "../view/contact_painter.ts";
-import { gapClasses } from "../view/painters.ts";
 import type { Layers, OverlayName } from "./layers.ts";
 import type { Session } from "./session.ts";
 
@@ -24,7 +24,7 @@ export function overlaysTab(session: Session, layers: Layers): HTMLElement {
       layers.overlays[name].visible = on;
       if (legend) legend.hidden = !on;
       strength.fade(Object.entries(layers.overlays).some(([other, layer]) => layer.visible && other !== "outlines"));
-      session.viewer.requestFrame();
+      session.viewer.redraw();
     });
     if (legend) {
       legend.hidden = true;
@@ -70,7 +70,7 @@ function strengthSlider(session: Session, layers: Layers): { element: HTMLElemen
   const apply = (): void => {
     layers.base.strength = Number(input.value) / 100;
     input.setAttribute("aria-valuetext", `${input.value} %`);
-    session.viewer.requestFrame();
+    session.viewer.redraw();
   };
   input.addEventListener("input", () => {
     touched = true;
@@ -98,8 +98,7 @@ function legendOf(entries: readonly { colour: string; text: string }[]): HTMLEle
 }
 
 function gapLegend(session: Session): HTMLElement {
-  const classes = gapClasses(session.result.data.gaps.radius_px[0] ?? 0);
-  return legendOf(classes.map(({ from_px, colour }) => ({ colour, text: `from ${fixed(from_px, 1)} px` })));
+  return legendOf(gapClasses(session.result.data.gaps.radius_px).map(({ from_px, colour }) => ({ colour, text: `from ${fixed(from_px, 1)} px` })));
 }
 
 function contactLegend(): HTMLElement {

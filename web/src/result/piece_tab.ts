@@ -4,7 +4,6 @@ import { button, element, foreignName } from "../ui/dom.ts";
 import { icon } from "../ui/icons.ts";
 import { count, counted, fixed, percent } from "../util/format.ts";
 import { step } from "./keyboard.ts";
-import { toggleMark } from "./pointer.ts";
 import type { Session } from "./session.ts";
 
 /** No more than this many buttons for the uses of a drawing. */
@@ -47,13 +46,15 @@ function* about(session: Session, piece: number): Generator<Node> {
   const mark = session.marks.get(piece);
   const toggle = (kind: "erase" | "lock") => () => {
     session.mark_kind.set(kind);
-    toggleMark(session, piece);
+    session.toggleMark(piece);
   };
+  const erase = button({ label: mark === "erase" ? "Keep" : "Erase", testid: "piece-erase" }, toggle("erase"));
+  erase.disabled = session.isFixed(piece);
   yield element(
     "div",
     { class: "row" },
     button({ label: "Zoom to it", testid: "piece-zoom" }, () => session.zoomTo([piece])),
-    button({ label: mark === "erase" ? "Keep" : "Erase", testid: "piece-erase" }, toggle("erase")),
+    erase,
     button({ label: mark === "lock" ? "Unlock" : "Lock", testid: "piece-lock" }, toggle("lock")),
   );
   yield stepButtons(session);
@@ -72,7 +73,7 @@ function facts(session: Session, piece: number): HTMLElement {
     ["Scale", `${fixed(pieces.scale_px[piece]!, 1)} px`],
     ["Rotation", rotationText(pieces.rotation_deg[piece]!)],
     ["Mirrored", pieces.mirrored[piece] ? "yes" : "no"],
-    ["Locked", pieces.locked[piece] ? "yes, it stood from the start" : "no"],
+    ["Locked", pieces.locked[piece] ? "yes, it stood from the start and cannot be erased" : "no"],
     ["Score when placed", fixed(pieces.score[piece]!, 3)],
     ["Matched boundary", `${fixed(pieces.matched_px[piece]!, 1)} px`],
   ];

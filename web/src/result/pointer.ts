@@ -9,6 +9,11 @@ function pieceAt(session: Session, { x, y }: Point): number | null {
   return piece !== null && piece < session.growth.get() ? piece : null;
 }
 
+/** Those pieces that show yet. */
+function shown(session: Session, pieces: readonly number[]): number[] {
+  return pieces.filter((piece) => piece < session.growth.get());
+}
+
 /** Pointing at pieces: the label beside the pointer, and the choice by a click. Returns the label. */
 export function addPointing(session: Session): HTMLElement {
   const { canvas } = session.viewer;
@@ -34,17 +39,9 @@ export function addPointing(session: Session): HTMLElement {
   canvas.addEventListener("click", (event) => {
     const piece = pieceAt(session, session.viewer.worldPoint(event));
     if (session.tool.get() === "pan") session.select(piece);
-    if (session.tool.get() === "click" && piece !== null) toggleMark(session, piece);
+    if (session.tool.get() === "click" && piece !== null) session.toggleMark(piece);
   });
   return label;
-}
-
-/** A click on a piece that is marked already takes the mark away. */
-export function toggleMark(session: Session, piece: number): void {
-  const kind = session.mark_kind.get();
-  session.marks.beginStep();
-  const off = kind === "none" || session.marks.get(piece) === kind;
-  session.marked(session.marks.mark([piece], off ? null : kind));
 }
 
 /** Scribbling and the lasso. */
@@ -53,6 +50,7 @@ export function addDrawingTools(session: Session): void {
   const draws = (): boolean => session.tool.get() === "scribble" || session.tool.get() === "lasso";
   let stroke: { pointer: number; last: Point } | null = null;
   session.viewer.mayPan = () => !draws();
+  session.viewer.zoomsOnDoubleClick = () => session.tool.get() === "pan";
   session.tool.watch((tool) => {
     canvas.dataset["tool"] = tool;
   });
@@ -66,7 +64,7 @@ export function addDrawingTools(session: Session): void {
     const at = session.viewer.worldPoint(event);
     stroke = { pointer: event.pointerId, last: at };
     canvas.setPointerCapture(event.pointerId);
-    session.marks.beginStep();
+    session.beginStep();
     if (session.tool.get() === "scribble") scribble(session, at, at);
     else session.lasso.set([at]);
   });
@@ -81,7 +79,7 @@ export function addDrawingTools(session: Session): void {
   canvas.addEventListener("pointerup", (event) => {
     if (stroke?.pointer !== event.pointerId) return;
     const way = session.lasso.get();
-    if (way.length > 2) session.mark(session.result.index.inLasso(way, (piece) => centreOf(session.result, piece)));
+    if (way.length > 2) session.mark(shown(session, session.result.index.inLasso(way, (piece) => centreOf(session.result, piece))));
     abandon();
   });
   canvas.addEventListener("pointercancel", () => abandon());
@@ -95,5 +93,5 @@ export function addDrawingTools(session: Session): void {
 
 function scribble(session: Session, from: Point, to: Point): void {
   const radius = session.brush_px.get() / 2 / session.viewer.transform.k;
-  session.mark(session.result.index.touchedBy(from, to, radius).filter((piece) => piece < session.growth.get()));
+  session.mark(shown(session, session.result.index.touchedBy(from, to, radius)));
 }

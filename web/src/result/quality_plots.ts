@@ -1,5 +1,5 @@
 import { contactFraction, type Result } from "../model/result.ts";
-import { cumulativePercent, histogram, spreadIndices } from "../model/statistics.ts";
+import { attemptStarts, cumulativePercent, histogram, spreadIndices } from "../model/statistics.ts";
 import { type Plot, plotFigure } from "../ui/plot.ts";
 import { count, duration, fixed } from "../util/format.ts";
 
@@ -49,14 +49,21 @@ function growth(result: Result): Plot {
 function overTime(result: Result): Plot[] {
   const { s, coverage } = result.data.progress;
   if (s.length < 2) return [];
-  const indices = spreadIndices(s.length, kMostPoints);
+  const starts = attemptStarts(coverage);
+  const attempts = starts.length > 1 ? ` The run filled the canvas in ${starts.length} attempts, a line for each.` : "";
+  const points = starts.flatMap((from, attempt): [number, number | null][] => {
+    const end = starts[attempt + 1] ?? s.length;
+    const indices = spreadIndices(end - from, 1 + Math.ceil(kMostPoints / starts.length)).map((index) => from + index);
+    const line = indices.map((index): [number, number] => [s[index]!, 100 * coverage[index]!]);
+    return attempt === 0 ? line : [[s[from]!, null], ...line]; // nothing joins the attempts
+  });
   return [
     {
       title: "Coverage over time",
-      summary: `Covered part of the canvas over ${duration(s[s.length - 1]!)}.`,
+      summary: `Covered part of the canvas over ${duration(s[s.length - 1]!)}.${attempts}`,
       x_label: "seconds",
-      x: indices.map((index) => s[index]!),
-      y: indices.map((index) => 100 * coverage[index]!),
+      x: points.map(([time]) => time),
+      y: points.map(([, percent]) => percent),
       kind: "line",
       unit: " %",
       testid: "plot-time",

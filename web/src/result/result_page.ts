@@ -25,7 +25,10 @@ class ResultPage {
     this.variants = first.data.served ? new Variants(first, (name) => this.show(name)) : null;
     this.session = new Session(first);
     this.build(null);
-    addKeys(() => this.session);
+    addKeys(
+      () => this.session,
+      () => this.keys[0].click(),
+    );
   }
 
   private show(name: string, beside: string | null = null): void {

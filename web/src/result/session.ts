@@ -29,6 +29,8 @@ export class Session {
   readonly brush_px = new Value(24); // CSS px
   readonly mark_kind = new Value<"erase" | "lock" | "none">("erase");
   readonly swap = new Value(false);
+  /** Whether the last step left pieces out that cannot be erased. */
+  readonly left_out = new Value(false);
   /** The way of the lasso so far, and where the brush is: px of the canvas. */
   readonly lasso = new Value<readonly Point[]>([]);
   readonly brush = new Value<Point | null>(null);
@@ -70,10 +72,41 @@ export class Session {
     if (pieces.length > 0) this.viewer.showBox(around, pieces.length === 1 ? 0.3 : 0.9);
   }
 
+  /** Whether a piece stood from the start: the program refuses to erase it. */
+  isFixed(piece: number): boolean {
+    return this.result.data.pieces.locked[piece] === 1;
+  }
+
+  /** All marks from here to the next `beginStep` are undone at once: a stroke is one step. */
+  beginStep(): void {
+    this.marks.beginStep();
+    this.left_out.set(false);
+  }
+
   /** Marks pieces as `mark_kind` says. */
   mark(pieces: readonly number[]): void {
     const kind = this.mark_kind.get();
-    this.marked(this.marks.mark(pieces, kind === "none" ? null : kind));
+    const possible = kind === "erase" ? pieces.filter((piece) => !this.isFixed(piece)) : pieces;
+    this.marked(this.marks.mark(possible, kind === "none" ? null : kind));
+    if (possible.length < pieces.length) this.left_out.set(true);
+  }
+
+  undo(): void {
+    this.left_out.set(false);
+    this.marked(this.marks.undo());
+  }
+
+  clearMarks(): void {
+    this.left_out.set(false);
+    this.marked(this.marks.clear());
+  }
+
+  /** Marks a piece, or takes the mark away if it has this mark already. */
+  toggleMark(piece: number): void {
+    const kind = this.mark_kind.get();
+    this.beginStep();
+    if (this.marks.get(piece) === kind) this.marked(this.marks.mark([piece], null));
+    else this.mark([piece]);
   }
 
   marked(changed: readonly number[]): void {

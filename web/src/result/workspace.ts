@@ -1,5 +1,6 @@
+import { folderWord } from "../model/command.ts";
 import type { Result } from "../model/result.ts";
-import { button, element, foreignName, spokenName } from "../ui/dom.ts";
+import { button, element, foreignName, printable, spokenName } from "../ui/dom.ts";
 import { header } from "../ui/header.ts";
 import { icon } from "../ui/icons.ts";
 import { makeTabs, type Tab } from "../ui/tabs.ts";
@@ -74,6 +75,7 @@ export function workspace(session: Session, options: WorkspaceOptions): { elemen
     "section",
     { class: "stage", "aria-label": "Picture" },
     element("div", { class: other ? "panes two" : "panes" }, picture, ...(other ? [other.element] : [])),
+    ...noPicture(session.result, options),
     growthBar(session),
   );
   const root = element(
@@ -127,10 +129,19 @@ function highlightNote(session: Session): HTMLElement {
   return note;
 }
 
+/** Says why pieces have flat colours. While the server still draws the picture, the tab of its results says so. */
+function noPicture({ data }: Result, { base, variants }: WorkspaceOptions): Node[] {
+  if (data.picture || base || variants?.running) return [];
+  const text = "This page has no picture (collage.png), so the pieces have flat colours. To draw it: ";
+  const command = element("code", {}, printable(`tessera draw ${folderWord(data.folder)}`));
+  const then = ", then make this page again.";
+  return [element("p", { class: "note no-picture", "data-testid": "no-picture" }, text, command, then)];
+}
+
 function otherPane(result: Result, base: Result | null, close: () => void): { element: HTMLElement; viewer: Viewer } {
   const { name, canvas } = result.data;
   const viewer = new Viewer(canvas.width_px, canvas.height_px);
-  viewer.layers.push(new PictureBase(result, base, () => viewer.requestFrame()));
+  viewer.layers.push(new PictureBase(result, base, (box) => viewer.redraw(box)));
   const end = button({ label: "Close", icon: icon("clear"), testid: "compare-close" }, close);
   const title = element("p", { class: "pane-name" }, foreignName(name), end);
   return { element: viewerBox(viewer, `Collage ${spokenName(name)}, for comparison`, "viewer-beside", title), viewer };

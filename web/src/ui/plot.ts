@@ -8,7 +8,8 @@ export interface Plot {
   summary: string;
   x_label: string;
   x: number[];
-  y: number[];
+  /** Null: the line ends, and begins anew at the next value. */
+  y: (number | null)[];
   kind: "bars" | "line";
   /** Of the values down the side: "%" or "". */
   unit: string;

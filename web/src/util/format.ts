@@ -12,10 +12,10 @@ export function fixed(value: number, decimals: number): string {
   return value.toLocaleString("en", { minimumFractionDigits: decimals, maximumFractionDigits: decimals });
 }
 
-/** 0.9019 -> "90.2 %"; small ones keep two decimals. */
+/** 0.9019 -> "90.2 %"; small ones keep two decimals. No line ends before the sign. */
 export function percent(fraction: number): string {
   const value = 100 * fraction;
-  return `${fixed(value, Math.abs(value) < 1 ? 2 : 1)} %`;
+  return `${fixed(value, Math.abs(value) < 1 ? 2 : 1)}\u00a0%`;
 }
 
 /** "1 piece", "2 pieces". */

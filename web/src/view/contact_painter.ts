@@ -2,7 +2,7 @@ import { eachRing } from "../model/outlines.ts";
 import { kCividis } from "../model/ramp.ts";
 import type { Result } from "../model/result.ts";
 import type { Appearance } from "../model/spatial_index.ts";
-import { leastStep, portions } from "./painters.ts";
+import { leastStep, lineStrength, portions, type Shown } from "./painters.ts";
 import type { TilePainter } from "./tile_layer.ts";
 
 /** Classes of distance to the next piece, units of the contact block (1/16 px): up to this. */
@@ -12,20 +12,21 @@ export const kContactClasses = [8, 16, 32, 64, 255].map((to, index) => ({ to, co
 const class_of = Uint8Array.from({ length: 256 }, (_, value) => kContactClasses.findIndex(({ to }) => value <= to));
 
 /** Boundaries, coloured by their distance to the next piece. */
-export function contactPainter(result: Result): TilePainter {
+export function contactPainter(result: Result, shown: Shown): TilePainter {
   return {
     *paint(tile) {
       if (!result.contact) return;
       const step = 2 * leastStep(tile);
-      for (const portion of portions(result, tile)) {
+      const strength = lineStrength(result, tile);
+      for (const portion of portions(result, shown, tile)) {
         const paths = kContactClasses.map(() => new Path2D());
         for (const appearance of portion) traceClasses(result, result.contact, appearance, step, paths);
         const context = tile.context();
         context.lineJoin = "round";
-        context.strokeStyle = "rgba(10,14,20,0.8)";
-        context.lineWidth = 3.6 / tile.scale;
+        context.strokeStyle = `rgba(10,14,20,${0.8 * strength})`;
+        context.lineWidth = (3.6 * strength) / tile.scale;
         for (const path of paths) context.stroke(path);
-        context.lineWidth = 2.2 / tile.scale;
+        context.lineWidth = Math.max(0.9, 2.2 * strength) / tile.scale;
         paths.forEach((path, index) => {
           context.strokeStyle = kContactClasses[index]!.colour;
           context.stroke(path);

@@ -8,7 +8,7 @@ export interface Frame {
   /** Size of the canvas, device px. */
   width: number;
   height: number;
-  /** Device px of a world px, and where the world's origin lies. */
+  /** Device px of a world px, and where the world's origin lies, whole device px: so that pixels can be kept while the picture moves. */
   scale: number;
   left: number;
   top: number;
@@ -20,9 +20,20 @@ export interface Frame {
 
 /** Something that a viewer shows; the first one lies lowest. */
 export interface Layer {
+  /** Draws what lies in `frame.visible`, at least. */
   draw(frame: Frame): void;
-  /** Prepares a part of what `draw` lacked, until the deadline (of performance.now). Returns whether something is left to do. */
-  work?(frame: Frame, deadline_ms: number): boolean;
+  /** Prepares a part of what `draw` lacks. Returns whether something is left to do. */
+  work?(frame: Frame, work: Work): boolean;
+}
+
+/** What layers may prepare in one frame. */
+export interface Work {
+  /** The part of the world to prepare: what shows, or more than that. */
+  box: Box;
+  /** Of performance.now; shared by all layers. */
+  deadline_ms: number;
+  /** A layer tells what it would draw otherwise than before. */
+  changed(box: Box): void;
 }
 
 /** A rectangle of the world in whole device px, so that neighbours meet without a seam. */
@@ -32,6 +43,25 @@ export function deviceRectangle(frame: Frame, box: Box): [left: number, top: num
   const right = Math.round(frame.left + box.right * frame.scale);
   const bottom = Math.round(frame.top + box.bottom * frame.scale);
   return [left, top, right - left, bottom - top];
+}
+
+/** The part of the canvas that shows `frame.visible`, as a frame of its own: to draw on a further canvas no more than is wanted. `left` and
+ *  `top` tell where the part lies on the canvas. */
+export function partOf(frame: Frame, context: Context): { part: Frame; left: number; top: number } {
+  const [left, top, width, height] = deviceRectangle(frame, frame.visible);
+  return { part: { ...frame, context, width, height, left: frame.left - left, top: frame.top - top }, left, top };
+}
+
+/** Draws with the context bounded to a box of the world. */
+export function drawWithin(frame: Frame, box: Box, draw: () => void): void {
+  const { context } = frame;
+  context.save();
+  useDevice(frame);
+  context.beginPath();
+  context.rect(...deviceRectangle(frame, box));
+  context.clip();
+  draw();
+  context.restore();
 }
 
 /** Lets the context be used in px of the world. */

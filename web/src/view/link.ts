@@ -1,3 +1,4 @@
+import { sameShape } from "../model/geometry.ts";
 import type { Viewer } from "./viewer.ts";
 
 /** Lets viewers follow each other's zoom. Their pictures may differ in size: the same part of each shows. Returns how to part them. */
@@ -9,8 +10,8 @@ export function linkViewers(viewers: readonly Viewer[]): () => void {
     const { x, y } = leader.middle();
     for (const viewer of viewers) {
       if (viewer === leader) continue;
-      const ratio = viewer.world_width / leader.world_width;
-      viewer.centre(x * ratio, (y / leader.world_height) * viewer.world_height, leader.transform.k / ratio);
+      const part = { x: (x / leader.world_width) * viewer.world_width, y: (y / leader.world_height) * viewer.world_height };
+      viewer.centre(part.x, part.y, leader.transform.k / ratioOf(leader, viewer));
     }
     following = false;
   };
@@ -18,4 +19,11 @@ export function linkViewers(viewers: readonly Viewer[]): () => void {
   return () => {
     for (const viewer of viewers) viewer.followers.delete(follow);
   };
+}
+
+/** The leader's scale for the follower's. Pictures of another shape are as large as they can be together: whole where the leader's is. */
+function ratioOf(leader: Viewer, follower: Viewer): number {
+  const same = sameShape(leader.world_width, leader.world_height, follower.world_width, follower.world_height);
+  if (same || follower.width === 0) return follower.world_width / leader.world_width;
+  return leader.fittingScale() / follower.fittingScale();
 }

@@ -1,11 +1,13 @@
-import { eachRing } from "../model/outlines.ts";
+import { type Box, eachRing } from "../model/outlines.ts";
 import { kContactUnits } from "../model/result.ts";
 import type { Session } from "../result/session.ts";
 import { kMarkColours } from "./marks_painter.ts";
-import { type Frame, type Layer, useWorld } from "./frame.ts";
+import { drawWithin, type Frame, type Layer, useWorld } from "./frame.ts";
 import { tracePiece } from "./trace.ts";
 
 const kContactColour = "#ff7a00";
+/** CSS px. */
+const kWidestLine_px = 5;
 
 /** What changes with the pointer: the piece below it, the selected one, brush and lasso. */
 export class LiveLayer implements Layer {
@@ -16,14 +18,25 @@ export class LiveLayer implements Layer {
     useWorld(frame);
     frame.context.lineJoin = "round";
     frame.context.lineCap = "round";
-    const [hovered, selected] = [session.hovered.get(), session.selected.get()];
-    if (hovered !== null && hovered !== selected) this.strokeOutline(frame, hovered, 2);
-    if (selected !== null) {
-      this.strokeOutline(frame, selected, 2.5);
-      this.strokeContact(frame, selected);
-    }
+    drawWithin(frame, this.outlinedBox(frame), () => {
+      useWorld(frame);
+      const [hovered, selected] = [session.hovered.get(), session.selected.get()];
+      if (hovered !== null && hovered !== selected) this.strokeOutline(frame, hovered, 2);
+      if (selected !== null) {
+        this.strokeOutline(frame, selected, 2.5);
+        this.strokeContact(frame, selected);
+      }
+    });
     this.drawLasso(frame);
     this.drawBrush(frame);
+  }
+
+  /** Where outlines show: a line along the edge of the canvas in its full width, but where the canvas repeats, nothing beyond it. */
+  private outlinedBox({ pixel_ratio, scale }: Frame): Box {
+    const { width_px, height_px, repeats_x, repeats_y } = this.session.result.data.canvas;
+    const line = (kWidestLine_px * pixel_ratio) / scale;
+    const [x, y] = [repeats_x ? 0 : line, repeats_y ? 0 : line];
+    return { left: -x, top: -y, right: width_px + x, bottom: height_px + y };
   }
 
   /** White within dark: visible on any picture. */

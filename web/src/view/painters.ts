@@ -1,6 +1,7 @@
-import { boxesMeet, grownBox } from "../model/geometry.ts";
+import { boxesMeet, grownBox, movedBox } from "../model/geometry.ts";
 import { boxOf } from "../model/outlines.ts";
-import { kInferno, kViridis, rampColour } from "../model/ramp.ts";
+import { gapClasses } from "../model/gap_classes.ts";
+import { kViridis, rampColour } from "../model/ramp.ts";
 import type { Result } from "../model/result.ts";
 import type { Appearance } from "../model/spatial_index.ts";
 import type { Tile, TilePainter } from "./tile_layer.ts";
@@ -9,32 +10,46 @@ import { tracePiece, traceRegion } from "./trace.ts";
 /** Pieces that are drawn between two looks at the clock. */
 const kPortion = 24;
 
-/** The pieces of a tile in portions, with what lies up to `margin_px` px of the tile beyond it. */
-export function* portions(result: Result, tile: Tile, margin_px = 2): Generator<Appearance[], void, void> {
-  const found = result.index.within(grownBox(tile.box, margin_px / tile.scale));
+/** A line along a boundary may reach this far beyond its piece, px of the tile. */
+const kMargin_px = 2;
+
+/** Which pieces show: the first `count` in order of placement. */
+export interface Shown {
+  readonly count: number;
+}
+
+/** The pieces of a tile that show, in portions, with those whose lines reach into it. */
+export function* portions(result: Result, shown: Shown, tile: Tile): Generator<Appearance[], void, void> {
+  const around = result.index.within(grownBox(tile.box, kMargin_px / tile.scale));
+  const found = around.filter(({ piece }) => piece < shown.count);
   for (let at = 0; at < found.length; at += kPortion) yield found.slice(at, at + kPortion);
 }
 
 /** Points closer than this cannot be told apart on a tile, px of the world. */
 export const leastStep = (tile: Tile): number => 0.5 / tile.scale;
 
-/** Thin lines, light within dark, so that they show on any picture. Where pieces are tiny the lines are faint: they would hide it. */
-export function outlinePainter(result: Result): TilePainter {
+/** Of 1: how strong lines along boundaries may be. Where pieces are tiny on the screen, strong lines would hide them. */
+export function lineStrength(result: Result, tile: Tile): number {
   const { canvas, pieces } = result.data;
   const typical_px = Math.sqrt(canvas.area_px2 / Math.max(1, pieces.shape.length));
+  return Math.max(0.3, Math.min(1, (typical_px * tile.scale) / 30));
+}
+
+/** Light lines within dark ones, so that they show on any picture, also along a drawing's own black contour. */
+export function outlinePainter(result: Result, shown: Shown): TilePainter {
   return {
     *paint(tile) {
-      const strength = Math.max(0.3, Math.min(1, (typical_px * tile.scale) / 30));
-      for (const portion of portions(result, tile)) {
+      const strength = lineStrength(result, tile);
+      for (const portion of portions(result, shown, tile)) {
         const context = tile.context();
         context.beginPath();
         for (const appearance of portion) tracePiece(context, result.outlines, appearance, leastStep(tile));
         context.lineJoin = "round";
         context.strokeStyle = `rgba(10,14,20,${0.7 * strength})`;
-        context.lineWidth = 2.2 / tile.scale;
+        context.lineWidth = (1.8 + 1.6 * strength) / tile.scale;
         context.stroke();
-        context.strokeStyle = `rgba(255,255,255,${0.9 * strength})`;
-        context.lineWidth = 0.9 / tile.scale;
+        context.strokeStyle = `rgba(255,255,255,${0.95 * strength})`;
+        context.lineWidth = (0.7 + 0.8 * strength) / tile.scale;
         context.stroke();
         yield;
       }
@@ -43,10 +58,10 @@ export function outlinePainter(result: Result): TilePainter {
 }
 
 /** Fills pieces, each in its colour. `colour` returns null for a piece that does not show. */
-export function fillPainter(result: Result, colour: (piece: number) => string | null): TilePainter {
+export function fillPainter(result: Result, shown: Shown, colour: (piece: number) => string | null): TilePainter {
   return {
     *paint(tile) {
-      for (const portion of portions(result, tile)) {
+      for (const portion of portions(result, shown, tile)) {
         for (const appearance of portion) {
           const fill = colour(appearance.piece);
           if (!fill) continue;
@@ -63,15 +78,15 @@ export function fillPainter(result: Result, colour: (piece: number) => string | 
 }
 
 /** A ramp over the order of placement. */
-export function orderPainter(result: Result): TilePainter {
+export function orderPainter(result: Result, shown: Shown): TilePainter {
   const last = Math.max(1, result.data.pieces.shape.length - 1);
-  return fillPainter(result, (piece) => rampColour(kViridis, piece / last));
+  return fillPainter(result, shown, (piece) => rampColour(kViridis, piece / last));
 }
 
-/** Fills all pieces of a tile. Parts of a pixel add up where two pieces meet in it, so that no pale line stays between them. */
-function* addUpPieces(result: Result, tile: Tile, context: OffscreenCanvasRenderingContext2D): Generator<void> {
+/** Fills all pieces of a tile that show. Parts of a pixel add up where two pieces meet in it, so that no pale line stays between them. */
+function* addUpPieces(result: Result, shown: Shown, tile: Tile, context: OffscreenCanvasRenderingContext2D): Generator<void> {
   context.globalCompositeOperation = "lighter";
-  for (const portion of portions(result, tile)) {
+  for (const portion of portions(result, shown, tile)) {
     for (const appearance of portion) {
       context.beginPath();
       tracePiece(context, result.outlines, appearance, leastStep(tile));
@@ -82,12 +97,12 @@ function* addUpPieces(result: Result, tile: Tile, context: OffscreenCanvasRender
 }
 
 /** Adds up how often each pixel is covered, and shows those that are covered more than once. */
-export function overlapPainter(result: Result): TilePainter {
+export function overlapPainter(result: Result, shown: Shown): TilePainter {
   return {
     *paint(tile) {
       const counting = tile.scratch();
       counting.fillStyle = "rgb(80,0,0)";
-      yield* addUpPieces(result, tile, counting);
+      yield* addUpPieces(result, shown, tile, counting);
       const image = counting.getImageData(0, 0, tile.size_px, tile.size_px);
       // Where two pieces meet within a pixel their parts add up to one cover, 80; one and a half is an overlap.
       if (colourOverlaps(image.data)) tile.context().putImageData(image, 0, 0);
@@ -109,11 +124,11 @@ function colourOverlaps(pixels: Uint8ClampedArray): boolean {
 }
 
 /** The region to fill without the pieces. */
-export function freePainter(result: Result): TilePainter {
+export function freePainter(result: Result, shown: Shown): TilePainter {
   return {
     *paint(tile) {
       const covered = tile.scratch();
-      yield* addUpPieces(result, tile, covered);
+      yield* addUpPieces(result, shown, tile, covered);
       const context = tile.context();
       context.beginPath();
       traceRegion(context, result.region, result.data.canvas.width_px, result.data.canvas.height_px);
@@ -126,14 +141,11 @@ export function freePainter(result: Result): TilePainter {
   };
 }
 
-/** Classes of gaps by radius, px: from this one on. */
-export function gapClasses(largest_px: number): { from_px: number; colour: string }[] {
-  return kInferno.slice(0, 5).map((colour, index) => ({ from_px: (largest_px * index) / 5, colour }));
-}
 
+/** Discs between all pieces, also while some do not show yet. */
 export function gapPainter(result: Result): TilePainter {
   const { x_px, y_px, radius_px } = result.data.gaps;
-  const classes = gapClasses(radius_px[0] ?? 0);
+  const classes = gapClasses(radius_px);
   return {
     *paint(tile) {
       for (let gap = 0; gap < radius_px.length; ++gap) {
@@ -166,8 +178,9 @@ export function usesPainter(result: Result, chosen: () => readonly number[], spo
       }
       const reach = grownBox(tile.box, 6 / tile.scale);
       for (const piece of chosen()) {
-        if (!boxesMeet(boxOf(result.outlines, piece), reach) && result.index.appearancesOf(piece).length < 2) continue;
+        const box = boxOf(result.outlines, piece);
         for (const appearance of result.index.appearancesOf(piece)) {
+          if (!boxesMeet(movedBox(box, appearance.dx, appearance.dy), reach)) continue;
           const context = tile.context();
           context.beginPath();
           tracePiece(context, result.outlines, appearance, leastStep(tile));

@@ -14,11 +14,11 @@ interface Place {
 export class PictureLayer implements Layer {
   constructor(
     private readonly pyramid: Pyramid,
-    private readonly width_px: number,
-    private readonly height_px: number,
-    tell: () => void,
+    /** Where the picture lies in the world. */
+    private readonly place: Box,
+    tell: (box: Box) => void,
   ) {
-    pyramid.addViewer(tell);
+    pyramid.addViewer((level, column, row) => tell(this.tileBox(level, column, row)));
   }
 
   draw(frame: Frame): void {
@@ -26,12 +26,19 @@ export class PictureLayer implements Layer {
     useDevice(frame);
     frame.context.imageSmoothingQuality = "medium";
     pyramid.tile(pyramid.coarsest, 0, 0); // always wanted: it stands in for all others
-    const level = pyramid.levelFor(this.width_px * frame.scale);
+    const level = pyramid.levelFor((this.place.right - this.place.left) * frame.scale);
     for (const place of this.places(level, frame.visible)) {
       const bitmap = pyramid.tile(level, place.column, place.row);
       if (bitmap) frame.context.drawImage(bitmap, ...deviceRectangle(frame, place.box));
       else this.drawSubstitute(frame, level, place);
     }
+  }
+
+  /** Asks for the tiles that show: those that stay in sight are drawn seldom, and must not be taken for unused ones. */
+  work(frame: Frame): boolean {
+    const level = this.pyramid.levelFor((this.place.right - this.place.left) * frame.scale);
+    for (const { column, row } of this.places(level, frame.visible)) this.pyramid.tile(level, column, row);
+    return false;
   }
 
   /** The part of the next coarser decoded tile, and above it the finer tiles that are decoded. */
@@ -58,29 +65,36 @@ export class PictureLayer implements Layer {
   }
 
   private tileBox(level: number, column: number, row: number): Box {
-    const { levels, tile_px } = this.pyramid.data;
+    const { tile_px, levels } = this.pyramid.data;
     const { width_px, height_px } = levels[level]!;
-    const x_scale = this.width_px / width_px;
-    const y_scale = this.height_px / height_px;
+    const { x_scale, y_scale } = this.scales(level);
+    const { left, top } = this.place;
     return {
-      left: column * tile_px * x_scale,
-      top: row * tile_px * y_scale,
-      right: Math.min(width_px, (column + 1) * tile_px) * x_scale,
-      bottom: Math.min(height_px, (row + 1) * tile_px) * y_scale,
+      left: left + column * tile_px * x_scale,
+      top: top + row * tile_px * y_scale,
+      right: left + Math.min(width_px, (column + 1) * tile_px) * x_scale,
+      bottom: top + Math.min(height_px, (row + 1) * tile_px) * y_scale,
     };
+  }
+
+  /** Px of the world for each px of a level. */
+  private scales(level: number): { x_scale: number; y_scale: number } {
+    const { width_px, height_px } = this.pyramid.data.levels[level]!;
+    const { left, top, right, bottom } = this.place;
+    return { x_scale: (right - left) / width_px, y_scale: (bottom - top) / height_px };
   }
 
   /** The tiles of a level that meet a box. */
   private places(level: number, box: Box): Place[] {
     const { levels, tile_px } = this.pyramid.data;
     const { width_px, height_px } = levels[level]!;
-    const x_scale = width_px / this.width_px / tile_px;
-    const y_scale = height_px / this.height_px / tile_px;
-    const columns = Math.ceil(width_px / tile_px);
-    const rows = Math.ceil(height_px / tile_px);
+    const { x_scale, y_scale } = this.scales(level);
+    const [columns, rows] = [Math.ceil(width_px / tile_px), Math.ceil(height_px / tile_px)];
+    const column_of = (x: number): number => (x - this.place.left) / (tile_px * x_scale);
+    const row_of = (y: number): number => (y - this.place.top) / (tile_px * y_scale);
     const places: Place[] = [];
-    for (let row = Math.max(0, Math.floor(box.top * y_scale)); row < Math.min(rows, box.bottom * y_scale); ++row) {
-      for (let column = Math.max(0, Math.floor(box.left * x_scale)); column < Math.min(columns, box.right * x_scale); ++column) {
+    for (let row = Math.max(0, Math.floor(row_of(box.top))); row < Math.min(rows, row_of(box.bottom)); ++row) {
+      for (let column = Math.max(0, Math.floor(column_of(box.left))); column < Math.min(columns, column_of(box.right)); ++column) {
         places.push({ column, row, box: this.tileBox(level, column, row) });
       }
     }

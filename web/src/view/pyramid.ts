@@ -8,7 +8,7 @@ interface Entry {
   bitmap: ImageBitmap | null;
   state: "wanted" | "decoding" | "ready" | "absent";
   used: number;
-  name: string;
+  place: [level: number, column: number, row: number];
   pyramid: Pyramid;
 }
 
@@ -21,11 +21,11 @@ class TileStore {
   private clock = 0;
 
   /** The tile if it is decoded; else it is decoded soon, and the pyramid then tells its viewers. */
-  get(pyramid: Pyramid, name: string): ImageBitmap | null {
-    const key = `${pyramid.id}/${name}`;
+  get(pyramid: Pyramid, place: Entry["place"]): ImageBitmap | null {
+    const key = keyOf(pyramid, place);
     let entry = this.entries.get(key);
     if (!entry) {
-      entry = { bitmap: null, state: "wanted", used: 0, name, pyramid };
+      entry = { bitmap: null, state: "wanted", used: 0, place, pyramid };
       this.entries.set(key, entry);
       this.queue.push(entry);
       this.startDecoding();
@@ -35,8 +35,8 @@ class TileStore {
   }
 
   /** The tile if it is decoded; asks for nothing. */
-  peek(pyramid: Pyramid, name: string): ImageBitmap | null {
-    return this.entries.get(`${pyramid.id}/${name}`)?.bitmap ?? null;
+  peek(pyramid: Pyramid, place: Entry["place"]): ImageBitmap | null {
+    return this.entries.get(keyOf(pyramid, place))?.bitmap ?? null;
   }
 
   private startDecoding(): void {
@@ -50,18 +50,13 @@ class TileStore {
 
   private async decode(entry: Entry): Promise<void> {
     entry.state = "decoding";
-    try {
-      const bytes = entry.pyramid.source.block(entry.name);
-      entry.bitmap = bytes ? await createImageBitmap(new Blob([bytes as BlobPart], { type: "image/webp" })) : null;
-    } catch {
-      entry.bitmap = null; // a damaged tile; the level above it shows instead
-    }
+    entry.bitmap = await entry.pyramid.decoded(...entry.place);
     entry.state = entry.bitmap ? "ready" : "absent";
     this.pixels += entry.bitmap ? entry.bitmap.width * entry.bitmap.height : 0;
     --this.decoding;
     this.dropOldest();
     this.startDecoding();
-    entry.pyramid.tellViewers();
+    entry.pyramid.tellViewers(...entry.place);
   }
 
   private dropOldest(): void {
@@ -76,13 +71,15 @@ class TileStore {
   }
 }
 
+const keyOf = (pyramid: Pyramid, place: Entry["place"]): string => `${pyramid.id}/${place.join("-")}`;
+
 const store = new TileStore();
 let pyramids = 0;
 
 /** A picture in tiles that are decoded when they are needed. */
 export class Pyramid {
   readonly id = ++pyramids;
-  private readonly viewers = new Set<() => void>();
+  private readonly viewers = new Set<(level: number, column: number, row: number) => void>();
 
   constructor(
     readonly data: PictureData,
@@ -90,20 +87,30 @@ export class Pyramid {
   ) {}
 
   /** `tell` is called whenever a tile has been decoded. */
-  addViewer(tell: () => void): void {
+  addViewer(tell: (level: number, column: number, row: number) => void): void {
     this.viewers.add(tell);
   }
 
-  tellViewers(): void {
-    for (const tell of this.viewers) tell();
+  tellViewers(level: number, column: number, row: number): void {
+    for (const tell of this.viewers) tell(level, column, row);
   }
 
   tile(level: number, column: number, row: number): ImageBitmap | null {
-    return store.get(this, this.name(level, column, row));
+    return store.get(this, [level, column, row]);
   }
 
   decodedTile(level: number, column: number, row: number): ImageBitmap | null {
-    return store.peek(this, this.name(level, column, row));
+    return store.peek(this, [level, column, row]);
+  }
+
+  /** A bitmap of the caller's own. Null where there is no tile, or a damaged one: the level above it shows instead. */
+  async decoded(level: number, column: number, row: number): Promise<ImageBitmap | null> {
+    try {
+      const bytes = this.block(level, column, row);
+      return bytes ? await createImageBitmap(new Blob([bytes as BlobPart], { type: "image/webp" })) : null;
+    } catch {
+      return null;
+    }
   }
 
   get coarsest(): number {
@@ -118,7 +125,8 @@ export class Pyramid {
     return 0;
   }
 
-  private name(level: number, column: number, row: number): string {
-    return `tile-${this.data.picture}-${level}-${column}-${row}`;
+  /** The bytes of a tile; null where there are none. */
+  private block(level: number, column: number, row: number): Uint8Array | null {
+    return this.source.block(`tile-${this.data.picture}-${level}-${column}-${row}`);
   }
 }

@@ -1,6 +1,6 @@
 import type { Box } from "../model/outlines.ts";
 import { boxesMeet } from "../model/geometry.ts";
-import { deviceRectangle, type Frame, type Layer, useDevice } from "./frame.ts";
+import { deviceRectangle, drawWithin, type Frame, type Layer, type Work } from "./frame.ts";
 
 const kTile_px = 512;
 /** Two steps of level double the scale: a tile is drawn at 0.7 to 1 times its own size. */
@@ -27,7 +27,7 @@ export interface TilePainter {
   /** Draws a tile bit by bit: at each yield the work may pause until the next frame. */
   paint(tile: Tile): Generator<void, void, void>;
   /** Whether a change is drawn over what the tile shows already, instead of onto an empty one. */
-  in_place?: boolean;
+  inPlace?(tile: Tile): boolean;
 }
 
 class CachedTile implements Tile {
@@ -112,75 +112,79 @@ export class TileLayer implements Layer {
 
   draw(frame: Frame): void {
     if (!this.visible) return;
-    useDevice(frame);
-    const { context } = frame;
-    context.globalAlpha = this.opacity;
-    const level = levelFor(frame.scale);
-    const slots = this.slotsFor(frame, level);
-    for (const slot of slots) {
-      if (slot.shown) this.drawTile(frame, slot.shown);
-      else this.drawSubstitute(frame, slot);
-    }
-    if (slots.every((slot) => slot.shown)) this.complete_level = level;
-    context.globalAlpha = 1;
-    this.dropOldest();
+    // The last tiles reach beyond the world; what they have there (on a seamless canvas parts of pieces) must not show.
+    drawWithin(frame, this.world, () => {
+      frame.context.globalAlpha = this.opacity;
+      for (const slot of this.slotsFor(frame.visible, levelFor(frame.scale))) {
+        if (slot.shown) this.drawTile(frame, slot.shown);
+        else this.drawSubstitute(frame, slot);
+      }
+    });
   }
 
-  work(frame: Frame, deadline_ms: number): boolean {
+  work(frame: Frame, work: Work): boolean {
     if (!this.visible) return false;
-    for (const slot of this.slotsFor(frame, levelFor(frame.scale))) {
-      if (slot.shown && !slot.stale) continue;
-      if (!this.workOn(slot, deadline_ms)) return true;
-    }
-    return false;
+    const level = levelFor(frame.scale);
+    const slots = this.slotsFor(work.box, level);
+    const left = slots.some((slot) => (!slot.shown || slot.stale) && !this.workOn(slot, work));
+    if (slots.every((slot) => slot.shown)) this.complete_level = level;
+    this.dropOldest(Math.max(kMostTiles, slots.length));
+    return left;
   }
 
   /** Whether the tile is finished. */
-  private workOn(slot: Slot, deadline_ms: number): boolean {
+  private workOn(slot: Slot, { deadline_ms, changed }: Work): boolean {
+    let now_ms = performance.now();
+    let step_ms = 0;
+    // A step takes about as long as the one before.
+    while (now_ms + step_ms < deadline_ms) {
+      const done = this.step(slot);
+      if (slot.next === slot.shown) changed(slot.box);
+      if (done) return true;
+      step_ms = performance.now() - now_ms;
+      now_ms += step_ms;
+    }
+    return false;
+  }
+
+  /** Draws a portion of a tile. Returns whether the tile is finished; then it shows. */
+  private step(slot: Slot): boolean {
     if (!slot.job) {
-      slot.next = this.painter.in_place && slot.shown ? slot.shown : new CachedTile(slot.box, 2 ** (slot.level / kLevelsPerOctave));
+      const goes_on = slot.shown && this.painter.inPlace?.(slot.shown);
+      slot.next = goes_on ? slot.shown! : new CachedTile(slot.box, 2 ** (slot.level / kLevelsPerOctave));
       slot.job = this.painter.paint(slot.next);
     }
-    do {
-      const { done } = slot.job.next();
-      slot.next!.settle();
-      if (done) {
-        slot.next!.finish();
-        slot.shown = slot.next;
-        slot.next = null;
-        slot.job = null;
-        slot.stale = false;
-        return true;
-      }
-    } while (performance.now() < deadline_ms);
-    return false;
+    const { done } = slot.job.next();
+    slot.next!.settle();
+    if (!done) return false;
+    slot.next!.finish();
+    slot.shown = slot.next;
+    slot.job = null;
+    slot.stale = false;
+    return true;
   }
 
   private drawTile(frame: Frame, tile: CachedTile): void {
     if (tile.canvas) frame.context.drawImage(tile.canvas, ...deviceRectangle(frame, tile.box));
   }
 
-  /** Tiles of the level that was last complete, in the place of one that is not drawn yet. */
+  /** Tiles of another level in the place of one that is not drawn yet: of the level that was last complete, or of the next coarser one. */
   private drawSubstitute(frame: Frame, missing: Slot): void {
-    const { context } = frame;
-    const others = [...this.slots.values()].filter(
-      (slot) => slot.level === this.complete_level && slot.shown?.canvas && boxesMeet(slot.box, missing.box),
-    );
-    if (others.length === 0) return;
-    context.save();
-    context.beginPath();
-    context.rect(...deviceRectangle(frame, missing.box));
-    context.clip();
-    for (const slot of others) this.drawTile(frame, slot.shown!);
-    context.restore();
+    const others = [...this.slots.values()].filter((slot) => slot.shown?.canvas && boxesMeet(slot.box, missing.box));
+    const coarser = others.map(({ level }) => level).filter((level) => level < missing.level);
+    const levels = [this.complete_level, Math.max(...coarser)];
+    const level = levels.find((wanted) => wanted !== missing.level && others.some((slot) => slot.level === wanted));
+    if (level === undefined) return;
+    drawWithin(frame, missing.box, () => {
+      for (const slot of others) if (slot.level === level) this.drawTile(frame, slot.shown!);
+    });
   }
 
-  /** The tiles of a level that show, those in the middle first. */
-  private slotsFor(frame: Frame, level: number): Slot[] {
+  /** The tiles of a level in a part of the world, those in the middle first. */
+  private slotsFor(part: Box, level: number): Slot[] {
     const size = kTile_px / 2 ** (level / kLevelsPerOctave);
-    const { visible } = frame;
-    const [left, top] = [Math.max(this.world.left, visible.left), Math.max(this.world.top, visible.top)];
-    const [right, bottom] = [Math.min(this.world.right, visible.right), Math.min(this.world.bottom, visible.bottom)];
+    const [left, top] = [Math.max(this.world.left, part.left), Math.max(this.world.top, part.top)];
+    const [right, bottom] = [Math.min(this.world.right, part.right), Math.min(this.world.bottom, part.bottom)];
     const slots: Slot[] = [];
     for (let row = Math.floor(top / size); row * size < bottom; ++row) {
       for (let column = Math.floor(left / size); column * size < right; ++column) slots.push(this.slot(level, column, row, size));
@@ -202,10 +206,10 @@ export class TileLayer implements Layer {
     return slot;
   }
 
-  private dropOldest(): void {
-    if (this.slots.size <= 2 * kMostTiles) return;
+  private dropOldest(most: number): void {
+    if (this.slots.size <= 2 * most) return;
     const by_age = [...this.slots].sort(([, a], [, b]) => b.used - a.used);
-    for (const [key] of by_age.slice(kMostTiles)) this.slots.delete(key);
+    for (const [key] of by_age.slice(most)) this.slots.delete(key);
   }
 }
 

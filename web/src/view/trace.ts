@@ -1,4 +1,4 @@
-import { eachRing, type Outlines } from "../model/outlines.ts";
+import { type Box, eachRing, type Outlines } from "../model/outlines.ts";
 import type { Appearance } from "../model/spatial_index.ts";
 
 /** What takes a path: a context or a Path2D. */
@@ -29,9 +29,18 @@ export function tracePiece(pen: Pen, outlines: Outlines, { piece, dx, dy }: Appe
   });
 }
 
+type RegionPen = Pen & { rect(x: number, y: number, w: number, h: number): void };
+
+/** What lies beyond the region to fill, within `box`, as a path for the even-odd rule. Nothing if the region is the whole canvas. */
+export function traceBeyondRegion(pen: RegionPen, region: Outlines | null, box: Box): void {
+  if (!region) return;
+  pen.rect(box.left, box.top, box.right - box.left, box.bottom - box.top);
+  traceRegion(pen, region, 0, 0);
+}
+
 /** The region to fill as a path. */
 export function traceRegion(
-  pen: Pen & { rect(x: number, y: number, w: number, h: number): void },
+  pen: RegionPen,
   region: Outlines | null,
   width: number,
   height: number,

@@ -2,11 +2,18 @@ import { select } from "d3-selection";
 import "d3-transition";
 import { type D3ZoomEvent, zoom, type ZoomBehavior, zoomIdentity, type ZoomTransform, zoomTransform } from "d3-zoom";
 import type { Point } from "../model/geometry.ts";
+import { grownBox } from "../model/geometry.ts";
 import type { Box } from "../model/outlines.ts";
-import type { Frame, Layer } from "./frame.ts";
+import type { Frame, Layer, Work } from "./frame.ts";
+import { copyShifted, KeptFrame } from "./kept_frame.ts";
 
-/** Preparing tiles may take this long in each frame. */
-const kWork_ms = 6;
+/** All layers together may prepare tiles for this long in each frame: while the picture moves, and while it rests. */
+const kWorkMoving_ms = 6;
+const kWorkResting_ms = 10;
+/** The picture rests when it has not moved for this time. */
+const kRest_ms = 120;
+/** Tiles are prepared this far beyond the view, device px, so that they are there when the picture moves. */
+const kAhead_px = 256;
 const kMargin_px = 12;
 /** CSS px of a px of the world at most. */
 const kLargestScale = 24;
@@ -19,15 +26,22 @@ export interface Place extends Point {
 /** A canvas on which layers lie, with zoom and pan. Transforms are CSS px for each px of the world. */
 export class Viewer {
   readonly canvas = document.createElement("canvas");
+  /** Their pixels are kept: who changes what they show calls `redraw`. */
   readonly layers: Layer[] = [];
+  /** Above all others; drawn in each frame. */
+  readonly live_layers: Layer[] = [];
   /** Who else follows the zoom. */
   readonly followers = new Set<(viewer: Viewer, by_user: boolean) => void>();
   /** Decides whether a pointer may pan now; the wheel and two fingers always zoom. */
   mayPan: () => boolean = () => true;
+  /** Whether a double click, or a double tap, zooms in: not where each click does something. */
+  zoomsOnDoubleClick: () => boolean = () => true;
   private readonly behavior: ZoomBehavior<HTMLCanvasElement, unknown>;
   private readonly context = this.canvas.getContext("2d")!;
   private size = { width: 0, height: 0 };
+  private readonly kept = new KeptFrame();
   private frame_wanted = false;
+  private moved_ms = -kRest_ms;
   private at_fit = true;
   /** Where to go once the size is known. */
   private awaited: Place | null = null;
@@ -40,7 +54,9 @@ export class Viewer {
       .clickDistance(4)
       .filter((event: Event) => this.accepts(event))
       .on("zoom", (event: D3ZoomEvent<HTMLCanvasElement, unknown>) => this.zoomed(event.sourceEvent !== null));
-    select(this.canvas).call(this.behavior);
+    // d3's own double click would swallow the second click, and takes taps on two pieces close to each other for one double tap.
+    select(this.canvas).call(this.behavior).on("dblclick.zoom", null);
+    this.canvas.addEventListener("dblclick", (event) => this.doubleClicked(event));
     new ResizeObserver(() => this.resized()).observe(this.canvas);
   }
 
@@ -56,6 +72,13 @@ export class Viewer {
     return this.size.height;
   }
 
+  /** Lets the layers draw anew what lies in a box of the world, or everything. */
+  redraw(box?: Box): void {
+    this.kept.invalidate(box);
+    this.requestFrame();
+  }
+
+  /** Shows the layers as they are, and the live layers anew. */
   requestFrame(): void {
     if (this.frame_wanted) return;
     this.frame_wanted = true;
@@ -66,10 +89,11 @@ export class Viewer {
     this.go(this.fittingTransform(), animated);
   }
 
-  zoomBy(factor: number): void {
-    const target = this.canvas;
-    if (stillsMotion()) select(target).call(this.behavior.scaleBy, factor);
-    else select(target).transition().duration(160).call(this.behavior.scaleBy, factor);
+  /** `around`: CSS px of the canvas, the point that stays where it is; the middle by default. */
+  zoomBy(factor: number, around?: [number, number]): void {
+    const target = select(this.canvas);
+    if (stillsMotion()) target.call(this.behavior.scaleBy, factor, around);
+    else target.transition().duration(160).call(this.behavior.scaleBy, factor, around);
   }
 
   panBy(dx: number, dy: number): void {
@@ -77,12 +101,13 @@ export class Viewer {
     select(this.canvas).call(this.behavior.translateBy, dx / k, dy / k);
   }
 
-  /** Shows a box in the middle, with some of what lies around it. */
+  /** Shows a box in the middle, with some of what lies around it; for a large box the whole picture, but no less. */
   showBox(box: Box, part = 0.3, animated = true): void {
     const across = Math.max(box.right - box.left, 1) / (this.size.width * part);
     const down = Math.max(box.bottom - box.top, 1) / (this.size.height * part);
     const k = Math.min(1 / Math.max(across, down), this.behavior.scaleExtent()[1]);
-    this.go(this.centred((box.left + box.right) / 2, (box.top + box.bottom) / 2, k), animated);
+    if (k <= this.fittingScale()) this.fit(animated);
+    else this.go(this.centred((box.left + box.right) / 2, (box.top + box.bottom) / 2, k), animated);
   }
 
   /** Puts a point of the world into the middle: at once, or as soon as the page is laid out. */
@@ -116,6 +141,12 @@ export class Viewer {
     return this.mayPan() && !(event instanceof MouseEvent && event.button !== 0);
   }
 
+  private doubleClicked(event: MouseEvent): void {
+    if (!this.zoomsOnDoubleClick()) return;
+    const bounds = this.canvas.getBoundingClientRect();
+    this.zoomBy(event.shiftKey ? 0.5 : 2, [event.clientX - bounds.left, event.clientY - bounds.top]);
+  }
+
   private centred(x: number, y: number, k: number): ZoomTransform {
     return zoomIdentity.translate(this.size.width / 2 - x * k, this.size.height / 2 - y * k).scale(k);
   }
@@ -130,7 +161,8 @@ export class Viewer {
     return this.centred(this.world_width / 2, this.world_height / 2, this.fittingScale());
   }
 
-  private fittingScale(): number {
+  /** At this scale the whole picture shows. */
+  fittingScale(): number {
     const { width, height } = this.size;
     return Math.max(0.001, Math.min((width - 2 * kMargin_px) / this.world_width, (height - 2 * kMargin_px) / this.world_height));
   }
@@ -140,6 +172,7 @@ export class Viewer {
     const { k, x, y } = this.transform;
     this.at_fit = Math.abs(k / fitting.k - 1) < 1e-3 && Math.abs(x - fitting.x) < 1 && Math.abs(y - fitting.y) < 1;
     for (const follow of this.followers) follow(this, by_user);
+    this.moved_ms = performance.now();
     this.requestFrame();
   }
 
@@ -174,32 +207,34 @@ export class Viewer {
     this.frame_wanted = false;
     if (this.size.width === 0) return;
     const frame = this.frame();
-    const deadline_ms = performance.now() + kWork_ms;
-    let left = false;
-    for (const layer of this.layers) {
-      if (layer.work?.(frame, deadline_ms)) left = true;
-    }
-    this.context.setTransform(1, 0, 0, 1, 0, 0);
-    this.context.clearRect(0, 0, frame.width, frame.height);
-    for (const layer of this.layers) layer.draw(frame);
+    const left = this.work(frame);
+    this.kept.update(frame, this.layers);
+    copyShifted(this.context, this.kept.canvas, 0, 0);
+    for (const layer of this.live_layers) layer.draw(frame);
     if (left) this.requestFrame();
+  }
+
+  /** Lets the layers prepare what shows, then what lies around it. Returns whether something is left to do. */
+  private work(frame: Frame): boolean {
+    const begin_ms = performance.now();
+    const resting = begin_ms - this.moved_ms >= kRest_ms;
+    const deadline_ms = begin_ms + (resting ? kWorkResting_ms : kWorkMoving_ms);
+    const changed = (box: Box): void => this.kept.invalidate(box);
+    const prepare = (box: Box): boolean => {
+      const work: Work = { box, deadline_ms, changed };
+      return this.layers.map((layer) => layer.work?.(frame, work) ?? false).some((left) => left);
+    };
+    return prepare(frame.visible) || prepare(grownBox(frame.visible, kAhead_px / frame.scale));
   }
 
   private frame(): Frame {
     const { k, x, y } = this.transform;
-    const pixel_ratio = this.canvas.width / this.size.width;
-    const [left, top] = this.transform.invert([0, 0]);
-    const [right, bottom] = this.transform.invert([this.size.width, this.size.height]);
-    return {
-      context: this.context,
-      width: this.canvas.width,
-      height: this.canvas.height,
-      scale: k * pixel_ratio,
-      left: x * pixel_ratio,
-      top: y * pixel_ratio,
-      pixel_ratio,
-      visible: { left, top, right, bottom },
-    };
+    const { width, height } = this.canvas;
+    const pixel_ratio = width / this.size.width;
+    const scale = k * pixel_ratio;
+    const [left, top] = [Math.round(x * pixel_ratio), Math.round(y * pixel_ratio)];
+    const visible = { left: -left / scale, top: -top / scale, right: (width - left) / scale, bottom: (height - top) / scale };
+    return { context: this.context, width, height, scale, left, top, pixel_ratio, visible };
   }
 }
 
