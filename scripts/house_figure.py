@@ -13,7 +13,7 @@ WORDS = {  # the text below the name
     "package": "library for programs", "checkpoint": "state in a file", "result": "the result's files", "render": "pictures",
     "report": "pages of results", "products": "mosaics, puzzles ...", "comm": "MPI", "worker": "devices, OpenCL",
     "master": "the collage's loop", "terminal": "what is printed", "run": "what the ranks do",
-    "program": "command line", "plan": "what a job takes", "bench": "tessera-bench", "cli": "tessera"}
+    "program": "command line", "plan": "what a job takes", "serve": "for a browser", "bench": "tessera-bench", "cli": "tessera"}
 KINDS = {"core": "#cfe3f2", "comm": "#f8d9c4", "worker": "#f8d9c4", "master": "#f8d9c4"}
 
 

@@ -17,6 +17,7 @@ void add_draw_command(CLI::App& app, Command& selected);
 void add_campaign_command(CLI::App& app, Command& selected);
 void add_plan_command(CLI::App& app, Command& selected);
 void add_report_command(CLI::App& app, Command& selected);
+void add_serve_command(CLI::App& app, Command& selected);
 void add_rank_command(CLI::App& app, Command& selected);
 void add_recognize_command(CLI::App& app, Command& selected);
 void add_card_command(CLI::App& app, Command& selected);

@@ -26,6 +26,7 @@ void add_commands(CLI::App& app, Command& selected) {
       "  tessera puzzle solve pieces.h5 --size 600,400    a jigsaw's pieces laid together\n"
       "  tessera nest parts.svg --strip 600               shapes of fixed sizes on the shortest strip\n"
       "  tessera refine out/my_job --relax                less room between its pieces: out/my_job-relaxed\n"
+      "  tessera serve out/my_job                         look at it in a browser, and refine it there\n"
       "  tessera draw out/my_job --width 12000            its pictures again, larger\n"
       "  tessera campaign my_job.toml --seeds 1-8         eight of them, ranked by quality\n"
       "  tessera card theirs.geojson --size 1000,800      anybody's collage, by the same measures\n"
@@ -43,6 +44,7 @@ void add_commands(CLI::App& app, Command& selected) {
   add_campaign_command(app, selected);
   add_plan_command(app, selected);
   add_report_command(app, selected);
+  add_serve_command(app, selected);
   add_rank_command(app, selected);
   add_card_command(app, selected);
   add_recognize_command(app, selected);

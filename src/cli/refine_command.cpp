@@ -106,7 +106,11 @@ Action action_of(const RefineArguments& arguments, const std::string& job, Refin
 RefineArguments with_marks(RefineArguments arguments, const RefinedResult& result) {
   if (arguments.marks.empty()) return arguments;
   Marks marks = read_marks(arguments.marks, result.whole.manifest.pieces_digest);
-  (marks.swaps ? arguments.erase.swapped : arguments.erase.pieces) = std::move(marks.pieces);
+  switch (marks.action) {
+    case Marks::Action::erase: arguments.erase.pieces = std::move(marks.pieces); break;
+    case Marks::Action::swap: arguments.erase.swapped = std::move(marks.pieces); break;
+    case Marks::Action::relax: arguments.relax = true; break;
+  }
   arguments.locked.insert(arguments.locked.end(), marks.locked.begin(), marks.locked.end());
   return arguments;
 }
@@ -204,7 +208,7 @@ void add_actions(CLI::App& refine, RefineArguments& arguments) {
                   pieces);
   actions
       ->add_option("--marks", arguments.marks,
-                   "Remove or swap, and lock, the pieces that were marked on the result's page (tessera report)")
+                   "Remove, swap, relax and lock pieces as they were marked on the result's page (tessera report)")
       ->type_name("FILE");
 }
 
@@ -234,6 +238,8 @@ void add_refine_command(CLI::App& app, Command& selected) {
                    "and rank them (tessera rank)")
       ->type_name("N")
       ->check(CLI::Range(2, int(kMaxSheetCollages)));
+  refine->add_flag("--early", arguments->collage.early,
+                   "Also write pieces.geojson once the room is filled, before it is improved: for a reader who waits");
   add_collage_options(*refine, arguments->collage,
                       "<RESULT>-relaxed, -deformed, -voronoi, -erased, -swapped or -variants");
   refine->callback([arguments, &selected] {

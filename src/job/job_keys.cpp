@@ -373,6 +373,7 @@ void add_piece_drawing_keys(std::vector<JobKey>& keys) {
   keys.push_back(with_flag({"output", "report", flag, "", 0, 0, {},
                             "also write report.html, a page to look at the result (`tessera report`)"},
                            FIELD(output.report)));
+  keys.back().in_result = false;  // the page shows what the other files say
 }
 
 /// A picture twice as wide as the default canvas shows the artwork's details on a dense screen and in print.

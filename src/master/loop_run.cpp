@@ -76,7 +76,7 @@ void LoopRun::after_step() {
                         .trials = state_.trials,
                         .most_trials = std::uint64_t(settings_.improve.trials),
                         .attempt = regions_.attempt_number()});
-  if (keeper_ && keeper_->due()) keeper_->keep(checkpoint());
+  if (keeper_ && keeper_->due(state_.phase)) keeper_->keep(checkpoint());
 }
 
 CheckpointState LoopRun::checkpoint() {

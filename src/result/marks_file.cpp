@@ -2,11 +2,11 @@
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "core/base/error.h"
 #include "files/regular_file.h"
-#include "result/placed_pieces.h"
-#include "text/json_bounds.h"
+#include "text/json_members.h"
 
 namespace tessera {
 namespace {
@@ -14,38 +14,26 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kMostBytes = std::size_t(16) << 20;
-constexpr JsonBounds kBounds{.values = 2 * kMostPieces + 100, .levels = 4, .members = 100};
 
-[[noreturn]] void refuse(const char* key, const json& found, const std::string& allowed) {
-  const std::string text = found.is_null() ? "nothing" : found.dump(-1, ' ', true, json::error_handler_t::replace);
-  throw InputError(std::string(key) + ": found " + text.substr(0, 60) + ", allowed: " + allowed);
-}
+constexpr std::pair<Marks::Action, const char*> kActions[] = {
+    {Marks::Action::erase, "erase"}, {Marks::Action::swap, "swap"}, {Marks::Action::relax, "relax"}};
 
-json value_at(const json& marks, const char* key) { return marks.is_object() ? marks.value(key, json()) : json(); }
-
-std::vector<int> numbers_at(const json& marks, const char* key) {
-  const json list = value_at(marks, key);
-  const std::string allowed = "a list of numbers of pieces, from 0";
-  if (!list.is_array()) refuse(key, list, allowed);
-  std::vector<int> numbers;
-  for (const json& number : list) {
-    if (!number.is_number_unsigned() || number.get<std::uint64_t>() >= kMostPieces) refuse(key, number, allowed);
-    numbers.push_back(number.get<int>());
+Marks::Action action_in(const json& object) {
+  const json found = member(object, "action");
+  for (const auto& [action, name] : kActions) {
+    if (found == name) return action;
   }
-  return numbers;
+  refuse_member("action", found, "\"erase\", \"swap\" or \"relax\"");
 }
 
 Marks marks_of(const json& marks, const std::string& pieces_digest) {
-  if (value_at(marks, "format") != 1) refuse("format", value_at(marks, "format"), "1");
-  if (value_at(marks, "pieces_digest") != pieces_digest) {
-    refuse("pieces_digest", value_at(marks, "pieces_digest"),
-           "\"" + pieces_digest + "\", as in the manifest.json of the result: the marks were made on another result");
+  if (member(marks, "format") != 1) refuse_member("format", member(marks, "format"), "1");
+  if (member(marks, "pieces_digest") != pieces_digest) {
+    refuse_member(
+        "pieces_digest", member(marks, "pieces_digest"),
+        "\"" + pieces_digest + "\", as in the manifest.json of the result: the marks were made on another result");
   }
-  const json action = value_at(marks, "action");
-  if (action != "erase" && action != "swap") refuse("action", action, "\"erase\" or \"swap\"");
-  Marks read{.swaps = action == "swap", .pieces = numbers_at(marks, "pieces"), .locked = numbers_at(marks, "lock")};
-  if (read.pieces.empty()) refuse("pieces", value_at(marks, "pieces"), "at least one piece to erase or to swap");
-  return read;
+  return marks_in(marks);
 }
 
 }  // namespace
@@ -54,13 +42,34 @@ Marks read_marks(const std::string& path, const std::string& pieces_digest) {
   const std::vector<std::uint8_t> bytes = read_regular_file(path, kMostBytes);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   try {
-    check_json(text, kBounds);
+    check_json(text, kMarksBounds);
     const json marks = json::parse(text, nullptr, false);
     if (marks.is_discarded()) throw InputError("not JSON; allowed: a file that a report's page saved");
     return marks_of(marks, pieces_digest);
   } catch (const InputError& error) {
     throw InputError(path + ": " + error.what());
   }
+}
+
+std::string marks_text(const Marks& marks, const std::string& pieces_digest) {
+  const nlohmann::ordered_json file = {{"format", 1},
+                                       {"pieces_digest", pieces_digest},
+                                       {"action", kActions[std::size_t(marks.action)].second},
+                                       {"pieces", marks.pieces},
+                                       {"lock", marks.locked}};
+  return file.dump() + "\n";
+}
+
+Marks marks_in(const json& object) {
+  const auto numbers = [&](const char* key) {
+    return numbers_member(object, key, int(kMostPieces), "a list of numbers of pieces, from 0");
+  };
+  Marks marks{.action = action_in(object), .pieces = numbers("pieces"), .locked = numbers("lock")};
+  const bool needs_pieces = marks.action != Marks::Action::relax;
+  if (needs_pieces && marks.pieces.empty()) {
+    refuse_member("pieces", member(object, "pieces"), "at least one piece to erase or to swap");
+  }
+  return marks;
 }
 
 }  // namespace tessera

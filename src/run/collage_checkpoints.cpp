@@ -102,7 +102,7 @@ CollageCheckpoints::CollageCheckpoints(const CheckpointFolder& folder, const Che
       origin_(origin),
       every_s_(every_s) {}
 
-bool CollageCheckpoints::due() { return every_s_ > 0 && since_latest_.seconds() >= every_s_; }
+bool CollageCheckpoints::due(LoopPhase /*phase*/) { return every_s_ > 0 && since_latest_.seconds() >= every_s_; }
 
 void CollageCheckpoints::keep(const CheckpointState& state) {
   try {

@@ -38,7 +38,7 @@ class CollageCheckpoints : public master::CheckpointKeeper {
   /// A checkpoint is due every `every_s` seconds; 0: never.
   CollageCheckpoints(const CheckpointFolder& folder, const CheckpointOrigin& origin, double every_s);
 
-  bool due() override;
+  bool due(LoopPhase phase) override;
   /// Writes the state. Where that fails, it says so on stderr, but only once.
   void keep(const CheckpointState& state) override;
 

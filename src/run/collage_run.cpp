@@ -18,6 +18,8 @@
 #include "job/pieces/job_library.h"
 #include "library/library_shapes.h"
 #include "master/collage_loop.h"
+#include "result/folder/folder_name.h"
+#include "result/folder/result_file.h"
 #include "result/rank_table.h"
 #include "run/collage_checkpoints.h"
 #include "run/collage_input.h"
@@ -25,6 +27,7 @@
 #include "run/collage_publishing.h"
 #include "run/collage_worker.h"
 #include "run/command_line.h"
+#include "run/early_result.h"
 #include "run/loop_matchers.h"
 #include "run/messages/collage_warnings.h"
 #include "run/problem_exchange.h"
@@ -116,7 +119,7 @@ LoopMatchers signal_safe_matchers(const MasterRun& run, ShapeSource& shapes, con
 }
 
 LoopOutcome run_loop(const MasterRun& run, LoopMatchers& matchers, ShapeSource& shapes,
-                     CollageCheckpoints& checkpoints) {
+                     master::CheckpointKeeper& checkpoints) {
   const CollageInput& input = run.input;
   const CheckpointState* from = input.from ? &*input.from : nullptr;
   comm::LoopClock clock(run.ranks);
@@ -161,9 +164,13 @@ CollageEnd compute(const MasterRun& run) {
   run.journal->set_rank_sites(comm::gather_sites(run.ranks, matchers.site));
   if (input.start == Start::restart) input.checkpoints.remove();
   CollageCheckpoints checkpoints(input.checkpoints, input.origin, input.problem.job().checkpoint.every_s);
-  const LoopOutcome loop = run_loop(run, matchers, shapes, checkpoints);
+  EarlyResult early(input, record_of(input), checkpoints);
+  master::CheckpointKeeper& keeper = run.arguments.early ? static_cast<master::CheckpointKeeper&>(early) : checkpoints;
+  const LoopOutcome loop = run_loop(run, matchers, shapes, keeper);
   return conclude(run, loop, checkpoints);
 }
+
+bool wants_report(const CollageInput& input) { return input.problem.job().output.report; }
 
 /// Draws the pictures of a finished collage. False: interrupted.
 bool draw_pictures(const CollageArguments& arguments, const CollageInput& input, const TimeLimit& limit,
@@ -178,7 +185,7 @@ bool draw_pictures(const CollageArguments& arguments, const CollageInput& input,
       return limit.must_end_drawing(shutdown_s(ranks)) ? std::optional(StopReason::time_limit) : std::nullopt;
     });
     if (!drawn) ranks.end_soon();
-    if (drawn && input.problem.job().output.report) write_result_report(input.folder);
+    if (drawn && wants_report(input)) write_result_report(input.folder);
     return drawn;
   } catch (const EnvironmentError& error) {
     throw EnvironmentError(std::string(error.what()) + "; the collage is finished, tessera draw " + input.folder +
@@ -195,7 +202,10 @@ CollageEnd lead(const CollageArguments& arguments, comm::Communicator& ranks) {
     say(arguments, input.folder + ": finished before, nothing is left to compute");
     end = end_of_finished(input.earlier.whole->manifest);
     print_warning(incomplete_warning(input.folder, input.earlier.whole->manifest));
-    if (input.earlier.whole->drawn) return end;
+    if (input.earlier.whole->drawn) {
+      if (wants_report(input) && !is_in_result(input.folder, kReportName)) write_result_report(input.folder);
+      return end;
+    }
   } else {
     const auto journal = std::make_shared<CollageJournal>(input.folder, record_of(input));
     end = journal->watch([&] { return compute({arguments, input, limit, ranks, journal}); });

@@ -22,6 +22,7 @@ struct CollageArguments {
   std::string resume;                     // "latest" or "previous": from that checkpoint; "auto": from the one that is
                                           // there, if any; empty = from the start
   bool restart = false;                   // start again even where there is a checkpoint
+  bool early = false;                     // also write the pieces once the canvas is filled (early_result.h)
   std::optional<std::string> time_limit;  // time_limit.h; empty: none but Slurm's
   std::shared_ptr<const RefinedResult> refined = {};  // the result whose pieces it begins with; null: none
 };

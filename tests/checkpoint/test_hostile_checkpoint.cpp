@@ -30,7 +30,7 @@ class StopAfter : public master::SilentObserver {
 
 class KeepLatest : public master::CheckpointKeeper {
  public:
-  bool due() override { return false; }
+  bool due(LoopPhase /*phase*/) override { return false; }
   void keep(const CheckpointState& state) override { latest = state; }
   CheckpointState latest;
 };

@@ -39,6 +39,11 @@ cmp once.html result/report.html || fail "the page of the run and of tessera rep
 run 0 report result
 cmp once.html result/report.html || fail "the same result gives another page"
 grep -q '^written: result/report.html, 0.. MB' output || fail "does not say what was written"
+rm result/report.html
+run 0 collage job.toml --out result --resume --quiet
+[[ ! -e result/report.html ]] || fail "a page although nobody wants it"
+run 0 collage job.toml --out result --resume --quiet --set output.report=true
+cmp once.html result/report.html || fail "a result that was finished before gets no page"
 run 2 report result -o .
 expect_word "--out .: found a folder, allowed: the name of a file"
 run 2 report none

@@ -57,7 +57,7 @@ class StopAfter : public SilentObserver {
 
 class KeepLatest : public CheckpointKeeper {
  public:
-  bool due() override { return false; }
+  bool due(LoopPhase /*phase*/) override { return false; }
   void keep(const CheckpointState& state) override { latest = state; }
   CheckpointState latest;
 };

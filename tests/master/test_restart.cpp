@@ -192,7 +192,7 @@ TEST(Restart, InTheMiddleOfAChoiceForABatchGivesTheSameCollage) {
 TEST(Restart, CheckpointsChangeNothing) {
   class KeepAlways : public KeepLatest {
    public:
-    bool due() override { return true; }
+    bool due(LoopPhase /*phase*/) override { return true; }
     void keep(const CheckpointState&) override { ++kept; }
     std::size_t kept = 0;
   };

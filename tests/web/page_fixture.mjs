@@ -22,7 +22,7 @@ export function startBrowser() {
     "--disable-background-networking",
     "--disable-component-update",
     "--no-first-run",
-    "--host-resolver-rules=MAP * ~NOTFOUND",
+    "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
   ];
   return chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args });
 }
@@ -37,17 +37,21 @@ export function useBrowser() {
   after(() => browser?.close());
 }
 
-/** Opens a page from the disk until the test `t` ends. `options` are those of a browser's context. The test calls `finish` at its end: the
- *  page must have caused no complaints and no requests, and must not have jumped. */
+/** An empty page of the browser, without any checks. */
+export const newPage = () => browser.newPage();
+
+/** Opens a page from the disk or of a server until the test `t` ends. `options` are those of a browser's context. The test calls `finish`
+ *  at its end: the page must have caused no complaints and no foreign requests (`faults`), and must not have jumped. */
 export async function open(t, file = "result.html", options = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, reducedMotion: "reduce", ...options });
   t.after(() => context.close());
   const page = await context.newPage();
   page.setDefaultTimeout(kReady_ms);
-  const faults = noteFaults(page);
+  const address = file.startsWith("http:") ? file : pathToFileURL(resolve(file)).href;
+  const faults = noteFaults(page, address);
   await noteShifts(page);
   const begin_ms = Date.now();
-  await page.goto(pathToFileURL(resolve(file)).href);
+  await page.goto(address);
   await page.waitForFunction(() => window.tesseraReport);
   await page.evaluate(() => window.tesseraReport.ready);
   const ready_ms = Date.now() - begin_ms;
@@ -57,16 +61,17 @@ export async function open(t, file = "result.html", options = {}) {
     const shift = await page.evaluate(() => window.layout_shift);
     assert.ok(shift < 0.05, `the layout shifted by ${shift}`);
   };
-  return { page, ready_ms, finish };
+  return { page, faults, ready_ms, finish };
 }
 
-/** A list to which the page's complaints and requests are added. */
-function noteFaults(page) {
+/** A list to which the page's complaints and its requests to other addresses are added. */
+function noteFaults(page, address) {
   const faults = [];
   page.on("console", (message) => /^(error|warning)$/.test(message.type()) && faults.push(`console: ${message.text()}`));
   page.on("pageerror", (error) => faults.push(`exception: ${error.message}`));
   page.on("dialog", (dialog) => (faults.push(`dialog: ${dialog.message()}`), dialog.dismiss()));
-  page.on("request", (request) => /^(file|data|blob):/.test(request.url()) || faults.push(`request: ${request.url()}`));
+  const own = (url) => /^(data|blob):/.test(url) || url.startsWith(address);
+  page.on("request", (request) => own(request.url()) || faults.push(`request: ${request.url()}`));
   return faults;
 }
 
@@ -155,8 +160,8 @@ export async function settledShot(page, testid = "viewer") {
   const seen = testid === null ? page : page.getByTestId(testid);
   let before = null;
   for (let tries = 0; tries < 40; ++tries) {
-    const now = await seen.screenshot();
-    if (before?.equals(now)) return now;
+    const now = await seen.screenshot().catch(() => null); // null: the page was built anew meanwhile
+    if (now && before?.equals(now)) return now;
     before = now;
     await page.waitForTimeout(80);
   }
@@ -166,8 +171,8 @@ export async function settledShot(page, testid = "viewer") {
 /** The fraction of pixels of two PNG files that differ clearly; 1 if their sizes differ. */
 export const changedFraction = (a, b) => differentSquares(a, b, 1, 12);
 
-/** Divides two PNG files into squares, and gives the fraction of those whose mean colours differ by more than `least`, of 255, in a channel;
- *  1 if the sizes of the pictures differ. */
+/** Divides two PNG files into squares, and gives the fraction of those whose mean colours differ by more than `least`, of 255, in a
+ *  channel; 1 if the sizes of the pictures differ. */
 export async function differentSquares(a, b, square_px, least) {
   const page = await browser.newPage();
   const urls = [a, b].map((png) => `data:image/png;base64,${png.toString("base64")}`);

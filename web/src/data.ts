@@ -116,7 +116,7 @@ export interface Source {
   block(name: string): Uint8Array | null;
 }
 
-// The server (`tessera serve`, which is still to be written). Paths are relative to the page's own URL, which holds the token:
+// The server (`tessera serve`, src/serve/ of Tessera). Paths are relative to the page's own URL, which holds the token:
 // http://127.0.0.1:PORT/TOKEN/.
 // Each POST has the header "X-Tessera: 1" and a JSON body. Errors are {"error": "text"} with a status of 400 or more.
 //   GET  state               ServerState
@@ -140,6 +140,8 @@ export interface ServerState {
 
 export interface RefineRequest {
   result: string;
+  /** ResultData.pieces_digest of the pieces that the numbers mean; 409 where the result has other ones by now. */
+  pieces_digest: string;
   action: "erase" | "swap" | "relax";
   pieces: number[]; // to erase or to swap
   lock: number[];
@@ -151,7 +153,7 @@ export interface RefineRequest {
 export interface Marks {
   format: number;
   pieces_digest: string;
-  action: "erase" | "swap";
+  action: "erase" | "swap" | "relax";
   pieces: number[];
   lock: number[];
 }

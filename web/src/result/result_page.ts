@@ -16,12 +16,13 @@ class ResultPage {
   private readonly keys = keysHelp(kKeys);
   private tab = "piece";
   private unlink: () => void = () => {};
+  private shown = new AbortController();
 
   constructor(
     private readonly page: HTMLElement,
     first: Result,
   ) {
-    this.variants = first.data.served ? new Variants(first, (name) => void this.show(name)) : null;
+    this.variants = first.data.served ? new Variants(first, (name) => this.show(name)) : null;
     this.session = new Session(first);
     this.build(null);
     addKeys(
@@ -30,8 +31,12 @@ class ResultPage {
     );
   }
 
+  private show(name: string, beside: string | null = null): void {
+    void this.variants!.attempt(() => this.showLoaded(name, beside));
+  }
+
   /** Shows another result, at the same place, with the same tab open. */
-  private async show(name: string, beside: string | null = null): Promise<void> {
+  private async showLoaded(name: string, beside: string | null): Promise<void> {
     const result = await this.variants!.load(name);
     const other = beside === null ? null : await this.variants!.load(beside);
     const { viewer, marks, result: before } = this.session;
@@ -45,6 +50,8 @@ class ResultPage {
 
   private build(beside: Result | null): void {
     this.unlink();
+    this.shown.abort();
+    this.shown = new AbortController();
     const { session, variants } = this;
     const { name } = session.result.data;
     const space = workspace(session, {
@@ -52,14 +59,15 @@ class ResultPage {
       beside,
       beside_base: beside ? (variants?.baseOf(beside.data.name) ?? null) : null,
       variants,
+      until: this.shown.signal,
       tab: this.tab,
       keys_button: this.keys[0],
       tabChanged: (tab) => {
         this.tab = tab;
       },
-      show: (other) => void this.show(other),
-      compare: (other) => void this.show(name, other),
-      closeCompare: () => void this.show(name),
+      show: (other) => this.show(other),
+      compare: (other) => this.show(name, other),
+      closeCompare: () => this.show(name),
     });
     this.page.replaceChildren(space.element, announcer(), this.keys[1]);
     this.unlink = space.other_viewer ? linkViewers([session.viewer, space.other_viewer]) : () => {};

@@ -3,7 +3,7 @@ import { loadResult, type Result } from "../model/result.ts";
 import { Value } from "../util/value.ts";
 import { fetchResult, fetchState, refine, stopRefining } from "./server.ts";
 
-const kPoll_ms = 300;
+const kPoll_ms = 100;
 
 export type VariantState = ServerState["results"][number];
 
@@ -57,45 +57,56 @@ export class Variants {
   }
 
   async refine(request: RefineRequest): Promise<void> {
-    await this.attempt(async () => {
+    this.trouble.set("");
+    const begin = async (): Promise<void> => {
       this.awaited = await refine(request);
-      await this.poll();
-    });
+    };
+    if (await this.attempt(begin)) await this.poll();
   }
 
   async stop(): Promise<void> {
+    this.trouble.set("");
     await this.attempt(stopRefining);
   }
 
-  private async attempt(action: () => Promise<unknown>): Promise<void> {
+  /** Whether it succeeded; a failure is told. */
+  async attempt(action: () => Promise<unknown>): Promise<boolean> {
     try {
       await action();
-      this.trouble.set("");
+      return true;
     } catch (error) {
       this.trouble.set(error instanceof Error ? error.message : String(error));
+      return false;
     }
   }
 
-  /** Asks for the state until nothing runs any more. */
+  /** Asks for the state until nothing runs or is awaited any more, or the server is gone. */
   private async poll(): Promise<void> {
     if (this.polling) return;
     this.polling = true;
-    do {
-      await this.attempt(async () => {
-        this.list.set((await fetchState()).results);
-        await this.showAwaited();
-      });
-      if (this.running) await new Promise((resolve) => setTimeout(resolve, kPoll_ms));
-    } while (this.running && this.trouble.get() === "");
+    while (await this.attempt(async () => this.take((await fetchState()).results))) {
+      await this.attempt(() => this.showAwaited());
+      if (!this.running && this.awaited === "") break;
+      await new Promise((resolve) => setTimeout(resolve, kPoll_ms));
+    }
     this.polling = false;
   }
 
+  /** Tells of changes only: whoever walks through the list with the keyboard keeps their place. */
+  private take(now: readonly VariantState[]): void {
+    if (JSON.stringify(now) !== JSON.stringify(this.list.get())) this.list.set(now);
+  }
+
+  /** Shows what there is of the awaited result, and says so where it failed. Another one may be awaited afterwards. */
   private async showAwaited(): Promise<void> {
     const state = this.list.get().find((variant) => variant.name === this.awaited);
-    if (!state?.has_pieces) return;
+    if (!state) return;
+    if (state.state !== "running") this.awaited = "";
+    if (state.state === "failed") this.trouble.set(state.message || `${state.name} failed`);
+    if (!state.has_pieces) return;
     const before = this.get(state.name);
-    const now = await this.load(state.name);
+    // While it runs its files may change under the server's hands; the next answer has them whole.
+    const now = state.state === "running" ? await this.load(state.name).catch(() => before) : await this.load(state.name);
     if (now !== before) this.show(state.name);
-    if (state.has_picture || state.state === "failed") this.awaited = "";
   }
 }

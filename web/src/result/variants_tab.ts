@@ -5,7 +5,7 @@ import { sessionMarks } from "./edit_tab.ts";
 import type { Variants, VariantState } from "./variants.ts";
 
 /** The button that has the marked pieces refilled by the server, with its progress. */
-export function refillBox(session: Session, variants: Variants): HTMLElement {
+export function refillBox(session: Session, variants: Variants, until: AbortSignal): HTMLElement {
   const seed = element("input", {
     type: "number",
     id: "seed",
@@ -16,8 +16,8 @@ export function refillBox(session: Session, variants: Variants): HTMLElement {
     "data-testid": "seed",
   });
   const send = (action: "erase" | "swap" | "relax"): void => {
-    const { pieces, lock } = sessionMarks(session);
-    const request = { result: session.result.data.name, action, pieces: action === "relax" ? [] : pieces, lock };
+    const { pieces, lock, pieces_digest } = sessionMarks(session);
+    const request = { result: session.result.data.name, pieces_digest, action, pieces: action === "relax" ? [] : pieces, lock };
     void variants.refine({ ...request, seed: seed.value === "" ? null : Number(seed.value) });
   };
   const refill = button({ label: "Refill", kind: "primary", testid: "refill" }, () => send(session.swap.get() ? "swap" : "erase"));
@@ -25,7 +25,6 @@ export function refillBox(session: Session, variants: Variants): HTMLElement {
   relax.title = "Lets all pieces that are not locked move into better places";
   const stop = button({ label: "Stop", testid: "refill-stop" }, () => void variants.stop());
   const message = element("p", { class: "note", role: "status", "data-testid": "refill-message" });
-  const trouble = element("p", { class: "trouble", role: "alert" });
   const show = (): void => {
     const { running } = variants;
     refill.disabled = running !== undefined || session.marks.pieces("erase").length === 0;
@@ -33,39 +32,51 @@ export function refillBox(session: Session, variants: Variants): HTMLElement {
     stop.hidden = running === undefined;
     message.textContent = running ? printable(running.message || "It begins …") : "";
   };
-  variants.list.watch(show);
+  variants.list.watch(show, until);
   session.marks_changed.watch(show);
-  variants.trouble.watch((text) => {
-    trouble.textContent = printable(text);
-  });
   return element(
     "div",
     { class: "refill" },
     element("div", { class: "row" }, refill, relax, stop),
     element("div", { class: "slider-row" }, element("label", { for: "seed" }, "Seed of the filling"), seed),
     message,
-    trouble,
+    troubleLine(variants, until),
   );
 }
 
+function troubleLine(variants: Variants, until: AbortSignal): HTMLElement {
+  const line = element("p", { class: "trouble", role: "alert" });
+  variants.trouble.watch((text) => {
+    line.textContent = printable(text);
+  }, until);
+  return line;
+}
+
+export interface VariantsOptions {
+  show(name: string): void;
+  compare(name: string): void;
+  until: AbortSignal;
+}
+
 /** The list of results of the server. Any two can be shown side by side. */
-export function variantsTab(shown: string, variants: Variants, show: (name: string) => void, compare: (name: string) => void): HTMLElement {
+export function variantsTab(shown: string, variants: Variants, options: VariantsOptions): HTMLElement {
   const list = element("ul", { class: "variants", "data-testid": "variants" });
   variants.list.watch((all) => {
-    list.replaceChildren(...all.map((variant) => entry(variant, shown, show, compare)));
-  });
+    list.replaceChildren(...all.map((variant) => entry(variant, shown, options)));
+  }, options.until);
   return element(
     "div",
     {},
     element("h2", {}, "Variants"),
     element("p", { class: "note" }, "Each refill is a result of its own; the one that it came from stays as it is."),
     list,
+    troubleLine(variants, options.until),
   );
 }
 
 const state_texts = { finished: "finished", running: "at work", failed: "failed" } as const;
 
-function entry(variant: VariantState, shown: string, show: (name: string) => void, compare: (name: string) => void): HTMLElement {
+function entry(variant: VariantState, shown: string, { show, compare }: VariantsOptions): HTMLElement {
   const is_shown = variant.name === shown;
   const line = element("li", { "aria-current": is_shown ? "true" : null }, element("strong", {}, foreignName(variant.name)));
   line.append(element("span", { class: "tag" }, is_shown ? "shown" : state_texts[variant.state]));

@@ -28,6 +28,8 @@ export interface WorkspaceOptions {
   beside: Result | null;
   beside_base: Result | null;
   variants: Variants | null;
+  /** Comes when another workspace takes this one's place. */
+  until: AbortSignal;
   tab: string;
   keys_button: HTMLElement;
   tabChanged(tab: string): void;
@@ -50,12 +52,12 @@ export function workspace(session: Session, options: WorkspaceOptions): { elemen
     { id: "piece", label: "Piece", content: pieceTab(session) },
     { id: "search", label: "Search", content: searchTab(session) },
     { id: "overlays", label: "Overlays", content: overlaysTab(session, layers) },
-    { id: "edit", label: "Edit", content: editTab(session, options.variants ? refillBox(session, options.variants) : null) },
+    { id: "edit", label: "Edit", content: editTab(session, options.variants ? refillBox(session, options.variants, options.until) : null) },
     { id: "quality", label: "Quality", ...quality },
     { id: "job", label: "Job", content: jobTab(session) },
   ];
   if (options.variants) {
-    const content = variantsTab(data.name, options.variants, options.show, options.compare);
+    const content = variantsTab(data.name, options.variants, options);
     tabs.splice(4, 0, { id: "variants", label: "Variants", content });
   }
   let current = options.tab;

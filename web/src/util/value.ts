@@ -15,9 +15,10 @@ export class Value<T> {
     for (const listener of [...this.listeners]) listener(value);
   }
 
-  /** Calls `listener` now and after each change. */
-  watch(listener: (value: T) => void): void {
+  /** Calls `listener` now and after each change, until the signal. */
+  watch(listener: (value: T) => void, until?: AbortSignal): void {
     this.listeners.add(listener);
+    until?.addEventListener("abort", () => this.listeners.delete(listener));
     listener(this.current);
   }
 }

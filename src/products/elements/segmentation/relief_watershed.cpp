@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <queue>
 #include <tuple>
 #include <unordered_map>
 #include <vector>
@@ -66,38 +65,67 @@ class Minima {
   int count_ = 0;
 };
 
+/// Pixels in the order of their levels; those of one level in the order in which they came. Each pixel enters once.
+class Shore {
+ public:
+  /// Levels of the relief, which are told apart in steps of 1/65536 of its range.
+  explicit Shore(const cv::Mat& relief) : next_(relief.total(), kNone), first_(kLevels, kNone), last_(kLevels, kNone) {
+    double least = 0, greatest = 0;
+    cv::minMaxLoc(relief, &least, &greatest);
+    least_ = float(least);
+    step_ = greatest > least ? float((kLevels - 1) / (greatest - least)) : 0;
+  }
+
+  void push(int pixel, float height) {
+    const std::size_t level = std::max(level_, std::size_t((height - least_) * step_));
+    (first_[level] == kNone ? first_[level] : next_[std::size_t(last_[level])]) = pixel;
+    last_[level] = pixel;
+  }
+
+  /// The next pixel; -1: none is left.
+  int pop() {
+    while (first_[level_] == kNone) {
+      if (++level_ == kLevels) return kNone;
+    }
+    const int pixel = first_[level_];
+    first_[level_] = next_[std::size_t(pixel)];
+    return pixel;
+  }
+
+ private:
+  static constexpr std::size_t kLevels = 65536;
+  static constexpr int kNone = -1;
+
+  std::vector<int> next_, first_, last_;
+  std::size_t level_ = 0;  // of the water
+  float least_ = 0, step_ = 0;
+};
+
 /// Lets water rise from labelled pixels; on level ground it spreads evenly (first come, first served).
 void flood(const cv::Mat& relief, cv::Mat& labels) {
-  struct Shore {
-    float level;
-    std::uint32_t order;
-    std::int32_t x, y;
-    bool operator<(const Shore& o) const { return std::tie(o.level, o.order) < std::tie(level, order); }
-  };
-  const cv::Rect ground({0, 0}, relief.size());
-  std::priority_queue<Shore> shore;
-  std::uint32_t order = 0;
-  const auto is_dry = [&](cv::Point q) { return ground.contains(q) && labels.at<int>(q) == kDry; };
-  const auto spread_from = [&](cv::Point p) {
-    for (const cv::Point side : kSides) {
-      const cv::Point q = p + side;
-      if (!is_dry(q)) continue;
-      labels.at<int>(q) = labels.at<int>(p);
-      shore.push({std::max(relief.at<float>(q), relief.at<float>(p)), order++, q.x, q.y});
-    }
+  CV_Assert(relief.isContinuous() && labels.isContinuous());
+  const float* heights = relief.ptr<float>();
+  int* label = labels.ptr<int>();
+  const int columns = relief.cols, end = int(relief.total());
+  Shore shore(relief);
+  const auto for_each_dry = [&](int pixel, auto&& visit) {
+    const int x = pixel % columns;
+    if (x + 1 < columns && label[pixel + 1] == kDry) visit(pixel + 1);
+    if (x > 0 && label[pixel - 1] == kDry) visit(pixel - 1);
+    if (pixel + columns < end && label[pixel + columns] == kDry) visit(pixel + columns);
+    if (pixel >= columns && label[pixel - columns] == kDry) visit(pixel - columns);
   };
   // begins at the rims of the minima, because wide plains would fill the queue
-  for (int y = 0; y < relief.rows; ++y) {
-    for (int x = 0; x < relief.cols; ++x) {
-      const auto is_beside = [&](cv::Point side) { return is_dry(cv::Point(x, y) + side); };
-      if (labels.at<int>(y, x) > 0 && std::any_of(kSides.begin(), kSides.end(), is_beside))
-        shore.push({relief.at<float>(y, x), order++, x, y});
-    }
+  for (int pixel = 0; pixel < end; ++pixel) {
+    bool is_rim = false;
+    if (label[pixel] > 0) for_each_dry(pixel, [&](int) { is_rim = true; });
+    if (is_rim) shore.push(pixel, heights[pixel]);
   }
-  while (!shore.empty()) {
-    const cv::Point p(shore.top().x, shore.top().y);
-    shore.pop();
-    spread_from(p);
+  for (int pixel = shore.pop(); pixel >= 0; pixel = shore.pop()) {
+    for_each_dry(pixel, [&](int beside) {
+      label[beside] = label[pixel];
+      shore.push(beside, heights[beside]);
+    });
   }
 }
 
