@@ -1,5 +1,5 @@
-// node measure_panning.mjs PAGE...: prints how long a page of tessera report takes to open, and the main-thread work of each frame while it is
-// dragged, in headless Chromium. It runs where browser_test.sh installed its packages: build/release/tests/web/browser_smoke.
+// node measure_panning.mjs PAGE...: prints how long a page of tessera report takes to open, and the main-thread work of each frame while
+// it is dragged, in headless Chromium. It runs where browser_test.sh installed its packages: build/release/tests/web/browser_smoke.
 
 import { pathToFileURL } from "node:url";
 import { startBrowser } from "./page_fixture.mjs";

@@ -40,8 +40,8 @@ export function useBrowser() {
 /** An empty page of the browser, without any checks. */
 export const newPage = () => browser.newPage();
 
-/** Opens a page from the disk or of a server until the test `t` ends. `options` are those of a browser's context. The test calls `finish` at
- *  its end: the page must have caused no complaints and no foreign requests (`faults`), and must not have jumped. */
+/** Opens a page from the disk or of a server until the test `t` ends. `options` are those of a browser's context. The test calls `finish`
+ *  at its end: the page must have caused no complaints and no foreign requests (`faults`), and must not have jumped. */
 export async function open(t, file = "result.html", options = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, reducedMotion: "reduce", ...options });
   t.after(() => context.close());
@@ -160,8 +160,8 @@ export async function settledShot(page, testid = "viewer") {
   const seen = testid === null ? page : page.getByTestId(testid);
   let before = null;
   for (let tries = 0; tries < 40; ++tries) {
-    const now = await seen.screenshot();
-    if (before?.equals(now)) return now;
+    const now = await seen.screenshot().catch(() => null); // null: the page was built anew meanwhile
+    if (now && before?.equals(now)) return now;
     before = now;
     await page.waitForTimeout(80);
   }
@@ -171,8 +171,8 @@ export async function settledShot(page, testid = "viewer") {
 /** The fraction of pixels of two PNG files that differ clearly; 1 if their sizes differ. */
 export const changedFraction = (a, b) => differentSquares(a, b, 1, 12);
 
-/** Divides two PNG files into squares, and gives the fraction of those whose mean colours differ by more than `least`, of 255, in a channel;
- *  1 if the sizes of the pictures differ. */
+/** Divides two PNG files into squares, and gives the fraction of those whose mean colours differ by more than `least`, of 255, in a
+ *  channel; 1 if the sizes of the pictures differ. */
 export async function differentSquares(a, b, square_px, least) {
   const page = await browser.newPage();
   const urls = [a, b].map((png) => `data:image/png;base64,${png.toString("base64")}`);
