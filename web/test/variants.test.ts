@@ -65,6 +65,7 @@ test("the page follows what runs when it is opened, and stops when the server is
   await until(() => server.states_asked >= 3);
   gone = true;
   await until(() => variants.trouble.get() === "no connection");
+  await until(() => variants.running === undefined);
   const asked = server.states_asked;
   await new Promise((resolve) => setTimeout(resolve, 250));
   assert.equal(server.states_asked, asked);
