@@ -135,9 +135,10 @@ echo "<svg xmlns='http://www.w3.org/2000/svg' width='240' height='240'><rect wid
   </svg>" >gapless.svg
 rsvg-convert -f pdf gapless.svg -o gapless.pdf
 pdftocairo -png -gray -antialias none -singlefile -r 72 -scale-to-x 240 -scale-to-y 240 gapless.pdf gapless
-run 2 library extract tiles.png --labels gapless.png -o none.h5 --ground none.png
+run 3 library extract tiles.png --labels gapless.png -o gapless.h5 --ground none.png --overview gapless
+[[ -s gapless.h5 && -s gapless/tiles_found.png ]] || fail "what was found is lost because the ground is missing"
 expect_word 'tiles.png: --ground: found hardly any gaps between the elements, needed: some 12 places of 6 x 6 px;'
-[[ ! -e none.h5 && ! -e none.png ]] || fail "something was written"
+[[ ! -e none.png ]] || fail "a ground was written"
 run 2 library extract wall.png --element-px 75 -o none.h5 --ground wall.png
 expect_word '--ground: found the photo wall.png, allowed: another file'
 # The map is an input, too, under any name; and all outputs must have different names.

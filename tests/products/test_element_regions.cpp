@@ -184,7 +184,7 @@ TEST(RegionVote, KeepsWhatOthersAgreeWith) {
   const cv::Rect agreed(10, 10, 40, 40), alone(70, 70, 40, 40);
   std::vector<LabelRuns> maps(7, LabelRuns(with_squares({agreed})));
   maps.emplace_back(with_squares({agreed, alone}));
-  const cv::Mat voted = voted_regions(maps, cv::Mat::ones(120, 120, CV_32F), 40);
+  const cv::Mat voted = voted_regions(maps, cv::Mat::ones(120, 120, CV_32F), 40).labels;
   EXPECT_EQ(label_count(voted), 1);
   EXPECT_EQ(cv::countNonZero(voted(agreed)), 1600);
   EXPECT_EQ(cv::countNonZero(voted), 1600);
@@ -194,7 +194,7 @@ TEST(RegionVote, TheMoreVotedForKeepsTheOtherOff) {
   const cv::Rect better(10, 10, 40, 40), worse(20, 10, 40, 40);
   std::vector<LabelRuns> maps(5, LabelRuns(with_squares({better})));
   for (int i = 0; i < 3; ++i) maps.emplace_back(with_squares({worse}));
-  const cv::Mat voted = voted_regions(maps, cv::Mat::ones(120, 120, CV_32F), 40);
+  const cv::Mat voted = voted_regions(maps, cv::Mat::ones(120, 120, CV_32F), 40).labels;
   EXPECT_EQ(label_count(voted), 1);
   EXPECT_EQ(cv::countNonZero(voted(better)), 1600);
 }
@@ -204,9 +204,9 @@ TEST(RegionVote, GroundCutFromGroundIsNoElement) {
   const std::vector<LabelRuns> maps(4, LabelRuns(with_squares({square})));
   cv::Mat boundary = cv::Mat::zeros(120, 120, CV_32F);
   cv::rectangle(boundary, square, 1, 1);
-  EXPECT_EQ(label_count(voted_regions(maps, boundary, 40)), 1);
+  EXPECT_EQ(label_count(voted_regions(maps, boundary, 40).labels), 1);
   boundary.colRange(30, 120).setTo(0);
-  EXPECT_EQ(label_count(voted_regions(maps, boundary, 40)), 0);
+  EXPECT_EQ(label_count(voted_regions(maps, boundary, 40).labels), 0);
 }
 
 /// Bright squares on a dark ground. One labelled square has the colour of the ground.

@@ -22,6 +22,7 @@
 #include "products/elements/cut_outs.h"
 #include "products/elements/photo_extraction.h"
 #include "run/messages/first_picture_warning.h"
+#include "terminal/exit_codes.h"
 #include "terminal/progress_bar.h"
 #include "terminal/terminal.h"
 
@@ -31,16 +32,19 @@ namespace {
 constexpr char kLibraryExtractExamples[] =
     "Examples:\n"
     "  tessera library extract jigsaw.jpg -o pieces.h5                             elements apart on a plain ground\n"
-    "  tessera library extract wall.jpg --element-px 120 -o stones.h5 --overview found/\n"
+    "  tessera library extract wall.jpg -o stones.h5 --overview found/             elements side by side\n"
+    "  tessera library extract wall.jpg --element-px 120 -o stones.h5              of about this size\n"
     "  tessera library extract beach_*.jpg --element-px 60 --min 30 --max 200 -o pebbles.h5\n"
     "  tessera library extract gravel.jpg --element-px 16 --enlarge 3 -o gravel.h5    elements of few pixels\n"
     "  tessera library extract wall.jpg --element-px 120 -o stones.h5 --ground mortar.png     the mortar, too\n"
     "  tessera library extract wall.jpg --labels wall_labels.png -o stones.h5      labels from another program\n"
     "Reads JPEG, PNG, TIFF, WebP and BMP, turned as their EXIF data say. The library holds the pixels of each "
     "element.\n"
-    "Elements cut by the photo's edge are left out. Elements that touch, or lie on a ground of several colours, need\n"
-    "--element-px. Look at the overview: if elements are merged, give a smaller number; if they are split, a larger "
-    "one.\n"
+    "Elements cut by the photo's edge are left out. The size of elements that touch, or lie on a ground of several "
+    "colours,\n"
+    "is found by trying some. Look at the overview: if elements are merged, give a smaller --element-px; if they are "
+    "split,\n"
+    "a larger one.\n"
     "100 elements take about 5 s, 1000 a minute or two.";
 
 struct ExtractArguments {
@@ -57,6 +61,11 @@ std::string counts_text(const Extraction& extraction, const ExtractionSettings& 
   const FoundElements& found = extraction.found;
   const std::size_t count = found.elements.size();
   std::string text = count_text(count, "element");
+  if (settings.element_px == 0 && extraction.element_px > 0) {
+    char size[48];
+    std::snprintf(size, sizeof size, " of about %.3g px", extraction.element_px);
+    text += size;
+  }
   const auto add = [&](std::size_t left_out, const char* why) {
     if (left_out > 0) text += ", " + std::to_string(left_out) + " " + why;
   };
@@ -88,7 +97,8 @@ void write_ground(const ExtractArguments& arguments, const Extraction& extractio
   print_line("  ground: %s, %.0f %% of the photo", arguments.ground.c_str(), 100 * extraction.ground_part);
 }
 
-std::vector<CutOut> all_cut_outs(const ExtractArguments& arguments, Drawers& drawers) {
+/// The elements of all photos. `complete`: becomes false where a wanted picture of the ground cannot be made.
+std::vector<CutOut> all_cut_outs(const ExtractArguments& arguments, Drawers& drawers, bool& complete) {
   std::vector<CutOut> all;
   for (const std::string& photo : arguments.photos) {
     ExtractionSettings settings = arguments.settings;
@@ -101,6 +111,8 @@ std::vector<CutOut> all_cut_outs(const ExtractArguments& arguments, Drawers& dra
     }
     if (!arguments.overview.empty()) write_overview(arguments, photo, extraction.overview_png);
     if (!extraction.ground_png.empty()) write_ground(arguments, extraction);
+    print_warning(extraction.ground_problem);
+    complete = complete && extraction.ground_problem.empty();
     for (CutOut& cut_out : extraction.cut_outs) all.push_back(std::move(cut_out));
   }
   if (all.empty()) {
@@ -237,14 +249,15 @@ int run(ExtractArguments arguments) {
   const ExtractOutputs outputs(arguments);
   arguments.settings.with_overview = !arguments.overview.empty();
   Drawers drawers(photo_drawer_settings(rank_cores()));
-  const std::vector<CutOut> cut_outs = all_cut_outs(arguments, drawers);
+  bool complete = true;
+  const std::vector<CutOut> cut_outs = all_cut_outs(arguments, drawers, complete);
   print_warning(first_picture_warning(arguments.photos));
   const LibraryBuildReport report = build(arguments, cut_outs, drawers);
   print_lines(build_summary(report));
   if (!report.written) throw InputError(arguments.output + " was not written: no element has a usable silhouette");
   print_line("%s, %s, %.1f MB", arguments.output.c_str(), count_text(report.shapes, "shape").c_str(),
              double(std::filesystem::file_size(arguments.output)) * 1e-6);
-  return 0;
+  return complete ? kDoneExitCode : kIncompleteExitCode;
 }
 
 }  // namespace
@@ -263,7 +276,7 @@ void add_library_extract_command(CLI::App& library, Command& selected) {
   extract
       ->add_option("--element-px", arguments->settings.element_px,
                    "Short side of a typical element, px of the photo; rather too small than too large. Default: "
-                   "elements lie apart on a plain ground")
+                   "found; not needed where elements lie apart on a plain ground")
       ->check(CLI::Range(4.0, kMostSide_px));
   extract
       ->add_option("--min", arguments->settings.sizes.least_px,

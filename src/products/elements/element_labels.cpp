@@ -64,7 +64,7 @@ cv::Mat voted_elements(const ElementCopies& copies, const cv::Mat& lab) {
   std::vector<LabelRuns> maps = candidate_maps(copies.fine, lab, lab.size());
   for (LabelRuns& map : candidate_maps(copies.coarse, smooth_lab(copies.coarse), lab.size()))
     maps.push_back(std::move(map));
-  return voted_regions(maps, boundary_map(lab, {}), kElement_px * kFiner);
+  return voted_regions(maps, boundary_map(lab, {}), kElement_px * kFiner).labels;
 }
 
 }  // namespace

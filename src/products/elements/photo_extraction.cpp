@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/shape/outline.h"
 #include "files/regular_file.h"
+#include "products/elements/element_size.h"
 #include "products/elements/elements_overview.h"
 #include "products/elements/freed_memory.h"
 #include "products/elements/ground_pixels.h"
@@ -55,6 +56,7 @@ cv::Mat decoded(const PhotoFile& photo, int times, Drawers& drawers) {
 struct FoundMaps {
   std::optional<cv::Mat> apart;  // from elements_on_plain_ground()
   cv::Mat searched;              // from elements_in_copies(); empty where that was not needed
+  double element_px = 0;         // what was searched for; 0: nothing
 };
 
 bool any_of(const std::vector<bool>& marks) { return std::find(marks.begin(), marks.end(), true) != marks.end(); }
@@ -63,18 +65,21 @@ bool any_of(const std::vector<bool>& marks) { return std::find(marks.begin(), ma
 FoundMaps found_maps(const PhotoFile& photo, const ExtractionSettings& settings, Drawers& drawers) {
   const bool has_size = settings.element_px > 0;
   FoundMaps maps;
+  double& element_px = maps.element_px;
   ElementCopies copies;
   {
     const cv::Mat picture = decoded(photo, settings.enlarged, drawers);
     maps.apart = elements_on_plain_ground(picture);
-    if (!maps.apart && !has_size) {
-      throw InputError(photo.path +
-                       ": found no elements apart on a plain ground, needed for any other photo: --element-px, the "
-                       "short side of a typical element in px, or --labels");
+    element_px = has_size || maps.apart ? settings.element_px : found_element_px(picture) / settings.enlarged;
+    if (!maps.apart && element_px == 0) {
+      throw InputError(
+          photo.path +
+          ": found no elements, neither apart on a plain ground nor side by side at any size; allowed: --element-px, "
+          "the short side of a typical element in px, or --labels");
     }
-    if (!has_size || (maps.apart && !any_of(touching_regions(LabelRuns(*maps.apart))))) return maps;
+    if (element_px == 0 || (maps.apart && !any_of(touching_regions(LabelRuns(*maps.apart))))) return maps;
     try {
-      copies = element_copies(picture, settings.element_px * settings.enlarged);
+      copies = element_copies(picture, element_px * settings.enlarged);
     } catch (const std::invalid_argument& error) {
       throw InputError(photo.path + ": --element-px: " + error.what());
     }
@@ -124,9 +129,11 @@ void add_ground(const std::string& photo, const cv::Mat& picture, const LabelRun
   give_back_freed_memory();
   const cv::Mat ground = synthesised_ground(picture, pixels.certain, settings.ground_px);
   if (ground.empty()) {
-    throw InputError(photo + ": --ground: found hardly any gaps between the elements, needed: some " +
-                     std::to_string(kLeastPlaces) + " places of " + std::to_string(kLeastPatch_px) + " x " +
-                     std::to_string(kLeastPatch_px) + " px; without --ground a job's output.background has a colour");
+    extraction.ground_problem = photo + ": --ground: found hardly any gaps between the elements, needed: some " +
+                                std::to_string(kLeastPlaces) + " places of " + std::to_string(kLeastPatch_px) + " x " +
+                                std::to_string(kLeastPatch_px) +
+                                " px; without --ground a job's output.background has a colour";
+    return;
   }
   extraction.ground_png = png_of(ground);
   extraction.ground_part = pixels.part;
@@ -145,10 +152,11 @@ Extraction extract_elements(const std::string& photo, const ExtractionSettings& 
   const LabelRuns labels =
       searches ? labels_from(maps, picture) : labels_for(settings.labels, given, photo, picture, times);
   Extraction extraction;
+  extraction.element_px = maps.element_px;
   extraction.least_px = std::max(settings.sizes.least_px, double(kLeastSize_px) / times);
   extraction.found = find_elements(labels, {extraction.least_px * times, settings.sizes.most_px * times});
   const std::vector<PhotoElement>& elements = extraction.found.elements;
-  if (searches && settings.element_px == 0) extraction.touching = touching_count(labels, elements);
+  if (searches && extraction.element_px == 0) extraction.touching = touching_count(labels, elements);
   if (settings.ground_px > 0) add_ground(photo, picture, labels, settings, extraction);
   if (settings.with_overview) extraction.overview_png = png_of(elements_overview(picture, labels, elements));
   extraction.cut_outs = cut_outs(photo, picture, labels, elements);

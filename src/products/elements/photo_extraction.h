@@ -20,8 +20,8 @@ inline constexpr int kMostEnlarged = 8;
 
 /// Settings. All px are those of the original photo, whatever `enlarged` is.
 struct ExtractionSettings {
-  /// Short side of a typical element, px, for the search; not used with `labels`. 0: no search, because the elements lie
-  /// apart on a plain ground.
+  /// Short side of a typical element, px, for the search; not used with `labels`. 0: found, unless the elements lie apart
+  /// on a plain ground, which needs no size.
   double element_px = 0;
   ElementSizes sizes;
   // factor, 1 to kMostEnlarged, by which the photo is enlarged before it is searched, cut up and shown
@@ -37,15 +37,17 @@ struct Extraction {
   std::size_t touching = 0;
   std::vector<CutOut> cut_outs;
   std::vector<std::uint8_t> overview_png;  // empty without with_overview
-  std::vector<std::uint8_t> ground_png;    // empty without ground_px
+  std::vector<std::uint8_t> ground_png;    // empty without ground_px, or where there is a ground_problem
+  std::string ground_problem;              // why there is no picture of the ground: the photo shows too little of it
+  double element_px = 0;                   // the short side that was searched for; 0: none
   double ground_part = 0;                  // part of the photo that is ground, with ground_px
   /// Elements smaller than this were left out: square root of the area, px of the photo. At least what a library accepts.
   double least_px = 0;
 };
 
 /// Throws InputError where a file is no photo or no label map of its size; where no size is given and the ground is not
-/// plain; where elements are too small for the photo; where the photo would be too large when enlarged; or where it shows
-/// too little ground.
+/// plain, and no size at which elements are found; where elements are too small for the photo; or where the photo would be
+/// too large when enlarged.
 Extraction extract_elements(const std::string& photo, const ExtractionSettings& settings, Drawers& drawers);
 
 }  // namespace tessera

@@ -112,7 +112,7 @@ double score_of(const Map& map, std::size_t i, const cv::Mat& boundary, double e
 
 }  // namespace
 
-cv::Mat voted_regions(const std::vector<LabelRuns>& label_maps, const cv::Mat& boundary, double element_px) {
+VotedRegions voted_regions(const std::vector<LabelRuns>& label_maps, const cv::Mat& boundary, double element_px) {
   const double element_px2 = element_px * element_px;
   std::vector<Map> maps;
   for (const LabelRuns& labels : label_maps) maps.push_back(map_of(labels, element_px2));
@@ -139,14 +139,18 @@ cv::Mat voted_regions(const std::vector<LabelRuns>& label_maps, const cv::Mat& b
 
   cv::Mat chosen = cv::Mat::zeros(boundary.size(), CV_32S);
   int next = 0;
+  double support_px2 = 0;
   for (const Candidate& candidate : candidates) {
     const RegionBox& region = candidate.map->regions()[std::size_t(candidate.label)];
     cv::Mat there = chosen(region.box);
     const cv::Mat free = candidate.map->labels->mask_of(std::size_t(candidate.label)) & (there == 0);
     if (cv::countNonZero(free) < kLeastFree * region.area_px2) continue;
     there.setTo(++next, free);
+    const auto label = std::size_t(candidate.label);
+    support_px2 +=
+        region.area_px2 * candidate.map->solidity[label] * candidate.map->votes[label] / double(maps.size() - 1);
   }
-  return solid_regions(chosen, 0.05 * element_px2, kLeastSolidityLeft);
+  return {solid_regions(chosen, 0.05 * element_px2, kLeastSolidityLeft), support_px2};
 }
 
 }  // namespace tessera

@@ -8,9 +8,15 @@
 
 namespace tessera {
 
+struct VotedRegions {
+  cv::Mat labels;
+  /// The area of the regions, each by its solidity and by the part of the other maps that agree with it.
+  double support_px2 = 0;
+};
+
 /// `maps`: all of one size. A region's votes are the other maps that have about the same region. Regions are taken in
 /// order: solid ones with many votes, a usual size and a strong border (`boundary`: boundary_map()) come first. Later
 /// regions must not overlap earlier ones. `element_px`: side of a usual element.
-cv::Mat voted_regions(const std::vector<LabelRuns>& maps, const cv::Mat& boundary, double element_px);
+VotedRegions voted_regions(const std::vector<LabelRuns>& maps, const cv::Mat& boundary, double element_px);
 
 }  // namespace tessera
