@@ -142,8 +142,8 @@ HttpServer::HttpServer(int port, Guard guard, Handler handler)
       MHD_OPTION_CONNECTION_LIMIT, kMostConnections, MHD_OPTION_CONNECTION_TIMEOUT, kIdle_s,
       MHD_OPTION_CONNECTION_MEMORY_LIMIT, kConnectionMemory_bytes, MHD_OPTION_STRICT_FOR_CLIENT, 1, MHD_OPTION_END);
   if (daemon_->daemon) return;
-  throw EnvironmentError("127.0.0.1:" + std::to_string(port) +
-                         ": cannot listen: " + std::generic_category().message(errno));
+  throw EnvironmentError("127.0.0.1:" + std::to_string(port) + ": cannot listen: " +
+                         std::generic_category().message(errno) + "; allowed: another --port, or none");
 }
 
 HttpServer::~HttpServer() { MHD_stop_daemon(daemon_->daemon); }

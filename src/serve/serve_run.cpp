@@ -1,5 +1,6 @@
 #include "serve/serve_run.h"
 
+#include <pwd.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -18,15 +19,18 @@
 namespace tessera {
 namespace {
 
-std::string host_name() {
-  char name[256] = {};
-  return ::gethostname(name, sizeof name - 1) == 0 ? name : "HOST";
+/// "user@host", as ssh wants it.
+std::string login() {
+  char host[256] = {};
+  const passwd* user = ::getpwuid(::geteuid());
+  return (user ? user->pw_name : "USER") + std::string("@") +
+         (::gethostname(host, sizeof host - 1) == 0 ? host : "HOST");
 }
 
 void print_how_to(int port) {
   const std::string number = std::to_string(port);
-  print_line("from another computer, first: ssh -N -L %s:127.0.0.1:%s %s", number.c_str(), number.c_str(),
-             host_name().c_str());
+  print_line("from another computer, first, there: ssh -N -L %s:127.0.0.1:%s %s", number.c_str(), number.c_str(),
+             login().c_str());
   print_line("Ctrl-C ends it; all results stay on the disk");
   check_printed();
 }

@@ -58,7 +58,8 @@ std::optional<ServedResult> found_result(const std::string& folder, const std::v
                       .folder = folder,
                       .from = is_known ? start : "",
                       .finished = finished,
-                      .message = finished ? "" : "unfinished: the command in its run.log goes on with --resume"};
+                      .stopped = !finished,
+                      .message = finished ? "" : "the command in its run.log goes on with --resume=auto"};
 }
 
 }  // namespace
@@ -69,7 +70,12 @@ ServedResults::ServedResults(const std::string& folder) {
   if (!is_utf8(name) || printable_utf8(name) != name) {
     throw InputError(folder + ": the folder's name cannot stand in an address, allowed: printable characters in UTF-8");
   }
-  all_.push_back({.name = name, .folder = folder, .from = "", .finished = first.manifest.finished, .message = ""});
+  all_.push_back({.name = name,
+                  .folder = folder,
+                  .from = "",
+                  .finished = first.manifest.finished,
+                  .stopped = false,
+                  .message = ""});
   find_earlier();
 }
 
@@ -106,7 +112,12 @@ ServedResult& ServedResults::add(const std::string& from) {
     if (errno != EEXIST) throw EnvironmentError(folder + ": " + std::generic_category().message(errno));
     folder = folder_of(++last_number_);
   }
-  all_.push_back({.name = folder_name(folder), .folder = folder, .from = from, .finished = false, .message = ""});
+  all_.push_back({.name = folder_name(folder),
+                  .folder = folder,
+                  .from = from,
+                  .finished = false,
+                  .stopped = false,
+                  .message = ""});
   return all_.back();
 }
 

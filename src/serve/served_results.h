@@ -11,7 +11,8 @@ struct ServedResult {
   std::string folder;
   std::string from;  // the name of the result that it was refined from; empty: of none of these
   bool finished = false;
-  std::string message;  // why it is not finished
+  bool stopped = false;  // with its state saved
+  std::string message;   // why it is not finished
 };
 
 /// A result "out/animals" and those with numbers: "out/animals-2", "out/animals-3".

@@ -57,6 +57,12 @@ bool has_file(const ServedResult& result, const char* name) {
   }
 }
 
+const char* state_word(const ServedResult& result, bool runs) {
+  if (runs) return "running";
+  if (result.finished) return "finished";
+  return result.stopped ? "stopped" : "failed";
+}
+
 }  // namespace
 
 Service::Service(const std::string& folder, std::size_t picture_bytes)
@@ -92,9 +98,7 @@ HttpAnswer Service::state() {
     const bool runs = refinement_ && result.name == refined_;
     const bool has_pieces = has_file(result, kManifestName);
     list.push_back({{"name", result.name},
-                    {"state", runs              ? "running"
-                              : result.finished ? "finished"
-                                                : "failed"},
+                    {"state", state_word(result, runs)},
                     {"has_pieces", has_pieces},
                     {"has_picture", !runs && has_pieces && has_file(result, "collage.png")},
                     {"message", printable_utf8(runs ? refinement_->state().last_line : result.message)},
@@ -139,7 +143,8 @@ void Service::start(const RefineRequest& request, const ServedResult& from, cons
   write_file_atomically(marks_path(result), marks_text(request.marks, request.pieces_digest));
   const std::vector<std::string> arguments = refine_arguments(request, from, result);
   refinement_ = std::make_unique<Refinement>(program_, arguments);
-  news_.push_back(command_text(arguments));
+  command_ = command_text(arguments);
+  news_.push_back(command_);
 }
 
 HttpAnswer Service::stop() {
@@ -155,10 +160,14 @@ void Service::note_end() {
   if (end.runs) return;
   ServedResult& result = results_.named(refined_);
   result.finished = is_done(end.exit_code);
-  if (!result.finished) {
+  result.stopped = end.exit_code == kUnfinishedExitCode;
+  if (result.stopped) {
+    result.message = command_ + " --resume=auto goes on";
+  } else if (!result.finished) {
     result.message = end.last_line.empty() ? "exit code " + std::to_string(end.exit_code) : end.last_line;
   }
-  news_.push_back(result.folder + ": " + (result.finished ? "finished" : result.message));
+  const std::string how = result.finished ? "finished" : (result.stopped ? "stopped; " : "") + result.message;
+  news_.push_back(result.folder + ": " + how);
   refinement_.reset();
 }
 

@@ -48,6 +48,7 @@ class Service {
   ServedResults results_;
   std::unique_ptr<Refinement> refinement_;  // null: none runs
   std::string refined_;                     // the name of its result
+  std::string command_;                     // that the user can give, too
   std::vector<std::string> news_;
 };
 

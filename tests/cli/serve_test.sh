@@ -90,7 +90,7 @@ kill -STOP "$(child)" || fail "no process refines"
 expect_answer '409 *result-6*' refine result erase 1
 ask stop
 kill -CONT "$(child)"
-expect_answer 'result-6 failed *' wait
+expect_answer 'result-6 @(stopped|failed) *' wait
 echo "ok one at a time"
 
 # The end of the server is that of the refinement, which keeps its state.

@@ -20,7 +20,7 @@ test("a locked piece cannot be marked to be erased", limits, async (t) => {
   const { page, finish } = await fixture.open(t, "some_locked.html");
   const status = page.getByTestId("marks-status");
   await editing.useTool(page, "click");
-  assert.match(await page.getByTestId("fixed-note").textContent(), /^1 of \d+ pieces stood from the start/);
+  assert.match(await page.getByTestId("fixed-note").textContent(), /^1 of \d+ pieces is locked/);
   await page.mouse.click(...(await fixture.onPage(page, locked.inside)));
   assert.match(await status.textContent(), /^Nothing is marked\. .*cannot be erased/);
   await page.mouse.click(...(await fixture.onPage(page, free.inside)));
@@ -43,7 +43,7 @@ test("a locked piece cannot be marked to be erased", limits, async (t) => {
 test("the tab Edit says where all pieces are locked", limits, async (t) => {
   const { page, finish } = await fixture.open(t, "all_locked.html");
   await page.getByTestId("tab-edit").click();
-  assert.match(await page.getByTestId("fixed-note").textContent(), /^All pieces stood from the start/);
+  assert.match(await page.getByTestId("fixed-note").textContent(), /^All pieces are locked/);
   await finish();
 });
 

@@ -128,7 +128,7 @@ export interface ServerState {
   results: {
     name: string;
     /** running: its pieces may be there already (has_pieces), its picture is not. */
-    state: "finished" | "running" | "failed";
+    state: "finished" | "running" | "stopped" | "failed";
     has_pieces: boolean;
     has_picture: boolean;
     /** The last line of progress, or the error. */

@@ -54,6 +54,7 @@ test("the command", () => {
   const many = { ...marks, pieces: Array.from({ length: 41 }, (_, index) => index) };
   assert.equal(needsFile(many), true);
   assert.equal(refineCommand("out/animals", many), "tessera refine out/animals --marks marks.json");
+  assert.equal(refineCommand("out/animals", { ...marks, lock: [] }, 7), "tessera refine out/animals --pieces 3,17 --set seed=7");
   assert.equal(refineCommand("-rf", marks), "tessera refine ./-rf --pieces 3,17 --lock 4");
 });
 

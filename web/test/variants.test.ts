@@ -50,7 +50,7 @@ test("a refinement that begins while the last one's picture loads is followed to
   server.answerData();
   await until(() => variants.running?.name === "a-3");
   server.results = [server.results[0]!, { ...running("a-3"), state: "failed", message: "no room" }];
-  await until(() => variants.trouble.get() === "no room");
+  await until(() => variants.trouble.get() === "a-3: no room");
   asked = server.states_asked;
   await new Promise((resolve) => setTimeout(resolve, 250));
   assert.equal(server.states_asked, asked, "nothing runs, and the page still asks");
@@ -64,7 +64,7 @@ test("the page follows what runs when it is opened, and stops when the server is
   const variants = new Variants(first, () => {});
   await until(() => server.states_asked >= 3);
   gone = true;
-  await until(() => variants.trouble.get() === "no connection");
+  await until(() => variants.trouble.get().startsWith("The server does not answer"));
   await until(() => variants.running === undefined);
   const asked = server.states_asked;
   await new Promise((resolve) => setTimeout(resolve, 250));

@@ -18,11 +18,15 @@ export function folderWord(folder: string): string {
   return shellQuoted(folder.startsWith("-") ? `./${folder}` : folder);
 }
 
-/** The command that fills the result anew as marked; at least one piece is to be erased. */
-export function refineCommand(folder: string, marks: Marks): string {
+/** The command that fills the result anew as marked; at least one piece is to be erased. `seed`: null for the job's. */
+export function refineCommand(folder: string, marks: Marks, seed: number | null = null): string {
   const words = ["tessera", "refine", folderWord(folder)];
-  if (needsFile(marks)) return [...words, "--marks", "marks.json"].join(" ");
-  words.push(marks.action === "swap" ? "--swap" : "--pieces", marks.pieces.join(","));
-  if (marks.lock.length > 0) words.push("--lock", marks.lock.join(","));
+  if (needsFile(marks)) {
+    words.push("--marks", "marks.json");
+  } else {
+    words.push(marks.action === "swap" ? "--swap" : "--pieces", marks.pieces.join(","));
+    if (marks.lock.length > 0) words.push("--lock", marks.lock.join(","));
+  }
+  if (seed !== null) words.push("--set", `seed=${seed}`);
   return words.join(" ");
 }

@@ -14,7 +14,7 @@ const tools: readonly { value: Tool; label: string; icon: IconName; hint: string
   { value: "lasso", label: "Lasso", icon: "lasso", hint: "Draw around pieces; those whose centres lie inside are marked." },
 ];
 
-const kLeftOut = "Pieces that stood from the start cannot be erased, and were left out.";
+const kLeftOut = "Locked pieces cannot be erased, and were left out.";
 
 /** Marks as the command and the files have them. */
 export function sessionMarks(session: Session): Marks {
@@ -33,7 +33,7 @@ export function editTab(session: Session, refill: HTMLElement | null): HTMLEleme
     brushSlider(session),
     kindPicker(session),
     status(session),
-    checkbox("Other drawings (swap)", "The place is filled without the drawings that stood there.", "edit-swap", (on) =>
+    checkbox("Other drawings (swap)", "None of the erased drawings may come back, not even at another place.", "edit-swap", (on) =>
       session.swap.set(on),
     ),
     ...(refill ? [refill] : []),
@@ -47,7 +47,8 @@ function fixedNote(session: Session): Node[] {
   const fixed = session.result.data.pieces.locked.filter((locked) => locked === 1).length;
   if (fixed === 0) return [];
   const which = fixed === session.pieces ? "All pieces" : `${count(fixed)} of ${counted(session.pieces, "piece")}`;
-  const text = `${which} stood from the start: ${fixed === 1 ? "it" : "they"} cannot be erased.`;
+  const by = "by the job, or when this result was refined";
+  const text = `${which} ${fixed === 1 && session.pieces > 1 ? "is" : "are"} locked (${by}) and cannot be erased.`;
   return [element("p", { class: "note", "data-testid": "fixed-note" }, text)];
 }
 
@@ -117,7 +118,7 @@ function status(session: Session): HTMLElement {
 function command(session: Session): Node[] {
   const text = element("pre", { class: "code wrapping", tabindex: 0, role: "region", "aria-label": "Command", "data-testid": "command" });
   const note = element("p", { class: "note" });
-  const current = (): string => refineCommand(session.result.data.folder, sessionMarks(session));
+  const current = (): string => refineCommand(session.result.data.folder, sessionMarks(session), session.seed.get());
   const copy = copyButton("Copy", "command-copy", current, text);
   const show = (): void => {
     const marks = sessionMarks(session);
@@ -128,6 +129,7 @@ function command(session: Session): Node[] {
   };
   session.marks_changed.watch(show);
   session.swap.watch(show);
+  session.seed.watch(show);
   return [element("h3", {}, "Command"), text, note, element("div", { class: "row" }, copy)];
 }
 

@@ -1,5 +1,5 @@
 import { kContact_px, neighboursOf } from "../model/neighbours.ts";
-import { contactFraction, pieceName } from "../model/result.ts";
+import { contactFraction, pieceName, type Result } from "../model/result.ts";
 import { button, element, foreignName } from "../ui/dom.ts";
 import { icon } from "../ui/icons.ts";
 import { count, counted, fixed, percent } from "../util/format.ts";
@@ -63,6 +63,11 @@ function* about(session: Session, piece: number): Generator<Node> {
   yield* neighbours(session, piece);
 }
 
+function areaText({ data }: Result, piece: number): string {
+  const area_px2 = data.pieces.area_px2[piece]!;
+  return `${count(Math.round(area_px2))} px², ${percent(area_px2 / data.canvas.area_px2)} of the canvas`;
+}
+
 function facts(session: Session, piece: number): HTMLElement {
   const { result } = session;
   const { pieces, groups } = result.data;
@@ -71,9 +76,10 @@ function facts(session: Session, piece: number): HTMLElement {
     ["Place in the order", `${piece} (of 0 to ${session.pieces - 1})`],
     ["Position", `x ${fixed(pieces.x_px[piece]!, 1)} px, y ${fixed(pieces.y_px[piece]!, 1)} px`],
     ["Scale", `${fixed(pieces.scale_px[piece]!, 1)} px`],
+    ["Area", areaText(result, piece)],
     ["Rotation", rotationText(pieces.rotation_deg[piece]!)],
     ["Mirrored", pieces.mirrored[piece] ? "yes" : "no"],
-    ["Locked", pieces.locked[piece] ? "yes, it stood from the start and cannot be erased" : "no"],
+    ["Locked", pieces.locked[piece] ? "yes (by the job, or when this result was refined): it cannot be erased" : "no"],
     ["Score when placed", fixed(pieces.score[piece]!, 3)],
     ["Matched boundary", `${fixed(pieces.matched_px[piece]!, 1)} px`],
   ];

@@ -39,11 +39,13 @@ class ResultPage {
   private async showLoaded(name: string, beside: string | null): Promise<void> {
     const result = await this.variants!.load(name);
     const other = beside === null ? null : await this.variants!.load(beside);
-    const { viewer, marks, result: before } = this.session;
+    const from = this.session;
+    const { viewer, marks, result: before } = from;
     const place = viewer.place();
     // The marks stay with their pieces, when only the picture has come or the panes change.
     const same = before.data.pieces_digest === result.data.pieces_digest;
     this.session = new Session(result, same ? marks : undefined);
+    this.session.takeTools(from);
     this.build(other);
     if (place) this.session.viewer.centre(place.x, place.y, place.k);
   }

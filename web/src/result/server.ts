@@ -3,7 +3,11 @@ import { answerSource } from "../page_source.ts";
 
 /** Talks with `tessera serve`. Paths are relative: the page's own address holds the token. */
 async function ask<T>(path: string, body?: unknown): Promise<T> {
-  const answer = await fetch(path, {
+  const send = (options: RequestInit): Promise<Response> =>
+    fetch(path, options).catch(() => {
+      throw new Error("The server does not answer. Start tessera serve again; all results are on the disk.");
+    });
+  const answer = await send({
     cache: "no-store",
     ...(body === undefined
       ? {}

@@ -29,6 +29,8 @@ export class Session {
   readonly brush_px = new Value(24); // CSS px
   readonly mark_kind = new Value<"erase" | "lock" | "none">("erase");
   readonly swap = new Value(false);
+  /** Of the new filling; null: the job's. */
+  readonly seed = new Value<number | null>(null);
   /** Whether the last step left pieces out that cannot be erased. */
   readonly left_out = new Value(false);
   /** The way of the lasso so far, and where the brush is: px of the canvas. */
@@ -42,6 +44,14 @@ export class Session {
     const { width_px, height_px } = result.data.canvas;
     this.viewer = new Viewer(width_px, height_px);
     this.growth = new Value(result.data.pieces.shape.length);
+  }
+
+  /** Goes on with the tools of another session. */
+  takeTools(from: Session): void {
+    this.tool.set(from.tool.get());
+    this.brush_px.set(from.brush_px.get());
+    this.mark_kind.set(from.mark_kind.get());
+    this.seed.set(from.seed.get());
   }
 
   get pieces(): number {

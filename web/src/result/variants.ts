@@ -105,7 +105,7 @@ export class Variants {
     const state = this.list.get().find((variant) => variant.name === this.awaited);
     if (!state) return;
     if (state.state !== "running") this.awaited = "";
-    if (state.state === "failed") this.trouble.set(state.message || `${state.name} failed`);
+    if (state.state === "failed" || state.state === "stopped") this.trouble.set(`${state.name}: ${state.message || state.state}`);
     if (!state.has_pieces) return;
     const before = this.get(state.name);
     // While it runs its files may change under the server's hands; the next answer has them whole.

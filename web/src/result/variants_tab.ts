@@ -15,10 +15,12 @@ export function refillBox(session: Session, variants: Variants, until: AbortSign
     placeholder: "the job's",
     "data-testid": "seed",
   });
+  seed.value = session.seed.get() === null ? "" : String(session.seed.get());
+  seed.addEventListener("input", () => session.seed.set(seed.value === "" ? null : Number(seed.value)));
   const send = (action: "erase" | "swap" | "relax"): void => {
     const { pieces, lock, pieces_digest } = sessionMarks(session);
     const request = { result: session.result.data.name, pieces_digest, action, pieces: action === "relax" ? [] : pieces, lock };
-    void variants.refine({ ...request, seed: seed.value === "" ? null : Number(seed.value) });
+    void variants.refine({ ...request, seed: session.seed.get() });
   };
   const refill = button({ label: "Refill", kind: "primary", testid: "refill" }, () => send(session.swap.get() ? "swap" : "erase"));
   const relax = button({ label: "Relax", testid: "relax" }, () => send("relax"));
@@ -30,7 +32,8 @@ export function refillBox(session: Session, variants: Variants, until: AbortSign
     refill.disabled = running !== undefined || session.marks.pieces("erase").length === 0;
     relax.disabled = running !== undefined;
     stop.hidden = running === undefined;
-    message.textContent = running ? printable(running.message || "It begins …") : "";
+    const begins = running?.has_pieces ? "The pieces stand; they are improved and drawn …" : "It begins …";
+    message.textContent = running ? printable(running.message || begins) : "";
   };
   variants.list.watch(show, until);
   session.marks_changed.watch(show);
@@ -74,7 +77,7 @@ export function variantsTab(shown: string, variants: Variants, options: Variants
   );
 }
 
-const state_texts = { finished: "finished", running: "at work", failed: "failed" } as const;
+const state_texts = { finished: "finished", running: "at work", stopped: "stopped", failed: "failed" } as const;
 
 function entry(variant: VariantState, shown: string, { show, compare }: VariantsOptions): HTMLElement {
   const is_shown = variant.name === shown;
