@@ -61,6 +61,12 @@ for size in 30 60 240; do  # wrong sizes
 done
 echo "ok plain ground"
 
+# Side by side on a ground of two colours, the size is found.
+sed "s|<rect width='480' height='360' fill='#282420'/>|&<rect width='240' height='360' fill='#b09868'/>|" wall.svg >sized.svg
+rsvg-convert sized.svg -o sized.png
+run 0 library extract sized.png -o sized.h5
+grep -qE '^sized.png: 12 elements of about (5|6|7|8|9)[0-9](\.[0-9])? px' output || fail "no size, or another one"
+
 # The library does not need the photo.
 mv wall.png elsewhere.png
 cat >job.toml <<'END_OF_JOB'
@@ -190,7 +196,7 @@ run 2 library extract wall.png --element-px nan -o none.h5
 expect_word '--element-px'
 run 2 library extract wall.png --element-px 2 -o none.h5
 run 2 library extract tiles.png -o none.h5
-expect_word 'tiles.png: found no elements apart on a plain ground, needed for any other photo: --element-px, the short'
+expect_word 'tiles.png: found no elements, neither apart on a plain ground nor side by side at any size; allowed: --element-px,'
 run 2 library extract wall.png --element-px 75 --labels map.png -o none.h5
 expect_word 'found both --element-px and --labels, allowed: one of them'
 run 2 library extract job.toml --element-px 75 -o none.h5
