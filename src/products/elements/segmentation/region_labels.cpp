@@ -19,10 +19,13 @@ std::vector<RegionBox> region_boxes(const cv::Mat& labels) {
   std::vector<RegionBox> regions(extents.size());
   for (int y = 0; y < labels.rows; ++y) {
     const int* row = labels.ptr<int>(y);
-    for (int x = 0; x < labels.cols; ++x) {
+    for (int x = 0; x < labels.cols;) {
+      int end = x + 1;
+      while (end < labels.cols && row[end] == row[x]) ++end;
       Extent& e = extents[std::size_t(row[x])];
-      e = {std::min(e.x0, x), std::min(e.y0, y), std::max(e.x1, x), std::max(e.y1, y)};
-      ++regions[std::size_t(row[x])].area_px2;
+      e = {std::min(e.x0, x), std::min(e.y0, y), std::max(e.x1, end - 1), std::max(e.y1, y)};
+      regions[std::size_t(row[x])].area_px2 += end - x;
+      x = end;
     }
   }
   for (std::size_t i = 0; i < regions.size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <opencv2/imgproc.hpp>
 
 #include "products/elements/segmentation/region_labels.h"
@@ -56,8 +57,22 @@ void balance_weights(std::vector<Map>& maps) {
   for (Map& map : maps) map.weight *= double(maps.size()) / sum;
 }
 
-/// Gives each region of `map` a vote of `other` (labels `others`), from the region there that agrees with it best.
-void add_votes(Map& map, const Map& other, const cv::Mat& others) {
+/// For each pixel how many pixels from it to the right have its label, up to 65535: CV_16U.
+cv::Mat lengths_to_the_right(const cv::Mat& labels) {
+  cv::Mat lengths(labels.size(), CV_16U, cv::Scalar(1));
+  for (int y = 0; y < labels.rows; ++y) {
+    const int* row = labels.ptr<int>(y);
+    std::uint16_t* length = lengths.ptr<std::uint16_t>(y);
+    for (int x = labels.cols - 2; x >= 0; --x) {
+      if (row[x] == row[x + 1] && length[x + 1] < UINT16_MAX) length[x] = std::uint16_t(length[x + 1] + 1);
+    }
+  }
+  return lengths;
+}
+
+/// Gives each region of `map` a vote of `other` (labels `others`, and their lengths to the right), from the region there
+/// that agrees with it best.
+void add_votes(Map& map, const Map& other, const cv::Mat& others, const cv::Mat& lengths) {
   std::vector<int> common_px2(other.regions().size(), 0);
   std::vector<int> met;
   for (std::size_t i = 1; i < map.regions().size(); ++i) {
@@ -65,8 +80,13 @@ void add_votes(Map& map, const Map& other, const cv::Mat& others) {
     met.clear();
     for (const LabelRun& run : map.labels->runs_of(i)) {
       const int* row = others.ptr<int>(run.y) + run.x;
-      for (int x = 0; x < run.length; ++x) {
-        if (row[x] > 0 && common_px2[std::size_t(row[x])]++ == 0) met.push_back(row[x]);
+      const std::uint16_t* length = lengths.ptr<std::uint16_t>(run.y) + run.x;
+      for (int x = 0, step = 0; x < run.length; x += step) {
+        step = std::min(int(length[x]), run.length - x);
+        if (row[x] == 0) continue;
+        int& common = common_px2[std::size_t(row[x])];
+        if (common == 0) met.push_back(row[x]);
+        common += step;
       }
     }
     double best = 0;
@@ -119,9 +139,10 @@ VotedRegions voted_regions(const std::vector<LabelRuns>& label_maps, const cv::M
   balance_weights(maps);
   for (const Map& other : maps) {  // one after the other, because its labels take memory
     const cv::Mat others = other.labels->labels();
+    const cv::Mat lengths = lengths_to_the_right(others);
     cv::parallel_for_({0, int(maps.size())}, [&](const cv::Range& range) {
       for (int i = range.start; i < range.end; ++i) {
-        if (&maps[std::size_t(i)] != &other) add_votes(maps[std::size_t(i)], other, others);
+        if (&maps[std::size_t(i)] != &other) add_votes(maps[std::size_t(i)], other, others, lengths);
       }
     });
   }
