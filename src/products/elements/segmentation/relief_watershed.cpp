@@ -34,7 +34,7 @@ class Minima {
         ground_({0, 0}, relief.size()) {}
 
   void label_from(cv::Point start) {
-    if (labels_.at<int>(start) != kDry || seen_.at<std::uint8_t>(start)) return;
+    if (labels_.at<int>(start) != kDry || seen_.at<std::uint8_t>(start) || has_lower_neighbour(start)) return;
     plain_.assign(1, start);
     seen_.at<std::uint8_t>(start) = 1;
     const float level = relief_.at<float>(start);
@@ -57,6 +57,15 @@ class Minima {
   }
 
  private:
+  /// Most pixels have one, and need no look at their plain.
+  bool has_lower_neighbour(cv::Point p) const {
+    const float level = relief_.at<float>(p);
+    return std::any_of(kSides.begin(), kSides.end(), [&](cv::Point side) {
+      const cv::Point q = p + side;
+      return ground_.contains(q) && labels_.at<int>(q) != kOutside && relief_.at<float>(q) < level;
+    });
+  }
+
   const cv::Mat& relief_;
   cv::Mat& labels_;
   cv::Mat seen_;
