@@ -18,6 +18,8 @@ products/elements/candidate_maps.cpp   OpenCV's loops, whose bodies are OpenCV's
 products/elements/segmentation/region_vote.cpp
 render/pieces/stop_watcher.cpp         waits for the clock
 render/pieces/stop_watcher.h
+serve/refinement.cpp                   reads what a process prints, until its end
+serve/refinement.h
 worker/devices/opencl_devices.cpp      as many as PoCL will start: they end at once
 worker/shard/device_library.cpp        waits for the disk
 END
