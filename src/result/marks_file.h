@@ -18,7 +18,7 @@ struct Marks {
   std::vector<int> locked = {};
 };
 
-/// Of a file of marks, and of other JSON with lists of pieces.
+/// The limits of a file of marks, and of other JSON with lists of pieces.
 inline constexpr JsonBounds kMarksBounds{.values = 2 * kMostPieces + 100, .levels = 4, .members = 100};
 
 /// Reads the file; docs/result-format.md ("Marks") has its keys. `pieces_digest`: ResultManifest::pieces_digest of the

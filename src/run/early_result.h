@@ -17,7 +17,7 @@ class EarlyResult : public master::CheckpointKeeper {
         checkpoints_(checkpoints) {}
 
   bool due(LoopPhase phase) override;
-  /// Where the result cannot be written, the run goes on without it.
+  /// Keeps the checkpoint. The run goes on, too, where the early result cannot be written.
   void keep(const CheckpointState& state) override;
 
  private:

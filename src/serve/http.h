@@ -8,7 +8,7 @@
 
 namespace tessera::serve {
 
-/// What the server looks at of a request. Headers are empty where they are missing.
+/// A request of a browser, as far as the server looks at it. Headers are empty where they are missing.
 struct HttpRequest {
   std::string method = {};        // "GET"
   std::string path = {};          // decoded, without the query: "/TOKEN/data"

@@ -1,4 +1,4 @@
-// Which user of this machine is at the other end of a connection.
+// Finds out which user of this machine has made a connection.
 #pragma once
 
 #include <netinet/in.h>

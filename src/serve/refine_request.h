@@ -1,4 +1,4 @@
-// What the page asks to refine (RefineRequest in web/src/data.ts).
+// Reads the request of a page to refine a result (RefineRequest in web/src/data.ts).
 #pragma once
 
 #include <cstdint>

@@ -1,17 +1,17 @@
 #include "serve/refinement.h"
 
 #include <fcntl.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
-#include <cstring>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "core/base/error.h"
+#include "files/child_process.h"
 
 namespace tessera::serve {
 namespace {
@@ -27,42 +27,6 @@ std::vector<std::string> environment_of_child() {
   }
   return kept;
 }
-
-std::vector<char*> pointers_to(std::vector<std::string>& texts) {
-  std::vector<char*> pointers;
-  for (std::string& text : texts) pointers.push_back(text.data());
-  pointers.push_back(nullptr);
-  return pointers;
-}
-
-/// Reads nothing, prints nothing on stdout, and has `errors` as its stderr. Ctrl-C does not reach it.
-class SpawnSettings {
- public:
-  explicit SpawnSettings(int errors) {
-    ::posix_spawn_file_actions_init(&actions);
-    ::posix_spawn_file_actions_adddup2(&actions, errors, STDERR_FILENO);
-    ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    ::posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
-    ::posix_spawnattr_init(&attributes);
-    sigset_t none, all;
-    ::sigemptyset(&none);
-    ::sigfillset(&all);
-    ::posix_spawnattr_setsigmask(&attributes, &none);
-    ::posix_spawnattr_setsigdefault(&attributes, &all);
-    ::posix_spawnattr_setpgroup(&attributes, 0);
-    ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
-  }
-  ~SpawnSettings() {
-    ::posix_spawn_file_actions_destroy(&actions);
-    ::posix_spawnattr_destroy(&attributes);
-  }
-  SpawnSettings(const SpawnSettings&) = delete;
-  SpawnSettings& operator=(const SpawnSettings&) = delete;
-
-  posix_spawn_file_actions_t actions;
-  posix_spawnattr_t attributes;
-};
 
 int exit_code_of(pid_t pid) {
   int status = 0;
@@ -87,12 +51,10 @@ Refinement::Refinement(const std::string& program, const std::vector<std::string
   const FileDescriptor errors(ends[1]);
   std::vector<std::string> words = {"tessera", "refine"};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<std::string> environment = environment_of_child();
-  const SpawnSettings settings(errors.number());
-  const int error = ::posix_spawn(&pid_, program.c_str(), &settings.actions, &settings.attributes,
-                                  pointers_to(words).data(), pointers_to(environment).data());
-  if (error != 0) {
-    throw EnvironmentError("cannot start tessera refine: " + program + ": " + std::generic_category().message(error));
+  pid_ =
+      start_child(program, std::move(words), environment_of_child(), {kNoDescriptor, kNoDescriptor, errors.number()});
+  if (pid_ < 0) {
+    throw EnvironmentError("cannot start tessera refine: " + program + ": " + std::generic_category().message(errno));
   }
   try {
     reader_ = std::thread([this] { read_to_the_end(); });

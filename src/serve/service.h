@@ -23,7 +23,7 @@ class Service {
   /// several threads.
   HttpAnswer answer(const HttpRequest& request, const std::string& path);
 
-  /// What the user's terminal should show since the last call: lines in order. To be called from time to time.
+  /// Returns the lines that have come up for the user's terminal since the last call. To be called from time to time.
   std::vector<std::string> news();
   /// Begins no further refinement, and stops the one that runs. A second call stops it at once.
   void close();

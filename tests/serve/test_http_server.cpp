@@ -26,7 +26,7 @@ FileDescriptor connected(int port, in_addr_t address = htonl(INADDR_LOOPBACK)) {
   return connection;
 }
 
-/// What the server answers to these bytes until it ends the connection.
+/// Sends these bytes to the server and returns its answer, up to the end of the connection.
 std::string talk(int port, const std::string& request) {
   const FileDescriptor connection = connected(port);
   std::size_t sent = 0;

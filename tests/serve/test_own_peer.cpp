@@ -1,4 +1,4 @@
-// Which user is at the other end of a connection.
+// Tests that the user who has made a connection is found.
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
 

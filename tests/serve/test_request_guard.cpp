@@ -1,4 +1,4 @@
-// Which requests the server answers at all.
+// Tests which requests the server answers and which it refuses.
 #include <gtest/gtest.h>
 
 #include "serve/request_guard.h"

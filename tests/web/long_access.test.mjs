@@ -165,7 +165,7 @@ test("the chosen colours stay when the page is opened again", limits, async (t) 
   await reload(page);
   assert.equal(await darkness(page), "dark");
   assert.equal(await page.getByTestId("theme").inputValue(), "dark");
-  // Where the browser keeps nothing the choice holds until the page is closed.
+  // If the browser keeps nothing, the choice holds until the page is closed.
   await page.addInitScript(() => Object.defineProperty(window, "localStorage", { get: () => { throw new Error("refused"); } }));
   await reload(page);
   assert.equal(await page.getByTestId("theme").inputValue(), "auto");

@@ -1,4 +1,4 @@
-// What lies below and between the pieces: the same while the collage grows, while it fades, and when it is whole.
+// Tests that the same ground lies below and between the pieces while the collage grows, while it fades, and when it is whole.
 
 import assert from "node:assert/strict";
 import { writeFileSync } from "node:fs";

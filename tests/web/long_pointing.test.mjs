@@ -1,4 +1,4 @@
-// Where the pointer, taps and the wheel act, and where they must not.
+// Tests where the pointer, taps and the wheel act, and where they must not.
 
 import assert from "node:assert/strict";
 import { before, test } from "node:test";

@@ -1,4 +1,4 @@
-// What the tests of pages share: the browser, places of pieces, and comparisons of pictures.
+// The tests of pages share this: the browser, places of pieces, and comparisons of pictures.
 
 import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";

@@ -1,4 +1,4 @@
-// What pictures of a page show, pixel by pixel.
+// Looks at pictures of a page pixel by pixel.
 
 import * as fixture from "./page_fixture.mjs";
 

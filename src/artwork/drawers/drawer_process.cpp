@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -23,6 +22,7 @@
 #include "artwork/drawers/drawer_program.h"
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
+#include "files/child_process.h"
 #include "text/utf8_text.h"
 
 namespace tessera {
@@ -43,57 +43,18 @@ std::vector<std::string> drawer_environment() {
   return environment;
 }
 
-std::vector<char*> pointers_to(std::vector<std::string>& texts) {
-  std::vector<char*> pointers;
-  for (std::string& text : texts) pointers.push_back(text.data());
-  pointers.push_back(nullptr);
-  return pointers;
-}
-
-/// The two sets of settings for posix_spawn. A fork without exec would be wrong here: MPI and OpenCL have threads.
-class SpawnSettings {
- public:
-  explicit SpawnSettings(int socket) {
-    ::posix_spawn_file_actions_init(&actions);
-    ::posix_spawn_file_actions_adddup2(&actions, socket, kDrawerSocket);
-    // Output of decoders must not reach the user's terminal.
-    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-      ::posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_RDWR, 0);
-    }
-    ::posix_spawn_file_actions_addclosefrom_np(&actions, kDrawerSocket + 1);
-    ::posix_spawnattr_init(&attributes);
-    sigset_t none, all;
-    ::sigemptyset(&none);
-    ::sigfillset(&all);
-    ::posix_spawnattr_setsigmask(&attributes, &none);
-    ::posix_spawnattr_setsigdefault(&attributes, &all);
-    ::posix_spawnattr_setpgroup(&attributes, 0);  // Ctrl-C reaches a process group; only the parent handles it
-    ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
-  }
-  ~SpawnSettings() {
-    ::posix_spawn_file_actions_destroy(&actions);
-    ::posix_spawnattr_destroy(&attributes);
-  }
-  SpawnSettings(const SpawnSettings&) = delete;
-  SpawnSettings& operator=(const SpawnSettings&) = delete;
-
-  posix_spawn_file_actions_t actions;
-  posix_spawnattr_t attributes;
-};
-
 [[noreturn]] void throw_cannot_start(const std::string& reason) {
   throw EnvironmentError("cannot start tessera-drawer, which reads drawings: " + reason);
 }
 
-pid_t spawn(const std::string& program, std::size_t bytes_per_process, int socket) {
-  const SpawnSettings settings(socket);
-  std::vector<std::string> arguments = {"tessera-drawer", std::to_string(bytes_per_process),
-                                        std::to_string(::getpid())};
-  std::vector<std::string> environment = drawer_environment();
-  pid_t pid = -1;
-  const int error = ::posix_spawn(&pid, program.c_str(), &settings.actions, &settings.attributes,
-                                  pointers_to(arguments).data(), pointers_to(environment).data());
-  if (error != 0) throw_cannot_start(program + ": " + std::generic_category().message(error));
+/// Starts a drawer that speaks through `socket`. Output of decoders must not reach the user's terminal.
+pid_t start_drawer(const std::string& program, std::size_t bytes_per_process, int socket) {
+  std::vector<int> descriptors(kDrawerSocket, kNoDescriptor);
+  descriptors.push_back(socket);
+  const pid_t pid =
+      start_child(program, {"tessera-drawer", std::to_string(bytes_per_process), std::to_string(::getpid())},
+                  drawer_environment(), descriptors);
+  if (pid < 0) throw_cannot_start(program + ": " + std::generic_category().message(errno));
   return pid;
 }
 
@@ -142,7 +103,7 @@ DrawerLayers DrawerProcess::start() {
   }
   try {
     const std::lock_guard lock(mutex_);
-    pid_ = spawn(program, bytes_per_process_, sockets[1]);
+    pid_ = start_drawer(program, bytes_per_process_, sockets[1]);
   } catch (...) {
     for (const int socket : sockets) ::close(socket);
     throw;

@@ -71,7 +71,8 @@ Trial tried(const cv::Mat& photo, double element_px) {
           .side_px = usual_side_px(LabelRuns(voted.labels)) / zoom};
 }
 
-/// Where a parabola through three values, one step from each other, is greatest: steps from the middle one, -0.5 to 0.5.
+/// The place where a parabola through three values, one step from each other, is greatest: -0.5 to 0.5 steps from the middle
+/// one.
 double peak(double before, double middle, double after) {
   const double bend = before - 2 * middle + after;
   return bend < 0 ? std::clamp(0.5 * (before - after) / bend, -0.5, 0.5) : 0;

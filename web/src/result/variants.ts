@@ -89,7 +89,7 @@ export class Variants {
       if (!this.running && this.awaited === "") break;
       await new Promise((resolve) => setTimeout(resolve, kPoll_ms));
     }
-    // Where the server is gone, nobody learns any more how its work ends.
+    // If the server is gone, nobody learns any more how its work ends.
     this.take(this.list.get().map((variant) => (variant.state === "running" ? { ...variant, state: "failed" } : variant)));
     this.awaited = "";
     this.polling = false;
