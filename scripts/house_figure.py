@@ -2,9 +2,9 @@
 """scripts/house_figure.py [FILE.svg]: draws docs/house.svg, the rooms of src/ with an arrow to each room whose headers a room includes.
 A room stands above all rooms that it knows. An arrow that follows from others is left out."""
 
+import argparse
 import os
 import re
-import sys
 
 WIDTH, ROW, BOX, HALF_HEIGHT = 940, 92, 132, 19
 WORDS = {  # the text below the name
@@ -93,4 +93,6 @@ def main(path):
         file.write(figure(*rooms_and_includes()))
 
 
-main(os.path.abspath(sys.argv[1]) if len(sys.argv) > 1 else "docs/house.svg")
+parser = argparse.ArgumentParser(description="Draws the rooms of src/ and which of them include which.")
+parser.add_argument("svg", nargs="?", type=os.path.abspath, default="docs/house.svg", help="default: docs/house.svg")
+main(parser.parse_args().svg)

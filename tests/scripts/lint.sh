@@ -15,4 +15,9 @@ if grep -rnE '\b(printf|fprintf|puts|fputs|fputc|putchar)\(|std::(cout|cerr|clog
   echo "print by print_line, print_lines, print_cells, print_message or print_warning (src/terminal/terminal.h)"
   exit 1
 fi
+# A script that takes an option for a file's name makes such files.
+if compgen -G './-*'; then
+  echo "a file whose name looks like an option"
+  exit 1
+fi
 echo "${#scripts[@]} scripts checked"
