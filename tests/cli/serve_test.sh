@@ -58,6 +58,7 @@ expect_answer '202 {"name":"result-2"}' refine result erase 1
 expect_answer 'result-2 finished ' wait
 run 0 refine result --marks result-2/marks.json --out again --quiet
 cmp result-2/pieces.geojson again/pieces.geojson || fail "the server's refinement is another one than that of its marks"
+grep -qxF "tessera: tessera refine result --out result-2 --marks result-2/marks.json --early" told.txt || fail "the command is not told"
 diff -r result before >/dev/null || fail "the result itself has changed"
 expect_answer '202 {"name":"result-3"}' refine result-2 erase 0 "" 7
 expect_answer 'result-3 finished ' wait
@@ -141,6 +142,22 @@ if ((EUID == 0)) && command -v setpriv >/dev/null; then
   end_server 0
   echo "ok other users"
 fi
+
+# What was stopped goes on by the command that the page shows, to the same pieces. It is held while it improves.
+run 0 collage job.toml --out long --quiet --set stop.pieces=0 --set improve.trials=60
+start_server long
+expect_answer '202 {"name":"long-2"}' refine long erase 0,1,2,3
+for ((tries = 0; tries < 2000; ++tries)); do [[ -e long-2/manifest.json ]] && break; sleep 0.01; done
+pid=$(child)
+kill -STOP "$pid"
+ask stop
+kill -CONT "$pid"
+expect_answer 'long-2 stopped tessera refine long --out long-2 --marks long-2/marks.json --early --resume=auto goes on' wait
+end_server 0
+run 0 refine long --out long-2 --marks long-2/marks.json --early --resume=auto --quiet
+run 0 refine long --out long_once --marks long-2/marks.json --quiet
+cmp long-2/pieces.geojson long_once/pieces.geojson || fail "a stopped refinement has other pieces than one that was not stopped"
+echo "ok what was stopped goes on"
 
 # Where others may read stdout, the address stands in a file of its own.
 for mode in 640 604; do
