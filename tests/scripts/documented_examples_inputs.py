@@ -52,11 +52,12 @@ OF_PAGES = {
     "README.md": ["my_drawings", "heart.svg", "out/animals.h5: animals.h5", "portrait.jpg", "jigsaw.h5", "parts.svg", "torn.png"],
     "docs/guide/benchmarks.md": ["out/animals.h5: animals.h5", "all.h5: my.h5", "cup.jpg: portrait.jpg", "silhouettes"],
     "docs/guide/campaigns.md": ["my.h5", "my.toml", "result", "other_result", "theirs.geojson", "theirs.png", "heart.svg", "photo.jpg"],
-    "docs/guide/changing.md": ["result: square", "my.h5", "scribble.png"],
+    "docs/guide/changing.md": ["result: square", "my.h5", "scribble.png", "marks.json"],
     "docs/guide/cluster.md": ["my.h5", "my.toml: improved.toml"],
     "docs/guide/cutting.md": ["parts.svg", "parts.dxf", "parts", "swim.json", "my.h5: shapes.h5"],
     "docs/guide/first-collage.md": ["my_drawings", "my drawings: my_drawings", "line_art: signs", "heart.svg", "out/animals.h5: animals.h5"],
     "docs/guide/install.md": ["tessera"],
+    "docs/guide/looking.md": ["result: square", "other_result", "my.h5", "my.toml", "marks.json"],
     "docs/guide/mosaics.md": ["portrait.jpg", "my.h5"],
     "docs/guide/posters.md": ["out/animals.h5: animals.h5"],
     "docs/guide/printing.md": ["result: flat", "my.h5"],
@@ -281,6 +282,12 @@ class Maker:
 
     def make_square(self, path):
         self.of_canvas(SQUARE, path)
+
+    def make_marks_json(self, path):
+        """As its page saves them, of two pieces of the square."""
+        with open(f"{self.made('square')}/manifest.json", encoding="utf-8") as file:
+            digest = json.load(file)["pieces"]["digest"]
+        write(path, json.dumps({"format": 1, "pieces_digest": digest, "action": "erase", "pieces": [3, 17], "lock": [4]}))
 
     def make_flat(self, path):
         self.of_canvas(FLAT, path, "[stop]\npieces = 5\n")

@@ -37,6 +37,8 @@ EXCEPTED = (
     (r"docs/library.md", r"/usr/bin/python3 |export PYTHONPATH", "the installed module; package.python runs these programs"),
     (r"docs/library.md", r"apt-get ", "installs packages"),
     (r"", r"sbatch |slurm/campaign\.sh ", "needs Slurm; tests/slurm does it"),
+    (r"docs/guide/looking.md", r"tessera serve ", "waits for a browser; cli.serve does it"),
+    (r"docs/guide/looking.md", r"srun |ssh ", "needs a cluster"),
     (r"docs/contributing.md", r"ctest ", "runs tests, as what runs this one"),
     (r"docs/contributing.md", r"mpirun .* xterm ", "waits in gdb, on a screen"),
     (r"docs/mosaics.md", r"tessera library build /usr/share/openclipart/svg ", "takes minutes; the page has a small library instead"),
