@@ -10,6 +10,7 @@ namespace tessera::cli {
 void add_library_command(CLI::App& app, Command& selected);
 void add_collage_command(CLI::App& app, Command& selected);
 void add_mosaic_command(CLI::App& app, Command& selected);
+void add_texture_command(CLI::App& app, Command& selected);
 void add_puzzle_command(CLI::App& app, Command& selected);
 void add_nest_command(CLI::App& app, Command& selected);
 void add_refine_command(CLI::App& app, Command& selected);

@@ -171,9 +171,9 @@ bool is_colour(std::string_view text) {
 }
 
 std::string not_a_colour(const std::string& text) {
-  return is_colour(text) || text == kNoColour || text == kImageBackground
+  return is_colour(text) || text == kNoColour || text == kImageBackground || text == kPhotoBackground
              ? ""
-             : "found " + text + ", allowed: #rrggbb, none or image";
+             : "found " + text + ", allowed: #rrggbb, none, image or photo";
 }
 
 /// The mistake in a list of colours; empty where there is none. load_palette checks names and paths.

@@ -37,6 +37,7 @@ void add_commands(CLI::App& app, Command& selected) {
   add_library_command(app, selected);
   add_collage_command(app, selected);
   add_mosaic_command(app, selected);
+  add_texture_command(app, selected);
   add_refine_command(app, selected);
   add_puzzle_command(app, selected);
   add_nest_command(app, selected);

@@ -58,6 +58,8 @@ struct StartSpec {
 inline constexpr const char* kNoColour = "none";
 /// Value of OutputSpec::background: the picture that the pieces show (colour.image).
 inline constexpr const char* kImageBackground = "image";
+/// Another: what lies round each piece in the photo that it was cut out of (render/photo_ground.h).
+inline constexpr const char* kPhotoBackground = "photo";
 
 /// Value of OutputSpec::clip: artwork is drawn whole.
 inline constexpr const char* kNoClip = "none";

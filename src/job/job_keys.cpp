@@ -397,9 +397,10 @@ void add_machine_and_output_keys(std::vector<JobKey>& keys) {
   keys.push_back(with_number({"output", "dpi", number, "px per inch", 1, 4800, {},
                               "with `width_mm`: resolution of collage.png"},
                              FIELD(output.dpi)));
-  keys.push_back(with_text({"output", "background", colour, "", 0, 0, {kNoColour, kImageBackground},
+  keys.push_back(with_text({"output", "background", colour, "", 0, 0, {kNoColour, kImageBackground, kPhotoBackground},
                             "colour of the canvas, outside it is white; `none`: transparent, the outside too; `image`: "
-                            "the picture in `colour.image`"},
+                            "the picture in `colour.image`; `photo`: what lies round each piece in the photo that it was "
+                            "cut out of"},
                            FIELD(output.background)));
   keys.push_back(with_number({"output", "background_light", number, "", 0, 1, {},
                               "with `image`: factor on its colours; below 1 pieces stand out from it; dark places "

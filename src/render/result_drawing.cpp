@@ -26,6 +26,7 @@
 #include "render/card_drawing.h"
 #include "render/hue_turns.h"
 #include "render/label_map.h"
+#include "render/photo_ground.h"
 #include "render/picture_drawing.h"
 #include "render/piece_colours.h"
 #include "render/piece_deformation.h"
@@ -372,6 +373,7 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
   DrawnCanvas canvas = canvas_of(whole, request, job, observer);
   const DrawnResult result{dir, whole, drawn, library};
   CollageReport report = report_of(result, canvas, stop);
+  if (report.output.background == kPhotoBackground) report.ground = photo_ground(report, report.ground, drawers, stop);
   add_colours(result, palette, drawers, report);
   if (request.pdf) check_can_be_pdf(dir, report, job.colour.harmony);
   const bool is_result = request.to.empty();

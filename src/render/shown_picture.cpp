@@ -97,7 +97,8 @@ GroundTile over_canvas(const cv::Mat& bgra, const char* id, const Canvas& canvas
 cv::Mat shown_picture(const std::string& dir) { return picture_in(dir, kLongestShownSide_px); }
 
 std::string flat_background(const OutputSpec& output) {
-  return output.background == kImageBackground ? "#ffffff" : output.background;
+  const bool is_picture = output.background == kImageBackground || output.background == kPhotoBackground;
+  return is_picture ? "#ffffff" : output.background;
 }
 
 GroundTile image_background(const std::string& dir, const OutputSpec& output, const Canvas& canvas) {

@@ -31,13 +31,15 @@ hid_t type_of_way(std::size_t way, const Column& column) {
 /// Columns that may be missing, as in older libraries.
 bool is_new(const Column& column) {
   return column.path == "/shapes/part_digest" || column.path == "/artwork/path_from_library" ||
-         column.path == "/artwork/sha256" || column.path == "/artwork/reader";
+         column.path == "/artwork/sha256" || column.path == "/artwork/reader" ||
+         column.path == "/artwork/surroundings_margin";
 }
 
 /// Columns whose rows are found by offsets: extra rows at their ends belong to no shape.
 bool led_to_by_offsets(const Column& column) {
   return column.path == "/outline/points" || column.path == "/artwork/thumbnail_png" ||
-         column.path == "/artwork/original" || column.path == "/outline/first_point";
+         column.path == "/artwork/original" || column.path == "/outline/first_point" ||
+         column.path == "/artwork/surroundings_png";
 }
 
 }  // namespace

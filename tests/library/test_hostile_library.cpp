@@ -45,7 +45,8 @@ bool same(const Shape& a, const Shape& b) {
   return a.name == b.name && a.outline == b.outline && a.perimeter == b.perimeter && a.radius == b.radius &&
          a.mean_lab == b.mean_lab && a.field.extent == b.field.extent &&
          a.field.distance.data() == b.field.distance.data() && a.artwork.thumbnail_png == b.artwork.thumbnail_png &&
-         a.artwork.original == b.artwork.original && a.artwork.unit_px == b.artwork.unit_px;
+         a.artwork.original == b.artwork.original && a.artwork.surroundings_png == b.artwork.surroundings_png &&
+         a.artwork.surroundings_margin_px == b.artwork.surroundings_margin_px && a.artwork.unit_px == b.artwork.unit_px;
 }
 
 class HostileLibrary : public test::HostileFile {
@@ -56,7 +57,11 @@ class HostileLibrary : public test::HostileFile {
       shape.field = make_shape_field(shape.outline);
       shape.artwork.thumbnail_png = small_png(40);
       shape.artwork.path = folder_.write(shape.name + ".svg", "<svg/>" + shape.name);
-      if (shape.name == "shape1") shape.artwork.original = small_png(100);
+      if (shape.name == "shape1") {
+        shape.artwork.original = small_png(100);
+        shape.artwork.surroundings_png = small_png(120);
+        shape.artwork.surroundings_margin_px = 10;
+      }
       writer.append(shape);
     }
     writer.finish();

@@ -44,7 +44,8 @@ bool equal(const LevelCurve& a, const LevelCurve& b) {
 
 bool equal(const Artwork& a, const Artwork& b) {
   return a.path == b.path && a.width_px == b.width_px && a.height_px == b.height_px && a.centroid_px == b.centroid_px &&
-         a.unit_px == b.unit_px && a.thumbnail_png == b.thumbnail_png && a.original == b.original;
+         a.unit_px == b.unit_px && a.thumbnail_png == b.thumbnail_png && a.original == b.original &&
+         a.surroundings_png == b.surroundings_png && a.surroundings_margin_px == b.surroundings_margin_px;
 }
 
 float largest_difference(const Grid<float>& a, const Grid<float>& b) {

@@ -25,7 +25,9 @@ struct Pebbles {
   }
 
   std::vector<CutOut> cut(const std::string& path) const {
-    return cut_outs(path, photo, LabelRuns(labels), find_elements(LabelRuns(labels), {}).elements);
+    const LabelRuns runs(labels);
+    const std::vector<PhotoElement> elements = find_elements(runs, {}).elements;
+    return cut_outs(path, photo, runs, label_roles(runs, elements, 0), elements);
   }
 
   cv::Mat photo, labels;
@@ -53,6 +55,9 @@ TEST_F(CutOuts, BecomeShapesWithTheirOwnPixels) {
   ASSERT_EQ(shapes.size(), 12u);
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     EXPECT_EQ(shapes[i].artwork.original, cut_outs[i].png);
+    EXPECT_EQ(shapes[i].artwork.surroundings_png, cut_outs[i].surroundings_png);
+    EXPECT_EQ(shapes[i].artwork.surroundings_margin_px, cut_outs[i].surroundings_margin_px);
+    EXPECT_GT(cut_outs[i].surroundings_margin_px, 0);
     EXPECT_EQ(shapes[i].artwork.path, "/photos/beach.jpg");
   }
   EXPECT_EQ(shapes[0].name, "beach_01");

@@ -12,7 +12,8 @@ inline std::vector<layout::Column> columns_beside_levels(const layout::Columns& 
   const auto& [name, perimeter, radius, mean_lab, first_curve, first_point, outline_points, field_distance, field_scale,
                field_extent, artwork_path, artwork_size, artwork_centroid, artwork_unit, first_thumbnail_byte,
                thumbnail_bytes, first_original_byte, original_bytes, levels, part_digest, artwork_beside,
-               artwork_sha256, artwork_reader, variant_of, colour_spread, drawn_scale, colour_grid, style] = columns;
+               artwork_sha256, artwork_reader, variant_of, colour_spread, drawn_scale, colour_grid, style,
+               first_surroundings_byte, surroundings_bytes, surroundings_margin] = columns;
   return {name,
           perimeter,
           radius,
@@ -39,7 +40,10 @@ inline std::vector<layout::Column> columns_beside_levels(const layout::Columns& 
           colour_spread,
           drawn_scale,
           colour_grid,
-          style};
+          style,
+          first_surroundings_byte,
+          surroundings_bytes,
+          surroundings_margin};
 }
 
 inline std::vector<layout::Column> all_columns(const layout::Columns& columns) {

@@ -81,6 +81,8 @@ class RandomShape {
     artwork.unit_px = number(1, 2000);
     artwork.thumbnail_png = png(bytes(3000));
     artwork.original = bytes(5000);
+    artwork.surroundings_png = bytes(3000);
+    artwork.surroundings_margin_px = int(artwork.surroundings_png.size()) % 100;
   }
 
   std::mt19937_64 random_;

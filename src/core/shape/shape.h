@@ -86,6 +86,9 @@ using Sha256 = std::array<std::uint8_t, 32>;
 /// data say.
 inline constexpr int kArtworkReader = 2;
 
+/// The opacity of other elements in Artwork::surroundings_png: half of that of ground, to tell them apart.
+inline constexpr std::uint8_t kOtherElementAlpha = 128;
+
 /// The data of the original drawing that pictures need. Artwork frame: px of the raster from which the outline was
 /// traced (`width_px` x `height_px`). Its y axis points down; the origin is the upper left corner of the upper left
 /// pixel.
@@ -101,6 +104,10 @@ struct Artwork {
   float unit_px = 0;                        // artwork px for one shape unit
   std::vector<std::uint8_t> thumbnail_png;  // RGBA PNG, longest side <= 192 px
   std::vector<std::uint8_t> original;       // the file itself, empty unless embedded (library build --embed)
+  /// For a drawing that was cut out of a photo: the original's page and a margin of the photo round it, RGBA PNG. The
+  /// element and its ground are opaque; other elements have kOtherElementAlpha. Empty: of no photo.
+  std::vector<std::uint8_t> surroundings_png;
+  int surroundings_margin_px = 0;  // on each side, px of the original
 };
 
 struct Shape {

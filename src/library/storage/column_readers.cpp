@@ -226,6 +226,29 @@ void BytesReader::read(const ShapeBatch& range, std::vector<std::uint8_t> Artwor
   }
 }
 
+SurroundingsReader::SurroundingsReader(hid_t file, const layout::Columns& columns)
+    : margin_(ColumnReader::if_present(file, columns.surroundings_margin)) {
+  if (margin_)
+    png_.emplace(file, columns.first_surroundings_byte, columns.surroundings_bytes, layout::kMaxSurroundingsBytes);
+}
+
+std::vector<const ColumnReader*> SurroundingsReader::columns() const {
+  if (!margin_) return {};
+  std::vector<const ColumnReader*> all = png_->columns();
+  all.push_back(&*margin_);
+  return all;
+}
+
+void SurroundingsReader::read(const ShapeBatch& range) const {
+  if (!margin_) return;
+  png_->read(range, &Artwork::surroundings_png);
+  const auto margin = margin_->read<std::int32_t>(range.begin, range.end);
+  for (std::size_t i = 0; i < range.count(); ++i) {
+    if (margin[i] < 0 || margin[i] > layout::kMaxSurroundingsMargin_px) out_of_range(*margin_);
+    range.shapes[i].artwork.surroundings_margin_px = margin[i];
+  }
+}
+
 ArtworkReader::ArtworkReader(hid_t file, const layout::Columns& columns, const std::filesystem::path& folder)
     : folder_(folder),
       path_(file, columns.artwork_path),

@@ -86,6 +86,18 @@ class BytesReader {
   ColumnReader first_, bytes_;
 };
 
+/// Reads what lies round drawings in their photos.
+class SurroundingsReader {
+ public:
+  SurroundingsReader(hid_t file, const layout::Columns& columns);
+  void read(const ShapeBatch& range) const;
+  std::vector<const ColumnReader*> columns() const;
+
+ private:
+  std::optional<BytesReader> png_;  // libraries of older versions have none
+  std::optional<ColumnReader> margin_;
+};
+
 /// Reads paths, hash, geometry and thumbnail.
 class ArtworkReader {
  public:

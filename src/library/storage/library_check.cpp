@@ -94,6 +94,9 @@ class ShapeCheck {
     require(artwork.thumbnail_png.empty() || is_thumbnail_png(artwork.thumbnail_png),
             "its thumbnail is not a PNG of 192 px or less");
     require(artwork.original.size() <= kMaxOriginalBytes, "its artwork is too large to embed");
+    require(artwork.surroundings_png.size() <= kMaxSurroundingsBytes, "its surroundings are too large");
+    require(artwork.surroundings_margin_px >= 0 && artwork.surroundings_margin_px <= kMaxSurroundingsMargin_px,
+            "the margin of its surroundings is out of range");
   }
 
   const Shape& shape_;

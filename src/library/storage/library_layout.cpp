@@ -140,6 +140,19 @@ Columns library_columns(int pad_levels) {
                  "width of lines (shape units), part of the area that is lines, part of the boundary that is, "
                  "entropy of the colours (bits), chroma (CIELAB), texture (CIELAB), shaded part, part beside edges; "
                  "negative entropy: unknown"),
+      .first_surroundings_byte =
+          offsets("/artwork/first_surroundings_byte", kBytes,
+                  "shape i has surroundings_png[first[i]] .. surroundings_png[first[i + 1] - 1]"),
+      .surroundings_bytes =
+          bytes("/artwork/surroundings_png",
+                "RGBA PNG files, one after another: the original and what lies round it in its photo; "
+                "alpha 128 where other elements are"),
+      .surroundings_margin = {"/artwork/surroundings_margin",
+                              Element::int32,
+                              0,
+                              {},
+                              "px of the original",
+                              "what surroundings_png shows more than the original, on each side; 0: no surroundings"},
   };
   for (std::size_t k = 0; k < kSmoothingLevels.size(); ++k)
     c.levels.push_back(level_columns(k, std::size_t(pad_levels)));

@@ -46,6 +46,8 @@ inline constexpr int kMaxThumbnailSide_px = 192;  // as silhouette.cpp makes the
 // RGBA of 192 x 192 px that does not compress takes 148,000
 inline constexpr std::size_t kMaxThumbnailBytes = 160u << 10;
 inline constexpr std::size_t kMaxOriginalBytes = 20u << 20;  // kMaxArtworkFileBytes: larger files are no artwork
+inline constexpr std::size_t kMaxSurroundingsBytes = 20u << 20;
+inline constexpr int kMaxSurroundingsMargin_px = 1024;
 /// The size of all columns in memory, divided by the size of the file, is at most this. An honest library has 1.2, with
 /// embedded files that deflate well 4; a forged one could have 1,000. So a file never asks for far more memory than its
 /// size suggests.
@@ -87,7 +89,7 @@ struct Columns {
   std::vector<LevelColumns> levels;  // one for each of kSmoothingLevels
   // Libraries of older versions lack these.
   Column part_digest, artwork_beside, artwork_sha256, artwork_reader, variant_of, colour_spread, drawn_scale,
-      colour_grid, style;
+      colour_grid, style, first_surroundings_byte, surroundings_bytes, surroundings_margin;
 };
 
 /// The group of smoothing level k.

@@ -45,6 +45,7 @@ struct LibraryFile::State {
         field(file.get(), format),
         artwork(file.get(), format, std::filesystem::absolute(file_path).parent_path()),
         original(file.get(), format.first_original_byte, format.original_bytes, layout::kMaxOriginalBytes),
+        surroundings(file.get(), format),
         part_digest(ColumnReader::if_present(file.get(), format.part_digest)),
         variant_of(ColumnReader::if_present(file.get(), format.variant_of)),
         style(ColumnReader::if_present(file.get(), format.style)) {
@@ -77,6 +78,7 @@ struct LibraryFile::State {
   FieldReader field;
   ArtworkReader artwork;
   BytesReader original;
+  SurroundingsReader surroundings;
   std::optional<ColumnReader> part_digest, variant_of, style;
   SegmentPlaces segments;
   std::shared_ptr<const FileDescriptor> bytes;  // of the open file, even if its name leads elsewhere by now
@@ -96,6 +98,7 @@ std::vector<const ColumnReader*> LibraryFile::State::columns() const {
   add(field.columns());
   add(artwork.columns());
   add(original.columns());
+  add(surroundings.columns());
   for (const LevelReader& level : levels) add(level.columns());
   return all;
 }
@@ -106,10 +109,11 @@ void LibraryFile::State::check_rows() const {
   if (head.shapes() > layout::kMaxShapes) throw Hdf5Error("too many shapes");
   for (const ColumnReader* column : columns()) {
     const std::string& name = column->column().path;
-    if (is_one_of(name, {&format.first_point, &format.outline_points, &format.thumbnail_bytes, &format.original_bytes}))
+    if (is_one_of(name, {&format.first_point, &format.outline_points, &format.thumbnail_bytes, &format.original_bytes,
+                         &format.surroundings_bytes}))
       continue;
-    const bool offsets =
-        is_one_of(name, {&format.first_curve, &format.first_thumbnail_byte, &format.first_original_byte});
+    const bool offsets = is_one_of(name, {&format.first_curve, &format.first_thumbnail_byte,
+                                          &format.first_original_byte, &format.first_surroundings_byte});
     if (column->rows() != head.shapes() + offsets) throw Hdf5Error("data set " + name + " has a wrong number of rows");
   }
 }
@@ -147,7 +151,10 @@ std::vector<PartDigests> LibraryFile::State::read_batch(const ShapeBatch& range,
     if (parts.levels >> k & 1u) take(2 + k, levels[k].read(range, pad.levels));
   }
   if (parts.artwork) artwork.read(range);
-  if (parts.original) original.read(range, &Artwork::original);
+  if (parts.original) {
+    original.read(range, &Artwork::original);
+    surroundings.read(range);
+  }
   return found;
 }
 

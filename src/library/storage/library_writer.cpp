@@ -151,7 +151,9 @@ class ArtworkWriter {
         centroid_(file, columns.artwork_centroid),
         unit_(file, columns.artwork_unit),
         thumbnail_(file, columns.first_thumbnail_byte, columns.thumbnail_bytes),
-        original_(file, columns.first_original_byte, columns.original_bytes) {}
+        original_(file, columns.first_original_byte, columns.original_bytes),
+        surroundings_(file, columns.first_surroundings_byte, columns.surroundings_bytes),
+        margin_(file, columns.surroundings_margin) {}
 
   void append(const Artwork& artwork) {
     const std::int32_t size[2] = {artwork.width_px, artwork.height_px};
@@ -166,6 +168,9 @@ class ArtworkWriter {
     unit_.append(&artwork.unit_px, 1);
     thumbnail_.append(artwork.thumbnail_png.data(), artwork.thumbnail_png.size());
     original_.append(artwork.original.data(), artwork.original.size());
+    surroundings_.append(artwork.surroundings_png.data(), artwork.surroundings_png.size());
+    const auto margin = std::int32_t(artwork.surroundings_margin_px);
+    margin_.append(&margin, 1);
   }
 
  private:
@@ -179,7 +184,8 @@ class ArtworkWriter {
   std::filesystem::path folder_;
   TextWriter path_, beside_;
   ColumnWriter sha256_, reader_, size_, centroid_, unit_;
-  RaggedWriter thumbnail_, original_;
+  RaggedWriter thumbnail_, original_, surroundings_;
+  ColumnWriter margin_;
 };
 
 class OutlineWriter {

@@ -19,7 +19,7 @@ struct LibraryParts {
   bool field = true;
   std::uint32_t levels = ~0u;  // bit k: smoothing level k
   bool artwork = true;         // path, geometry and thumbnail
-  bool original = false;       // the embedded files
+  bool original = false;       // the embedded files, and surroundings in photos
 };
 
 class ShapeLibrary {

@@ -8,6 +8,7 @@
 
 #include "artwork/drawers/drawers.h"
 #include "library/library_builder.h"
+#include "products/elements/label_roles.h"
 #include "products/elements/photo_elements.h"
 
 namespace tessera {
@@ -16,11 +17,14 @@ struct CutOut {
   std::string path;   // of no real file: PHOTO_001.png in the photo's path; tells cut-outs apart
   std::string photo;  // path of the photo
   std::vector<std::uint8_t> png;
+  std::vector<std::uint8_t> surroundings_png;  // element_surroundings()
+  int surroundings_margin_px = 0;
 };
 
-/// Cuts out the elements. `picture`, `labels`: see cut_element(). The numbers are those of the overview.
+/// Cuts out the elements. `picture`, `labels`: see cut_element(). `roles`: of the labels. The numbers are those of the
+/// overview.
 std::vector<CutOut> cut_outs(const std::string& photo, const cv::Mat& picture, const LabelRuns& labels,
-                             const std::vector<PhotoElement>& elements);
+                             const std::vector<LabelRole>& roles, const std::vector<PhotoElement>& elements);
 
 /// A loader for build_library() that takes the cut-outs' paths. Their PNGs become Artwork::original, the photo
 /// Artwork::path. Drawers and cut-outs must outlive the loader.

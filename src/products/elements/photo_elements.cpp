@@ -12,8 +12,6 @@ namespace {
 
 /// Blur of the edge's opacity: it hides the stairs of pixels and does not move the edge.
 constexpr double kEdgeBlur_px = 0.8;
-/// Room for the blurred edge.
-constexpr int kRim_px = 3;
 /// The width of the rim beyond the edge to which colours are continued.
 constexpr double kColourReach_px = 1.5;
 /// The distance up to which a pixel influences the colours of the rim.
@@ -67,7 +65,8 @@ FoundElements find_elements(const LabelRuns& labels, const ElementSizes& sizes) 
 
 cv::Mat cut_element(const cv::Mat& photo, const LabelRuns& labels, const PhotoElement& element) {
   // Beyond the photo there is only rim, because no element reaches the photo's edge.
-  const cv::Rect around(element.box.tl() - cv::Point(kRim_px, kRim_px), element.box.br() + cv::Point(kRim_px, kRim_px));
+  const cv::Rect around(element.box.tl() - cv::Point(kElementRim_px, kElementRim_px),
+                        element.box.br() + cv::Point(kElementRim_px, kElementRim_px));
   const cv::Rect window = around & cv::Rect({}, photo.size());
   const cv::Mat mask = solid_part(labels.mask_of(std::size_t(element.label), window));
   cv::Mat alpha;

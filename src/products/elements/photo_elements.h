@@ -35,6 +35,9 @@ inline constexpr int kMostElement_px2 = 16'000'000;
 
 FoundElements find_elements(const LabelRuns& labels, const ElementSizes& sizes);
 
+/// Room for the blurred edge of a cut-out, on each side of the element's box.
+inline constexpr int kElementRim_px = 3;
+
 /// The element cut out, with a transparent rim: straight BGRA, CV_8UC4. The opacity is half on the edge of its pixels, and
 /// holes are filled. Beyond the edge the element's own colours continue, so that no gap shows. `photo`: CV_8UC4 of the size
 /// of the labels.

@@ -57,9 +57,18 @@ struct FoundMaps {
   std::optional<cv::Mat> apart;  // from elements_on_plain_ground()
   cv::Mat searched;              // from elements_in_copies(); empty where that was not needed
   double element_px = 0;         // what was searched for; 0: nothing
+  int enlarged = 1;              // how many times the photo is enlarged
 };
 
 bool any_of(const std::vector<bool>& marks) { return std::find(marks.begin(), marks.end(), true) != marks.end(); }
+
+/// How many times the photo is enlarged, where its elements are so wide and its pixels so many.
+int enlargement(const ExtractionSettings& settings, double element_px, const cv::Mat& picture) {
+  if (settings.enlarged_element_px == 0 || element_px == 0) return settings.enlarged;
+  const int possible = int(std::sqrt(kMaxImagePixels / (double(picture.cols) * picture.rows)));
+  const int most = std::max(1, std::min({settings.most_enlarged, possible, kMostEnlarged}));
+  return std::clamp(int(std::ceil(settings.enlarged_element_px / element_px)), 1, most);
+}
 
 /// Makes the maps. The photo is not in memory during the search, which needs as much, nor afterwards.
 FoundMaps found_maps(const PhotoFile& photo, const ExtractionSettings& settings, Drawers& drawers) {
@@ -71,6 +80,7 @@ FoundMaps found_maps(const PhotoFile& photo, const ExtractionSettings& settings,
     const cv::Mat picture = decoded(photo, settings.enlarged, drawers);
     maps.apart = elements_on_plain_ground(picture);
     element_px = has_size || maps.apart ? settings.element_px : found_element_px(picture) / settings.enlarged;
+    maps.enlarged = enlargement(settings, element_px, picture);
     if (!maps.apart && element_px == 0) {
       throw InputError(
           photo.path +
@@ -142,24 +152,29 @@ void add_ground(const std::string& photo, const cv::Mat& picture, const LabelRun
 }  // namespace
 
 Extraction extract_elements(const std::string& photo, const ExtractionSettings& settings, Drawers& drawers) {
-  const int times = settings.enlarged;
   const bool searches = settings.labels.empty();
   PhotoFile file{photo, read_regular_file(photo, kMaxPhotoBytes)};
-  const FoundMaps maps = searches ? found_maps(file, settings, drawers) : FoundMaps{};
+  FoundMaps maps;
+  maps.enlarged = settings.enlarged;
+  if (searches) maps = found_maps(file, settings, drawers);
+  const int times = maps.enlarged;
   const cv::Mat given = searches ? cv::Mat() : given_labels(settings.labels, drawers);
   const cv::Mat picture = decoded(file, times, drawers);
   file.bytes = {};
-  const LabelRuns labels =
-      searches ? labels_from(maps, picture) : labels_for(settings.labels, given, photo, picture, times);
   Extraction extraction;
+  extraction.labels = std::make_shared<const LabelRuns>(
+      searches ? labels_from(maps, picture) : labels_for(settings.labels, given, photo, picture, times));
+  const LabelRuns& labels = *extraction.labels;
   extraction.element_px = maps.element_px;
+  extraction.enlarged = times;
   extraction.least_px = std::max(settings.sizes.least_px, double(kLeastSize_px) / times);
   extraction.found = find_elements(labels, {extraction.least_px * times, settings.sizes.most_px * times});
   const std::vector<PhotoElement>& elements = extraction.found.elements;
+  extraction.roles = label_roles(labels, elements, extraction.least_px * times);
   if (searches && extraction.element_px == 0) extraction.touching = touching_count(labels, elements);
   if (settings.ground_px > 0) add_ground(photo, picture, labels, settings, extraction);
   if (settings.with_overview) extraction.overview_png = png_of(elements_overview(picture, labels, elements));
-  extraction.cut_outs = cut_outs(photo, picture, labels, elements);
+  extraction.cut_outs = cut_outs(photo, picture, labels, extraction.roles, elements);
   return extraction;
 }
 

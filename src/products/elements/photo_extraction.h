@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct ExtractionSettings {
   ElementSizes sizes;
   // factor, 1 to kMostEnlarged, by which the photo is enlarged before it is searched, cut up and shown
   int enlarged = 1;
+  // where not 0: enlarged so far, at most `most_enlarged` times, that the searched elements are so wide, px
+  double enlarged_element_px = 0;
+  int most_enlarged = kMostEnlarged;
   std::string labels;          // path of a label map from another program, used instead of a search; empty: none
   bool with_overview = false;  // also make the picture of what was found
   int ground_px = 0;           // side of the picture of the ground; 0: none
@@ -36,11 +40,14 @@ struct Extraction {
   // elements that look like several touching ones, where no size tells how to separate them
   std::size_t touching = 0;
   std::vector<CutOut> cut_outs;
-  std::vector<std::uint8_t> overview_png;  // empty without with_overview
-  std::vector<std::uint8_t> ground_png;    // empty without ground_px, or where there is a ground_problem
-  std::string ground_problem;              // why there is no picture of the ground: the photo shows too little of it
-  double element_px = 0;                   // the short side that was searched for; 0: none
-  double ground_part = 0;                  // part of the photo that is ground, with ground_px
+  std::shared_ptr<const LabelRuns> labels;  // of the photo, enlarged
+  std::vector<LabelRole> roles;             // of the labels
+  std::vector<std::uint8_t> overview_png;   // empty without with_overview
+  std::vector<std::uint8_t> ground_png;     // empty without ground_px, or where there is a ground_problem
+  std::string ground_problem;               // why there is no picture of the ground: the photo shows too little of it
+  double element_px = 0;                    // the short side that was searched for; 0: none
+  int enlarged = 1;                         // how many times
+  double ground_part = 0;                   // part of the photo that is ground, with ground_px
   /// Elements smaller than this were left out: square root of the area, px of the photo. At least what a library accepts.
   double least_px = 0;
 };

@@ -3,19 +3,16 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
-#include <span>
 
 #include "core/base/count_text.h"
-#include "core/base/digest.h"
 #include "job/toml_string.h"
+#include "job/written_job.h"
 #include "text/utf8_text.h"
 
 namespace tessera {
 namespace {
 
-/// The beginning of the job's last line, which continues with the digest of all lines before it.
-constexpr const char* kMark = "# As tessera wrote it: ";
+constexpr const char* kAuthor = "tessera";
 
 /// Smaller pieces would be cruder than the field in which they are placed.
 constexpr double kSmallest_px = 8;
@@ -28,13 +25,6 @@ constexpr double kSmallestByMean = 0.4;
 std::string number_text(double value) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
-
-std::string digest_line(const std::string& text) {
-  Digest digest;
-  digest.add_all(std::span<const char>(text));
-  char number[20];
-  return kMark + std::string(number, std::to_chars(number, number + sizeof number, digest.value(), 16).ptr) + "\n";
 }
 
 std::string canvas_lines(const FirstCanvas& canvas) {
@@ -85,14 +75,11 @@ std::string first_job(const std::string& source, const std::string& library, std
       "[objective]\n"
       "repetition_exponent = 1  # how much it costs to use a drawing again; 0.3 covers more, with more repetition\n"
       "\n";
-  return text + digest_line(text);
+  return with_written_mark(text, kAuthor);
 }
 
-bool is_first_job(const std::string& text) { return text.find(kMark) != std::string::npos; }
+bool is_first_job(const std::string& text) { return has_written_mark(text, kAuthor); }
 
-bool is_unedited_first_job(const std::string& text) {
-  const std::size_t last = text.rfind(kMark);
-  return last != std::string::npos && digest_line(text.substr(0, last)) == text.substr(last);
-}
+bool is_unedited_first_job(const std::string& text) { return is_as_written(text, kAuthor); }
 
 }  // namespace tessera

@@ -14,17 +14,6 @@ namespace {
 constexpr int kLeastSprite_px = 256;
 constexpr int kMostSprite_px = 4096;
 
-/// Maps px of the artwork to px of the picture, for a piece.
-Similarity picture_from_artwork(const Placement& placement, const Artwork& artwork, double picture_px) {
-  const Similarity t = scaled(placement.canvas_from_shape, float(picture_px));
-  const float unit = 1 / artwork.unit_px;
-  Similarity m{t.a * unit, t.b * unit, 0, 0};
-  const Vec2 moved = m.apply(artwork.centroid_px);
-  m.tx = t.tx - moved.x;
-  m.ty = t.ty - moved.y;
-  return m;
-}
-
 cv::Rect rect_of(const Window& w) { return {w.x0, w.y0, w.width(), w.height()}; }
 
 int sprite_side(const Artwork& artwork, double picture_px_per_artwork_px) {
@@ -34,14 +23,14 @@ int sprite_side(const Artwork& artwork, double picture_px_per_artwork_px) {
   return side;
 }
 
-/// The affine map for cv::warpAffine with WARP_INVERSE_MAP: from nodes of the supersampled rows to nodes of the sprite,
-/// with pixel centres at whole numbers on both sides.
-cv::Matx23d sprite_from_rows(const PieceDrawing& piece, double sprite_px, cv::Point corner) {
+/// The affine map for cv::warpAffine with WARP_INVERSE_MAP: from nodes of rows that are `finer` times as fine as the
+/// picture to nodes of the sprite, with pixel centres at whole numbers on both sides.
+cv::Matx23d sprite_from_rows(const PieceDrawing& piece, double sprite_px, cv::Point corner, int finer) {
   const Similarity inverse = piece.picture_from_artwork.inverse();
-  const double a = inverse.a * sprite_px / kSupersampling;
-  const double b = inverse.b * sprite_px / kSupersampling;
-  const double u = corner.x * kSupersampling + 0.5;
-  const double v = corner.y * kSupersampling + 0.5;
+  const double a = inverse.a * sprite_px / finer;
+  const double b = inverse.b * sprite_px / finer;
+  const double u = corner.x * finer + 0.5;
+  const double v = corner.y * finer + 0.5;
   cv::Matx23d map(a, -b, a * u - b * v + inverse.tx * sprite_px - 0.5,  //
                   b, a, b * u + a * v + inverse.ty * sprite_px - 0.5);
   if (piece.mirrored_at_px) {
@@ -51,6 +40,20 @@ cv::Matx23d sprite_from_rows(const PieceDrawing& piece, double sprite_px, cv::Po
     map(0, 2) += there_and_back;
   }
   return map;
+}
+
+/// A sprite with fewer than so many px for one of the picture is an image in its own pixels. It is enlarged, or drawn in
+/// its size, by a cubic filter alone, because an average over a finer grid would blur it.
+constexpr double kEnlarged = 1.05;
+
+/// Makes premultiplied BGRA valid again: a cubic filter overshoots at edges.
+void limit_to_alpha(cv::Mat& bgra) {
+  for (int y = 0; y < bgra.rows; ++y) {
+    cv::Vec4b* row = bgra.ptr<cv::Vec4b>(y);
+    for (int x = 0; x < bgra.cols; ++x) {
+      for (int c = 0; c < 3; ++c) row[x][c] = std::min(row[x][c], row[x][3]);
+    }
+  }
 }
 
 template <class Pixel>
@@ -69,6 +72,16 @@ void lay_over_pixels(const cv::Mat& bgra, cv::Mat& picture) {
 }
 
 }  // namespace
+
+Similarity picture_from_artwork(const Placement& placement, const Artwork& artwork, double picture_px) {
+  const Similarity t = scaled(placement.canvas_from_shape, float(picture_px));
+  const float unit = 1 / artwork.unit_px;
+  Similarity m{t.a * unit, t.b * unit, 0, 0};
+  const Vec2 moved = m.apply(artwork.centroid_px);
+  m.tx = t.tx - moved.x;
+  m.ty = t.ty - moved.y;
+  return m;
+}
 
 PieceDrawing make_piece_drawing(const Placement& placement, std::size_t slot, const Shape& shape, const Outline& clip,
                                 double line_px, double picture_px, cv::Size picture) {
@@ -89,15 +102,24 @@ PieceDrawing make_piece_drawing(const Placement& placement, std::size_t slot, co
 }
 
 cv::Mat draw_rows(const PieceDrawing& piece, const Sprite& sprite, int begin, int end) {
-  const Sprite source = shrunk(sprite, kSupersampling * double(piece.picture_from_artwork.scale()));
+  const double picture_px = double(piece.picture_from_artwork.scale());  // for a px of the artwork
+  const bool enlarges = sprite.px_per_artwork_px < kEnlarged * picture_px;
+  const int finer = enlarges ? 1 : kSupersampling;
+  const Sprite source = shrunk(sprite, finer * picture_px);
   cv::Mat drawn(end - begin, piece.box.width, CV_8UC4);
   for (int top = begin, next = 0; top < end; top = next) {
     next = std::min(end, (top / kStripRows + 1) * kStripRows);
-    cv::Mat fine;
-    cv::warpAffine(source.bgra, fine, sprite_from_rows(piece, source.px_per_artwork_px, {piece.box.x, top}),
-                   cv::Size(piece.box.width, next - top) * kSupersampling, cv::INTER_LINEAR | cv::WARP_INVERSE_MAP);
+    const cv::Size size(piece.box.width, next - top);
+    const cv::Matx23d map = sprite_from_rows(piece, source.px_per_artwork_px, {piece.box.x, top}, finer);
     cv::Mat strip = drawn.rowRange(top - begin, next - begin);
-    cv::resize(fine, strip, strip.size(), 0, 0, cv::INTER_AREA);
+    if (enlarges) {
+      cv::warpAffine(source.bgra, strip, map, size, cv::INTER_CUBIC | cv::WARP_INVERSE_MAP);
+      limit_to_alpha(strip);
+    } else {
+      cv::Mat fine;
+      cv::warpAffine(source.bgra, fine, map, size * finer, cv::INTER_LINEAR | cv::WARP_INVERSE_MAP);
+      cv::resize(fine, strip, size, 0, 0, cv::INTER_AREA);
+    }
   }
   return drawn;
 }

@@ -18,8 +18,8 @@ namespace tessera {
 /// divided into bands of such rows.
 inline constexpr int kStripRows = 64;
 
-/// Pieces are warped at twice the picture's resolution and averaged. A warp without that either blurs or leaves jagged
-/// edges.
+/// Drawings are warped at twice the picture's resolution and averaged. A warp without that either blurs or leaves jagged
+/// edges. Images that have no more pixels than the picture are not.
 inline constexpr int kSupersampling = 2;
 
 struct PieceDrawing {
@@ -30,6 +30,9 @@ struct PieceDrawing {
   cv::Rect box;                         // of the picture; empty: the piece lies outside
   int sprite_side_px = 0;               // wanted side of the sprite
 };
+
+/// Maps px of the artwork to px of the picture, for a piece. `picture_px`: px of the picture for one px of the canvas.
+Similarity picture_from_artwork(const Placement& placement, const Artwork& artwork, double picture_px);
 
 /// `line_px`: width of the line along the outline, px of the picture. `picture_px`: px of the picture for one px of the
 /// canvas. `shape` must outlive the result.

@@ -1,9 +1,15 @@
 #include "render/pieces/shape_artworks.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
 
+#include "artwork/artwork_render.h"
 #include "artwork/images/alpha.h"
 #include "artwork/images/colour_conversion.h"
+#include "artwork/images/image_header.h"
 #include "artwork/images/looks_like_svg.h"
 #include "artwork/silhouette.h"
 #include "core/base/error.h"
@@ -56,6 +62,14 @@ SvgSymbol silhouette_symbol(const Shape& shape, const std::string& id) {
   writer.start("path").attribute("id", id).attribute("fill", hex_of(mean_bgr(shape))).attribute("fill-rule", "evenodd");
   writer.attribute("d", svg_path(as_drawn(shape.artwork, shape.outline.curves), artwork_from_shape(shape.artwork)));
   return {writer.finish(), 1};
+}
+
+/// The longest side of an image in its own pixels; the largest number for a drawing that has none. An image is enlarged
+/// only once, when the piece is drawn (draw_rows), as each enlargement blurs.
+int own_side_px(std::span<const std::uint8_t> bytes) {
+  const std::optional<cv::Size2d> size = image_size_from_header(bytes);
+  return size ? int(std::clamp(std::max(size->width, size->height), 1., double(kMaxArtworkSide_px)))
+              : std::numeric_limits<int>::max();
 }
 
 }  // namespace
@@ -200,7 +214,7 @@ cv::Mat ShapeArtworks::drawn(std::size_t slot, const Source& source, int side_px
   const std::string& path = original(slot).artwork.path;
   try {
     return source.thumbnail ? drawers_.decode_png(source.bytes, path + " (thumbnail)", kThumbnailSide_px)
-                            : drawers_.render(source.bytes, path, side_px);
+                            : drawers_.render(source.bytes, path, std::min(side_px, own_side_px(source.bytes)));
   } catch (const InputError& error) {
     note(slot, DrawnFrom::silhouette, reason_of(error, path));
     const std::lock_guard lock(mutex_);

@@ -1,0 +1,123 @@
+#include "products/texture/photo_cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <opencv2/imgproc.hpp>
+
+namespace tessera {
+namespace {
+
+/// Cells across an element of mean size.
+constexpr double kCellsOfElement = 12;
+constexpr int kMostJoint_cells = 3;
+/// Side of the squares in which elements are counted, in elements of mean size.
+constexpr double kSquare_elements = 3;
+
+double mean_side_px(const std::vector<PhotoElement>& elements) {
+  double area_px2 = 0;
+  for (const PhotoElement& element : elements) area_px2 += element.area_px2;
+  return std::sqrt(area_px2 / double(elements.size()));
+}
+
+/// What the cells of each label show.
+std::vector<int> values_of_labels(const PhotoLayout& photo) {
+  std::vector<int> values(photo.roles.size(), kGroundCell);
+  for (std::size_t label = 1; label < values.size(); ++label) {
+    if (photo.roles[label] != LabelRole::ground) values[label] = kCutCell;
+  }
+  for (std::size_t i = 0; i < photo.elements.size(); ++i) values[std::size_t(photo.elements[i].label)] = int(i) + 1;
+  return values;
+}
+
+/// Cells across the joints between elements. Over a strip the distances to its edges are even from 0 to half its width.
+int joint_cells(const cv::Mat& cells) {
+  cv::Mat distances;
+  cv::distanceTransform(cells == kGroundCell, distances, cv::DIST_L2, cv::DIST_MASK_5);
+  std::vector<float> in_ground;
+  for (int y = 0; y < cells.rows; ++y) {
+    for (int x = 0; x < cells.cols; ++x) {
+      if (cells.at<int>(y, x) == kGroundCell) in_ground.push_back(distances.at<float>(y, x));
+    }
+  }
+  if (in_ground.empty()) return 0;
+  const auto middle = in_ground.begin() + std::ptrdiff_t(in_ground.size() / 2);
+  std::nth_element(in_ground.begin(), middle, in_ground.end());
+  constexpr float kToEdge = 0.5F;  // the distance of the outermost cells of a joint to those of an element is 1
+  return std::clamp(int(std::lround(4 * (*middle - kToEdge))), 0, kMostJoint_cells);
+}
+
+/// The part of the ground in those quarters of the photo's squares that show the most elements.
+double ground_part_of(const cv::Mat& cells, double element_side) {
+  const int side = std::clamp(int(kSquare_elements * element_side), 1, std::min(cells.cols, cells.rows));
+  std::vector<double> parts;
+  for (int y = 0; y + side <= cells.rows; y += std::max(1, side / 2)) {
+    for (int x = 0; x + side <= cells.cols; x += std::max(1, side / 2)) {
+      const cv::Mat square = cells(cv::Rect(x, y, side, side));
+      const double elements = cv::countNonZero(square > 0), ground = cv::countNonZero(square == kGroundCell);
+      if (elements > 0) parts.push_back(ground / (ground + elements));
+    }
+  }
+  if (parts.empty()) return 1;
+  const auto quarter = parts.begin() + std::ptrdiff_t(parts.size() / 4);
+  std::nth_element(parts.begin(), quarter, parts.end());
+  return *quarter;
+}
+
+/// The nearest element of each ground cell that lies in a joint.
+cv::Mat rooms_of(const cv::Mat& cells, int joint) {
+  cv::Mat rooms = cv::Mat::zeros(cells.size(), CV_32S);
+  cv::Mat distances, labels;
+  cv::distanceTransform(cells <= kGroundCell, distances, labels, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
+  std::vector<int> element_of(cells.total() + 1);  // of labels
+  for (int y = 0; y < cells.rows; ++y) {
+    for (int x = 0; x < cells.cols; ++x) {
+      if (cells.at<int>(y, x) > 0) element_of[std::size_t(labels.at<int>(y, x))] = cells.at<int>(y, x);
+    }
+  }
+  for (int y = 0; y < cells.rows; ++y) {
+    for (int x = 0; x < cells.cols; ++x) {
+      if (cells.at<int>(y, x) == kGroundCell && distances.at<float>(y, x) <= float(joint))
+        rooms.at<int>(y, x) = element_of[std::size_t(labels.at<int>(y, x))];
+    }
+  }
+  return rooms;
+}
+
+CellElement cell_element(const PhotoCells& photo, const cv::Rect& box_px, int value, int joint) {
+  const auto cell_of = [&](cv::Point px) { return cv::Point(px.x / photo.cell_px, px.y / photo.cell_px); };
+  const cv::Point more(joint, joint);
+  const cv::Rect box = cv::Rect(cell_of(box_px.tl()) - more, cell_of(box_px.br()) + cv::Point(1, 1) + more) &
+                       cv::Rect({}, photo.cells.size());
+  CellElement element{0, box.tl(), cv::Mat::zeros(box.size(), CV_8U), cell_of((box_px.tl() + box_px.br()) / 2)};
+  element.mask.setTo(kElementCell, photo.cells(box) == value);
+  element.mask.setTo(kRoomCell, photo.rooms(box) == value);
+  element.area = cv::countNonZero(element.mask == kElementCell);
+  return element;
+}
+
+}  // namespace
+
+PhotoCells photo_cells(const PhotoLayout& photo) {
+  const std::vector<int> values = values_of_labels(photo);
+  const double side_px = mean_side_px(photo.elements);
+  PhotoCells result;
+  const int cell_px = result.cell_px = std::max(1, int(std::lround(side_px / kCellsOfElement)));
+  result.element_side = side_px / cell_px;
+  const cv::Size size = photo.labels.size();
+  result.cells.create(std::max(1, size.height / cell_px), std::max(1, size.width / cell_px), CV_32S);
+  const cv::Mat labels = photo.labels.labels();
+  for (int y = 0; y < result.cells.rows; ++y) {
+    const int* row = labels.ptr<int>(std::min(y * cell_px + cell_px / 2, labels.rows - 1));
+    for (int x = 0; x < result.cells.cols; ++x)
+      result.cells.at<int>(y, x) = values[std::size_t(row[std::min(x * cell_px + cell_px / 2, labels.cols - 1)])];
+  }
+  result.ground_part = ground_part_of(result.cells, result.element_side);
+  const int joint = joint_cells(result.cells);
+  result.rooms = rooms_of(result.cells, joint);
+  for (std::size_t i = 0; i < photo.elements.size(); ++i)
+    result.elements.push_back(cell_element(result, photo.elements[i].box, int(i) + 1, joint));
+  return result;
+}
+
+}  // namespace tessera

@@ -1,0 +1,40 @@
+// A photo's layout on a coarse grid: which element each cell shows.
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "products/texture/texture_layout.h"
+
+namespace tessera {
+
+// What a cell of the photo shows; from 1 on: the index of an element, plus 1.
+inline constexpr int kGroundCell = 0;
+inline constexpr int kCutCell = -1;
+
+struct CellElement {
+  int area = 0;      // cells
+  cv::Point corner;  // of its mask
+  cv::Mat mask;      // CV_8U: kElementCell, kRoomCell or 0
+  cv::Point middle;  // of its box
+};
+
+// A mask's cells of the element itself, and those of the joint round it. The numbers are what it costs that another element
+// lies there.
+inline constexpr std::uint8_t kElementCell = 2;
+inline constexpr std::uint8_t kRoomCell = 1;
+
+struct PhotoCells {
+  int cell_px = 1;
+  double element_side = 0;  // of a mean element, cells
+  cv::Mat cells;            // CV_32S
+  cv::Mat rooms;            // CV_32S: of ground in the joint round an element: the element's index, plus 1; else 0
+  double ground_part = 0;   // of the photo where elements lie close together
+  std::vector<CellElement> elements;
+};
+
+/// Each cell shows what lies at its middle in the photo. `photo` has elements.
+PhotoCells photo_cells(const PhotoLayout& photo);
+
+}  // namespace tessera
