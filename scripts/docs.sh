@@ -15,9 +15,10 @@ scripts/install-packages.sh docs
 
 # The pages keep the repository's folders, so that their links work in the repository, on a forge and in the site.
 rm -rf "$source"
-mkdir -p "$source/pages/slurm" "$source/pages/src"
+mkdir -p "$source/pages/slurm" "$source/pages/src" "$source/pages/web"
 cp -r README.md ARCHITECTURE.md LICENSE docs jobs examples "$source/pages"
 cp slurm/README.md "$source/pages/slurm"
+cp web/README.md "$source/pages/web"
 cp src/rooms.txt "$source/pages/src"
 mv "$source/pages/docs/mkdocs.yml" "$source"
 mkdocs build --quiet --clean --config-file "$source/mkdocs.yml" --site-dir "$(realpath -m "$site")"

@@ -102,7 +102,8 @@ PhotoCells photo_cells(const PhotoLayout& photo) {
   const std::vector<int> values = values_of_labels(photo);
   const double side_px = mean_side_px(photo.elements);
   PhotoCells result;
-  const int cell_px = result.cell_px = std::max(1, int(std::lround(side_px / kCellsOfElement)));
+  const double steps = side_px / kCellsOfElement / photo.step_px;
+  const int cell_px = result.cell_px = photo.step_px * std::max(1, int(std::lround(steps)));
   result.element_side = side_px / cell_px;
   const cv::Size size = photo.labels.size();
   result.cells.create(std::max(1, size.height / cell_px), std::max(1, size.width / cell_px), CV_32S);

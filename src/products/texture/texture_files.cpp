@@ -107,7 +107,8 @@ std::vector<LaidElement> layout_of(const Extraction& extraction, const std::vect
     if (role == LabelRole::element) role = LabelRole::cut;
   }
   for (const PhotoElement& element : elements) roles[std::size_t(element.label)] = LabelRole::element;
-  return texture_layout({*extraction.labels, elements, roles}, canvas_px, kSeed);
+  // Shifts by whole px of the photo leave its pixels what they are.
+  return texture_layout({*extraction.labels, elements, roles, extraction.enlarged}, canvas_px, kSeed);
 }
 
 /// The names of the files in the job.

@@ -23,6 +23,7 @@ struct PhotoLayout {
   const LabelRuns& labels;
   const std::vector<PhotoElement>& elements;  // that may be laid
   std::vector<LabelRole> roles;               // of the labels
+  int step_px = 1;                            // shifts are multiples of it
 };
 
 /// The elements on the canvas, whose opposite edges fit together, in the order in which they were laid. Elements may

@@ -46,6 +46,12 @@ cv::Matx23d sprite_from_rows(const PieceDrawing& piece, double sprite_px, cv::Po
 /// its size, by a cubic filter alone, because an average over a finer grid would blur it.
 constexpr double kEnlarged = 1.05;
 
+/// Whether a sprite is so many times as fine as the picture that its pixels are averaged without another filter before.
+bool is_whole(double ratio) {
+  constexpr double kWhole = 0.005, kMost = 8;
+  return ratio > 1.5 && ratio < kMost + 0.5 && std::abs(ratio - std::lround(ratio)) < kWhole;
+}
+
 /// Makes premultiplied BGRA valid again: a cubic filter overshoots at edges.
 void limit_to_alpha(cv::Mat& bgra) {
   for (int y = 0; y < bgra.rows; ++y) {
@@ -103,8 +109,9 @@ PieceDrawing make_piece_drawing(const Placement& placement, std::size_t slot, co
 
 cv::Mat draw_rows(const PieceDrawing& piece, const Sprite& sprite, int begin, int end) {
   const double picture_px = double(piece.picture_from_artwork.scale());  // for a px of the artwork
-  const bool enlarges = sprite.px_per_artwork_px < kEnlarged * picture_px;
-  const int finer = enlarges ? 1 : kSupersampling;
+  const double ratio = sprite.px_per_artwork_px / picture_px;
+  const bool enlarges = ratio < kEnlarged;
+  const int finer = enlarges ? 1 : is_whole(ratio) ? int(std::lround(ratio)) : kSupersampling;
   const Sprite source = shrunk(sprite, finer * picture_px);
   cv::Mat drawn(end - begin, piece.box.width, CV_8UC4);
   for (int top = begin, next = 0; top < end; top = next) {
