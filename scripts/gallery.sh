@@ -98,8 +98,8 @@ mapfile -t names < <(basename -s .toml jobs/*.toml)
 [[ $# -eq 0 ]] || names=("$@")
 for name in "${names[@]}"; do
   echo "== $name"
-  # If a job has its own library, its file names the command that makes the library; the last word is the library's file.
-  read -ra make < <(sed -n "s,^#  *tessera \(library .*\),$tessera \1,p; s,^#  *\(scripts/.*\),\1,p" \
+  # If a job has its own library, its file names the command that makes the library; the last word is a file that it writes.
+  read -ra make < <(sed -n "s,^#  *tessera \(\(library\|texture\) .*\),$tessera \1,p; s,^#  *\(scripts/.*\),\1,p" \
     "jobs/$name.toml") || true
   if [[ ${#make[@]} -gt 0 && ! ${make[-1]} -nt $tessera ]]; then "${make[@]}"; fi
   make_collage "$tessera" collage "jobs/$name.toml" --out "out/gallery/$name" --quiet

@@ -14,6 +14,7 @@
 #include "files/atomic_file.h"
 #include "files/regular_file.h"
 #include "job/job_file.h"
+#include "job/job_keys.h"
 #include "products/texture/texture_files.h"
 #include "program/list_option.h"
 #include "run/job_output.h"
@@ -74,27 +75,47 @@ bool keeps_changed_job(const TextureRequest& request) {
   throw InputError(request.job + ": exists and was not made by tessera texture; give another name with --job");
 }
 
-/// Writes the job. Where an override of --set is wrong, a newly written job is removed again.
+/// Writes the job. Where an override of --set is wrong, the file is again what it was.
 void write_checked(const TextureArguments& arguments, const std::string& text) {
   const std::string& job = arguments.request.job;
   const comm::StopDelay delay;
   const bool is_new = !fs::exists(job);
+  const std::vector<std::uint8_t> before = is_new ? std::vector<std::uint8_t>() : read_regular_file(job, kMostJobBytes);
   write_file_atomically(job, text);
   try {
     load_job(job, arguments.collage.overrides);
   } catch (const InputError&) {
     std::error_code ignored;
     if (is_new) fs::remove(job, ignored);
+    if (!is_new) write_file_atomically(job, before);
     throw;
   }
 }
 
+/// The canvas of the job, which the user may have changed. Throws InputError where --size is another one.
+cv::Size canvas_of(const TextureArguments& arguments, const TexturePlan& plan) {
+  const CanvasSpec canvas = load_job(arguments.request.job, arguments.collage.overrides).canvas;
+  const cv::Size size_px(canvas.width_px, canvas.height_px), planned_px = plan.texture_px * plan.enlarged;
+  if (arguments.request.size_px.empty() || size_px == planned_px) return size_px;
+  const auto text = [](cv::Size size) { return std::to_string(size.width) + ", " + std::to_string(size.height); };
+  throw InputError(arguments.request.job + ": you have changed it, and its canvas.size_px is [" + text(size_px) +
+                   "], with this --size it is [" + text(planned_px) +
+                   "]; allowed: the same, or --job FILE.toml, which writes another job");
+}
+
+/// Throws InputError where no job may have such a canvas.
+void check_size(const TextureRequest& request) {
+  if (double(request.size_px.width) * request.size_px.height <= kMaxCanvas_px2) return;
+  throw InputError("--size: found " + std::to_string(request.size_px.width) + "," +
+                   std::to_string(request.size_px.height) + ", allowed: at most 100 million px");
+}
+
 void write_files(const TextureArguments& arguments) {
   const TextureRequest& request = arguments.request;
+  check_size(request);
   const bool quiet = arguments.collage.quiet, keeps_job = keeps_changed_job(request);
   Drawers drawers(photo_drawer_settings(rank_cores()));
   const TextureDraft draft = draft_texture(request, drawers);
-  const cv::Size size = draft.plan.texture_px;
   if (!quiet) {
     print_line("%s: %s%s", request.photo.c_str(), count_text(draft.extraction.cut_outs.size(), "element").c_str(),
                draft.plan.enlarged > 1 ? (", enlarged " + std::to_string(draft.plan.enlarged) + " times").c_str() : "");
@@ -102,9 +123,11 @@ void write_files(const TextureArguments& arguments) {
   }
   // The job comes first: it tells a later run whose the files beside it are.
   if (!keeps_job) write_checked(arguments, draft.job);
-  const std::size_t laid = write_texture_files(request, draft, drawers);
+  const cv::Size canvas_px = canvas_of(arguments, draft.plan);
+  const std::size_t laid = write_texture_files(request, draft, canvas_px, drawers);
   if (quiet) return;
-  print_line("%s: %zu pieces on %d x %d px", texture_layout_path(request.job).c_str(), laid, size.width, size.height);
+  print_line("%s: %zu pieces on %d x %d px", texture_layout_path(request.job).c_str(), laid,
+             canvas_px.width / draft.plan.enlarged, canvas_px.height / draft.plan.enlarged);
   if (keeps_job)
     print_line("%s: you have changed it, so it is kept; --job FILE.toml writes another one", request.job.c_str());
   if (arguments.job_only) print_line("next: tessera collage %s", shell_word(request.job).c_str());
@@ -146,7 +169,7 @@ void add_texture_command(CLI::App& app, Command& selected) {
       },
       "Width and height of the texture, px, elements as large as in the photo; default: twice those of "
       "the photo, at most 4096",
-      {.type_name = "W,H", .count = 2, .value = CLI::Range(16, 20'000)});
+      {.type_name = "W,H", .count = 2, .value = CLI::Range(kLeastTextureSide_px, 20'000)});
   texture
       ->add_option("--element-px", request.element_px,
                    "Short side of a typical element, px of the photo; default: found")

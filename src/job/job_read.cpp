@@ -280,6 +280,10 @@ void check_start_lists(const Job& job) {
 }
 
 void check_background(const Job& job) {
+  if (job.output.background == kPhotoBackground && job.settings.deform.kind != DeformKind::none) {
+    throw InputError(job.path + ": output.background: found \"" + kPhotoBackground +
+                     "\" with deform.kind, allowed: one of them, because deformed pieces have left their photo");
+  }
   if (job.output.background != kImageBackground) return;
   const std::string found = job.path + ": output.background: found \"" + kImageBackground + "\"";
   if (job.colour.image.empty()) throw InputError(found + ", needed with it: colour.image");

@@ -9,7 +9,8 @@ namespace tessera {
 
 void copy_library(const ShapeLibrary& library, const std::string& output,
                   const std::function<void(std::size_t)>& done) {
-  const LibraryParts everything{.outline = true, .field = true, .levels = ~0u, .artwork = true, .original = true};
+  const LibraryParts everything{
+      .outline = true, .field = true, .levels = ~0u, .artwork = true, .original = true, .surroundings = true};
   const std::vector<std::uint32_t> variant_of = library.variant_of();
   const std::vector<StyleFeatures> styles = library.styles();
   LibraryWriter writer(output, library.pad_parameters());

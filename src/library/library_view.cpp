@@ -290,6 +290,10 @@ std::vector<StyleFeatures> LibraryView::styles() const {
   return styles;
 }
 
+bool LibraryView::has_surroundings() const {
+  return std::any_of(files_.begin(), files_.end(), [](const LibraryFile& file) { return file.has_surroundings(); });
+}
+
 std::vector<std::uint32_t> LibraryView::drawings() const {
   if (whole_file()) return files_.front().drawings();
   std::vector<std::uint32_t> drawings;

@@ -66,6 +66,7 @@ class LibraryView : public ShapeLibrary {
   std::uint64_t content_digest() const override;
   std::vector<std::uint32_t> variant_of() const override;
   std::vector<StyleFeatures> styles() const override;
+  bool has_surroundings() const override;
   std::vector<std::uint32_t> drawings() const override;
   std::vector<Shape> read(std::size_t begin, std::size_t end, const LibraryParts& parts) const override;
   /// The stored models, if the view is one whole file.

@@ -28,8 +28,8 @@ namespace {
 
 constexpr const char* kBackgroundId = "photo-ground";
 constexpr double kMostPixels = 64e6;
-/// The side of the squares in which the picture is made, one for each thread at a time, and how far beyond a square
-/// pieces count for it.
+/// The side of the squares in which the picture is made, one for each thread at a time, and the most px beyond a square
+/// that count for it.
 constexpr int kSquare_px = 1024;
 constexpr int kMostReach_px = 512;
 /// The least alpha of a place that shows ground, and of one that shows anything: between those of the kinds
@@ -43,23 +43,29 @@ constexpr std::size_t kSpriteBytes = std::size_t(256) << 20;
 
 cv::Size ground_size(const CollageReport& report) {
   const cv::Size picture = picture_size_px(report.output, *report.canvas);
-  const double scale = std::min(1., std::sqrt(kMostPixels / picture.area()));
+  const double scale = std::min(1., std::sqrt(kMostPixels / (double(picture.width) * picture.height)));
   return {std::max(1, int(picture.width * scale)), std::max(1, int(picture.height * scale))};
 }
 
 /// The place of a shape's surroundings. Their page is the original's and a margin round it.
 struct SurroundingsFrame {
+  int page_side_px = 0;          // the longer one
   double px_per_artwork_px = 1;  // px of the page
   float margin_artwork_px = 0;
 };
 
-/// Empty where the shape has no surroundings, or has them with an impossible size.
+/// Empty where the shape has no surroundings, or has them in a size that is not the artwork's and a margin.
 std::optional<SurroundingsFrame> surroundings_frame(const Artwork& artwork) {
+  constexpr double kMostScale = 64, kRounded_px = 2;
   const std::optional<cv::Size2d> page = image_size_from_header(artwork.surroundings_png);
-  const int margin_px = artwork.surroundings_margin_px;
-  if (!page || page->width > kMaxArtworkSide_px || page->width <= 2 * margin_px) return {};
-  const double px_per_artwork_px = (page->width - 2 * margin_px) / artwork.width_px;
-  return SurroundingsFrame{px_per_artwork_px, float(margin_px / px_per_artwork_px)};
+  const double around_px = 2. * artwork.surroundings_margin_px;
+  if (!page || std::max(page->width, page->height) > kMaxArtworkSide_px) return {};
+  const double px_per_artwork_px = (page->width - around_px) / artwork.width_px;
+  if (!(px_per_artwork_px > 1 / kMostScale && px_per_artwork_px < kMostScale)) return {};
+  if (std::abs(page->height - around_px - px_per_artwork_px * artwork.height_px) > kRounded_px + px_per_artwork_px)
+    return {};
+  return SurroundingsFrame{int(std::max(page->width, page->height)), px_per_artwork_px,
+                           float(artwork.surroundings_margin_px / px_per_artwork_px)};
 }
 
 /// The surroundings as a sprite; nothing where they are damaged.
@@ -87,6 +93,7 @@ class PhotoGround {
       add_images(placement);
       area += double(placement.canvas_from_shape.scale()) * placement.canvas_from_shape.scale();
     }
+    reach_px_ += 2 * int(std::ceil(kContinued_px)) + 1;
     const double size_px = std::sqrt(area / double(std::max<std::size_t>(1, report.placements.size()))) * ground_px_;
     joint_px_ = float(std::max(1., kJoint * size_px));
   }
@@ -111,6 +118,7 @@ class PhotoGround {
 
   /// An image of a piece on the canvas.
   struct Image {
+    int page_side_px = 0;
     Similarity ground_from_shape;
     PieceDrawing surroundings;
   };
@@ -132,7 +140,7 @@ class PhotoGround {
     for (const Vec2 offset : report_.canvas->period.offsets()) {
       Placement image = placement;
       image.canvas_from_shape = moved(placement.canvas_from_shape, offset);
-      Image added{scaled(image.canvas_from_shape, float(ground_px_)), {}};
+      Image added{frame->page_side_px, scaled(image.canvas_from_shape, float(ground_px_)), {}};
       PieceDrawing& drawing = added.surroundings;
       drawing.slot = slot;
       // The frame of the page is that of the artwork, moved by the margin.
@@ -141,28 +149,30 @@ class PhotoGround {
       from_page.tx = corner.x;
       from_page.ty = corner.y;
       if (shape.artwork.mirrored) drawing.mirrored_at_px = shape.artwork.centroid_px.x + margin;
-      drawing.box = page_box(shape.artwork, margin, drawing);
-      reach_px_ = std::max(reach_px_, std::min(kMostReach_px, beyond(shape, added)));
+      const Extent page = page_extent(shape.artwork, margin, drawing);
+      if (!is_drawable(page)) continue;
+      const Window box = nodes_round(page, {}, 0);
+      drawing.box = {box.x0, box.y0, box.width(), box.height()};
+      // Whatever reaches into a square is known as a whole, so that squares agree at their edges.
+      reach_px_ = std::max(reach_px_, std::min(kMostReach_px, std::max(box.width(), box.height())));
       images_.push_back(added);
     }
   }
 
   /// The part of the ground that the page of the surroundings covers.
-  static cv::Rect page_box(const Artwork& artwork, float margin, const PieceDrawing& drawing) {
+  static Extent page_extent(const Artwork& artwork, float margin, const PieceDrawing& drawing) {
     const Vec2 page{float(artwork.width_px) + 2 * margin, float(artwork.height_px) + 2 * margin};
     std::vector<Vec2> corners{{0, 0}, {page.x, 0}, {0, page.y}, page};
     if (drawing.mirrored_at_px) {
       for (Vec2& p : corners) p.x = 2 * *drawing.mirrored_at_px - p.x;
     }
-    const Window box = nodes_round(extent_of(corners, drawing.picture_from_artwork), {}, 0);
-    return {box.x0, box.y0, box.width(), box.height()};
+    return extent_of(corners, drawing.picture_from_artwork);
   }
 
-  /// How far the surroundings reach beyond the piece.
-  static int beyond(const Shape& shape, const Image& image) {
-    const Window piece = bounding_window(shape.outline, image.ground_from_shape);
-    const cv::Rect& page = image.surroundings.box;
-    return std::max({piece.x0 - page.x, piece.y0 - page.y, page.br().x - piece.x1, page.br().y - piece.y1});
+  /// Whether the numbers are those of a picture; a library may claim others.
+  static bool is_drawable(const Extent& page) {
+    constexpr float kMost_px = 1e7F;
+    return page.low.x > -kMost_px && page.low.y > -kMost_px && page.high.x < kMost_px && page.high.y < kMost_px;
   }
 
   cv::Mat owners_in(const cv::Rect& window) const {
@@ -216,7 +226,7 @@ class PhotoGround {
   cv::Mat drawn_photo(int image, const cv::Rect& box) {
     PieceDrawing drawing = images_[std::size_t(image)].surroundings;
     drawing.box = box;
-    return draw_rows(drawing, *sprites_.get(drawing.slot, 0), box.y, box.br().y);
+    return draw_rows(drawing, *sprites_.get(drawing.slot, images_[std::size_t(image)].page_side_px), box.y, box.br().y);
   }
 
   static bool is_shown(const Part& part, cv::Point at) { return part.pixels.at<cv::Vec4b>(at)[3] > 0; }
@@ -318,12 +328,13 @@ cv::Mat page_below(const GroundTile& below, const CollageReport& report, cv::Siz
   return page;
 }
 
-/// Gives places without any pixel the mean colour of all others.
+/// Gives places without any pixel the mean colour of all others, if there are any.
 void fill_empty_places(cv::Mat& page) {
   cv::Mat alpha;
   cv::extractChannel(page, alpha, 3);
   const cv::Mat is_empty = alpha == 0;
-  if (cv::countNonZero(is_empty) == 0) return;
+  const int empty = cv::countNonZero(is_empty);
+  if (empty == 0 || std::size_t(empty) == page.total()) return;
   const cv::Scalar mean = cv::mean(page, ~is_empty);
   page.setTo(cv::Scalar(mean[0], mean[1], mean[2], 255), is_empty);
 }

@@ -150,6 +150,11 @@ std::vector<std::string> distinct(std::vector<std::string> colours) {
   return colours;
 }
 
+InputError no_photo_of_deformed(const std::string& dir) {
+  return InputError(dir + ": output.background: found \"" + kPhotoBackground +
+                    "\" with deformed pieces, which have left their photo; allowed: a colour, or another background");
+}
+
 InputError no_pdf(const std::string& dir, const std::string& harmony) {
   return InputError(dir + ": colour.harmony: found \"" + harmony + "\" with a PDF, which cannot turn hues; allowed: " +
                     "--set colour.harmony=" + kNoHarmony + ", or the PNG, TIFF and SVG");
@@ -308,7 +313,12 @@ CollageReport report_of(const DrawnResult& result, DrawnCanvas& canvas, const St
   report.overlay = image_overlay(result.folder, job.colour.overlay, canvas.canvas);
   report.overlay_opacity = job.colour.overlay;
   report.placements = placements_of(result.folder, manifest, result.library.size());
-  const LibraryParts parts{.outline = true, .field = true, .levels = 0, .artwork = true, .original = true};
+  const LibraryParts parts{.outline = true,
+                           .field = true,
+                           .levels = 0,
+                           .artwork = true,
+                           .original = true,
+                           .surroundings = report.output.background == kPhotoBackground};
   report.shapes = read_placed_shapes(result.library, report.placements, parts, [&] { stop.check(); });
   const std::vector<std::string> groups =
       shape_groups(job, report.shapes.names(), names_like_patterns(result.library, job));
@@ -373,7 +383,10 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
   DrawnCanvas canvas = canvas_of(whole, request, job, observer);
   const DrawnResult result{dir, whole, drawn, library};
   CollageReport report = report_of(result, canvas, stop);
-  if (report.output.background == kPhotoBackground) report.ground = photo_ground(report, report.ground, drawers, stop);
+  if (report.output.background == kPhotoBackground) {
+    if (whole.manifest.deformed) throw no_photo_of_deformed(dir);
+    report.ground = photo_ground(report, report.ground, drawers, stop);
+  }
   add_colours(result, palette, drawers, report);
   if (request.pdf) check_can_be_pdf(dir, report, job.colour.harmony);
   const bool is_result = request.to.empty();

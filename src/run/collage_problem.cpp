@@ -99,8 +99,18 @@ CollageSettings settings_of(const Job& job, const CanvasFindings& found) {
   return settings;
 }
 
+/// Finds out before the run, rather than after it, that no piece knows the photo round it.
+void check_photo_background(const Job& job, const ShapeLibrary& library) {
+  if (job.output.background != kPhotoBackground || library.has_surroundings()) return;
+  throw InputError(job.path + ": output.background: found \"" + kPhotoBackground + "\", but no drawing in " +
+                   library.path() +
+                   " knows the photo that it was cut out of; needed: a library of tessera texture or " +
+                   "tessera library extract, made by this version or a later one");
+}
+
 LibraryView library_of(Job& job) {
   LibraryView library = open_library_of(job);
+  check_photo_background(job, library);
   resolve_wishes(library, job);
   add_start_pieces(library, job);
   return library;

@@ -30,11 +30,12 @@ std::string standing_warning_of(const CanvasProblem& problem) {
   constexpr LibraryParts kOutlines{.outline = true, .field = false, .levels = 0, .artwork = false};
   std::map<ShapeId, Shape> read;
   const std::size_t rows = rows_of(problem.job(), "given").size();
-  return standing_warning(problem.settings(), rows, problem.canvas(), [&](ShapeId id) -> const Shape& {
-    const auto [at, is_new] = read.try_emplace(id);
-    if (is_new) at->second = std::move(problem.library().read(index_of(id), index_of(id) + 1, kOutlines).front());
-    return at->second;
-  });
+  return standing_warning(
+      problem.settings(), rows, problem.job().start.keep, problem.canvas(), [&](ShapeId id) -> const Shape& {
+        const auto [at, is_new] = read.try_emplace(id);
+        if (is_new) at->second = std::move(problem.library().read(index_of(id), index_of(id) + 1, kOutlines).front());
+        return at->second;
+      });
 }
 
 std::string unable_library_warning_of(const CollageArguments& arguments, const CanvasProblem& problem) {

@@ -19,7 +19,8 @@ namespace test_damaged_library {
 using test::RandomShape;
 using test::ScratchFolder;
 
-const LibraryParts kEverything{.outline = true, .field = true, .levels = ~0u, .artwork = true, .original = true};
+const LibraryParts kEverything{
+    .outline = true, .field = true, .levels = ~0u, .artwork = true, .original = true, .surroundings = true};
 
 class DamagedLibrary : public testing::Test {
  protected:

@@ -28,7 +28,8 @@ namespace test_hostile_library {
 
 using test::ScratchFolder;
 
-const LibraryParts kEverything{.outline = true, .field = true, .levels = ~0u, .artwork = true, .original = true};
+const LibraryParts kEverything{
+    .outline = true, .field = true, .levels = ~0u, .artwork = true, .original = true, .surroundings = true};
 
 std::vector<std::uint8_t> small_png(int side_px) {
   const std::vector<std::uint8_t> png =

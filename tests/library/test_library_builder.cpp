@@ -29,7 +29,8 @@ using test::RandomShape;
 using test::ScratchFolder;
 
 const BuildProgress kSilent = [](std::size_t, std::size_t) {};
-const LibraryParts kEverything{.outline = true, .field = true, .levels = ~0u, .artwork = true, .original = true};
+const LibraryParts kEverything{
+    .outline = true, .field = true, .levels = ~0u, .artwork = true, .original = true, .surroundings = true};
 
 std::string bytes_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);

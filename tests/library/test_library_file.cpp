@@ -23,7 +23,8 @@ namespace test_library_file {
 using test::RandomShape;
 using test::ScratchFolder;
 
-const LibraryParts kEverything{.outline = true, .field = true, .levels = ~0u, .artwork = true, .original = true};
+const LibraryParts kEverything{
+    .outline = true, .field = true, .levels = ~0u, .artwork = true, .original = true, .surroundings = true};
 
 std::vector<Shape> random_shapes(std::uint64_t seed, int count, int pad_levels) {
   RandomShape random(seed, pad_levels);

@@ -22,7 +22,8 @@ using test::RandomShape;
 
 using Variants = std::vector<std::uint32_t>;
 
-const LibraryParts kEverything{.outline = true, .field = true, .levels = ~0u, .artwork = true, .original = true};
+const LibraryParts kEverything{
+    .outline = true, .field = true, .levels = ~0u, .artwork = true, .original = true, .surroundings = true};
 
 /// A shape whose silhouette follows from the seed.
 Shape make_shape(const std::string& name, std::uint64_t seed, float lightness = 50) {

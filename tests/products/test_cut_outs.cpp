@@ -12,7 +12,7 @@ namespace tessera {
 namespace test_cut_outs {
 
 const BuildProgress kSilent = [](std::size_t, std::size_t) {};
-const LibraryParts kEverything{.outline = true, .field = true, .levels = ~0u, .artwork = true, .original = true};
+const LibraryParts kEverything{.outline = true, .field = true, .levels = ~0u, .artwork = true, .original = true, .surroundings = true};
 
 /// Twelve discs on grey, which grow to the right and downwards.
 struct Pebbles {

@@ -166,8 +166,18 @@ RC_GTEST_PROP(TextureLayout, HoldsForAnyPhotoAndCanvas, ()) {
   }
   const Photo photo(truth);
   const cv::Size size(*rc::gen::inRange(16, 600), *rc::gen::inRange(16, 600));
-  for (const LaidElement& laid : texture_layout(photo.layout(), size, *rc::gen::arbitrary<std::uint64_t>()))
+  PhotoLayout layout = photo.layout();
+  layout.step_px = *rc::gen::inRange(1, 4);
+  const std::vector<LaidElement> all = texture_layout(layout, size, *rc::gen::arbitrary<std::uint64_t>());
+  double area = 0;
+  for (const LaidElement& laid : all) {
     RC_ASSERT(laid.element < photo.elements.size());
+    RC_ASSERT(laid.shift_px.x % layout.step_px == 0 && laid.shift_px.y % layout.step_px == 0);
+    area += photo.elements[laid.element].area_px2;
+  }
+  // A tenth of each element may lie on others; cells and steps are coarse.
+  const Canvas canvas(photo, all, size);
+  RC_ASSERT(area - cv::countNonZero(canvas.depth) <= 0.3 * area);
 }
 
 }  // namespace test_texture_layout

@@ -174,6 +174,8 @@ TEST(PhotoGround, ADamagedPhotoShowsNothing) {
   below.page = cv::Mat(10, 10, CV_8UC4, cv::Scalar(10, 20, 30, 255));
   below.size_px = {10, 10};
   EXPECT_EQ(sample.ground(below).page.at<cv::Vec4b>(50, 50), cv::Vec4b(10, 20, 30, 255));
+  const cv::Mat alone = sample.ground().page;
+  EXPECT_EQ(cv::countNonZero(alone.reshape(1)), 0) << "not black, where nothing lies below";
   sample.report.shapes[0].artwork.surroundings_margin_px = 100;  // more than the page holds
   EXPECT_NE(test::message_of([&] { sample.ground(below); }), "");
 }

@@ -286,17 +286,20 @@ TEST(CollageWarnings, PiecesThatStandBadlyAreTold) {
   take_out(distance_to({KeepOutRectangle{{200, 50}, {20, 20}}}, canvas), canvas);
   CollageSettings settings;
   settings.wishes.given = {piece(0), piece(10), piece(200)};
-  EXPECT_EQ(standing_warning(settings, 3, canvas, shape),
+  EXPECT_EQ(standing_warning(settings, 3, StartKeep::locked, canvas, shape),
             "of [[given]] 1 lies in a zone that pieces keep out of, the first is number 2, \"square\"; they stand as "
             "they are")
       << "elsewhere they may lie";
   settings.wishes.given = {piece(60), piece(100), piece(140), piece(300), piece(310), piece(390), piece(315)};
   EXPECT_EQ(
-      standing_warning(settings, 3, canvas, shape),
+      standing_warning(settings, 3, StartKeep::locked, canvas, shape),
       "of start.pieces 1 lies outside the canvas, the first is number 2, \"square\"; 2 lie on pieces before them, the "
       "first is number 1, \"square\"; they stand as they are");
+  EXPECT_EQ(standing_warning(settings, 3, StartKeep::standing, canvas, shape),
+            "of start.pieces 1 lies outside the canvas, the first is number 2, \"square\"; they stand as they are")
+      << "a command that lets pieces stand means their overlaps";
   settings.wishes.given.resize(4);
-  EXPECT_EQ(standing_warning(settings, 3, canvas, shape), "");
+  EXPECT_EQ(standing_warning(settings, 3, StartKeep::locked, canvas, shape), "");
 }
 
 }  // namespace test_collage_warnings

@@ -71,6 +71,9 @@ class OneAtATime : public ShapeLibrary {
   std::size_t size() const override {
     return locked([&] { return file_->size(); });
   }
+  bool has_surroundings() const override {
+    return locked([&] { return file_->has_surroundings(); });
+  }
   PadParameters pad_parameters() const override {
     return locked([&] { return file_->pad_parameters(); });
   }

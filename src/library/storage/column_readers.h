@@ -91,6 +91,7 @@ class SurroundingsReader {
  public:
   SurroundingsReader(hid_t file, const layout::Columns& columns);
   void read(const ShapeBatch& range) const;
+  std::uint64_t bytes() const { return png_ ? png_->bytes() : 0; }
   std::vector<const ColumnReader*> columns() const;
 
  private:

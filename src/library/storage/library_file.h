@@ -49,6 +49,7 @@ class LibraryFile : public ShapeLibrary {
   std::vector<std::uint32_t> variant_of() const override;
   /// Unknown in libraries of older versions.
   std::vector<StyleFeatures> styles() const override;
+  bool has_surroundings() const override;
   /// Each shape itself, because a file holds no mirror images.
   std::vector<std::uint32_t> drawings() const override;
   /// The heads of the shapes [begin, end). Throws as read().

@@ -151,10 +151,8 @@ std::vector<PartDigests> LibraryFile::State::read_batch(const ShapeBatch& range,
     if (parts.levels >> k & 1u) take(2 + k, levels[k].read(range, pad.levels));
   }
   if (parts.artwork) artwork.read(range);
-  if (parts.original) {
-    original.read(range, &Artwork::original);
-    surroundings.read(range);
-  }
+  if (parts.original) original.read(range, &Artwork::original);
+  if (parts.surroundings) surroundings.read(range);
   return found;
 }
 
@@ -267,6 +265,8 @@ std::vector<std::uint32_t> LibraryFile::variant_of() const {
 std::vector<StyleFeatures> LibraryFile::styles() const {
   return naming_the_file(path(), [&] { return state_->styles(0, size()); });
 }
+
+bool LibraryFile::has_surroundings() const { return state_->surroundings.bytes() > 0; }
 
 std::vector<std::uint32_t> LibraryFile::drawings() const {
   std::vector<std::uint32_t> own(size());

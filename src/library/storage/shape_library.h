@@ -19,7 +19,8 @@ struct LibraryParts {
   bool field = true;
   std::uint32_t levels = ~0u;  // bit k: smoothing level k
   bool artwork = true;         // path, geometry and thumbnail
-  bool original = false;       // the embedded files, and surroundings in photos
+  bool original = false;       // the embedded files
+  bool surroundings = false;   // what lies round drawings in their photos
 };
 
 class ShapeLibrary {
@@ -38,6 +39,8 @@ class ShapeLibrary {
   virtual std::vector<std::uint32_t> variant_of() const = 0;
   /// The style of each shape's drawing; unknown in libraries of older versions. Throws as read().
   virtual std::vector<StyleFeatures> styles() const = 0;
+  /// Whether any shape knows the photo that it was cut out of (Artwork::surroundings_png).
+  virtual bool has_surroundings() const = 0;
   /// The shape whose mirror image it is (the same drawing, mirrored), for each shape; mostly itself.
   virtual std::vector<std::uint32_t> drawings() const = 0;
   /// The shapes [begin, end). Throws InputError that names file and data set where the data are damaged.

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <utility>
 #include <variant>
 
 #include "artwork/images/png_encoder.h"
+#include "core/base/rank_pool.h"
+#include "library/storage/library_layout.h"
 #include "products/elements/element_surroundings.h"
 
 namespace tessera {
@@ -17,6 +20,24 @@ std::string number_text(std::size_t number, std::size_t count) {
   return std::string(std::to_string(count).size() - text.size(), '0') + text;
 }
 
+struct LabelledPhoto {
+  const cv::Mat& picture;
+  const cv::Mat& labels;
+  const std::vector<LabelRole>& roles;
+};
+
+/// Adds surroundings with that margin, or a smaller one where a library could not hold them; none of a huge element.
+void add_surroundings(const LabelledPhoto& photo, const PhotoElement& element, int margin_px, CutOut& cut_out) {
+  for (int margin = margin_px; margin > 0; margin /= 2) {
+    std::vector<std::uint8_t> png =
+        png_of(element_surroundings(photo.picture, photo.labels, photo.roles, element, margin));
+    if (png.size() > layout::kMaxSurroundingsBytes) continue;
+    cut_out.surroundings_png = std::move(png);
+    cut_out.surroundings_margin_px = margin;
+    return;
+  }
+}
+
 }  // namespace
 
 std::vector<CutOut> cut_outs(const std::string& photo, const cv::Mat& picture, const LabelRuns& labels,
@@ -24,12 +45,14 @@ std::vector<CutOut> cut_outs(const std::string& photo, const cv::Mat& picture, c
   const std::string first = photo + "/" + std::filesystem::path(photo).stem().string() + "_";
   const cv::Mat map = labels.labels();
   const int margin_px = surroundings_margin_px(elements);
-  std::vector<CutOut> result;
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    const std::string path = first + number_text(i + 1, elements.size()) + ".png";
-    result.push_back({path, photo, png_of(cut_element(picture, labels, elements[i])),
-                      png_of(element_surroundings(picture, map, roles, elements[i], margin_px)), margin_px});
-  }
+  std::vector<CutOut> result(elements.size());
+  parallel_for(elements.size(), [&](std::size_t i) {
+    CutOut& cut_out = result[i];
+    cut_out.path = first + number_text(i + 1, elements.size()) + ".png";
+    cut_out.photo = photo;
+    cut_out.png = png_of(cut_element(picture, labels, elements[i]));
+    add_surroundings({picture, map, roles}, elements[i], margin_px, cut_out);
+  });
   return result;
 }
 

@@ -62,10 +62,23 @@ struct FoundMaps {
 
 bool any_of(const std::vector<bool>& marks) { return std::find(marks.begin(), marks.end(), true) != marks.end(); }
 
+/// The median of the sides of all regions, px; 0: there are none.
+double median_side_px(const cv::Mat& labels) {
+  std::vector<double> sides;
+  for (const RegionBox& region : region_boxes(labels)) {
+    if (region.area_px2 > 0) sides.push_back(std::sqrt(region.area_px2));
+  }
+  if (sides.empty()) return 0;
+  const auto middle = sides.begin() + std::ptrdiff_t(sides.size() / 2);
+  std::nth_element(sides.begin(), middle, sides.end());
+  return *middle;
+}
+
 /// How many times the photo is enlarged, where its elements are so wide and its pixels so many.
 int enlargement(const ExtractionSettings& settings, double element_px, const cv::Mat& picture) {
   if (settings.enlarged_element_px == 0 || element_px == 0) return settings.enlarged;
-  const int possible = int(std::sqrt(kMaxImagePixels / (double(picture.cols) * picture.rows)));
+  const double pixels = std::min(double(kMaxImagePixels), settings.most_enlarged_px2);
+  const int possible = int(std::sqrt(pixels / (double(picture.cols) * picture.rows)));
   const int most = std::max(1, std::min({settings.most_enlarged, possible, kMostEnlarged}));
   return std::clamp(int(std::ceil(settings.enlarged_element_px / element_px)), 1, most);
 }
@@ -80,7 +93,7 @@ FoundMaps found_maps(const PhotoFile& photo, const ExtractionSettings& settings,
     const cv::Mat picture = decoded(photo, settings.enlarged, drawers);
     maps.apart = elements_on_plain_ground(picture);
     element_px = has_size || maps.apart ? settings.element_px : found_element_px(picture) / settings.enlarged;
-    maps.enlarged = enlargement(settings, element_px, picture);
+    maps.enlarged = enlargement(settings, maps.apart ? median_side_px(*maps.apart) : element_px, picture);
     if (!maps.apart && element_px == 0) {
       throw InputError(
           photo.path +
@@ -157,8 +170,9 @@ Extraction extract_elements(const std::string& photo, const ExtractionSettings& 
   FoundMaps maps;
   maps.enlarged = settings.enlarged;
   if (searches) maps = found_maps(file, settings, drawers);
-  const int times = maps.enlarged;
   const cv::Mat given = searches ? cv::Mat() : given_labels(settings.labels, drawers);
+  if (!searches) maps.enlarged = enlargement(settings, median_side_px(given), given);
+  const int times = maps.enlarged;
   const cv::Mat picture = decoded(file, times, drawers);
   file.bytes = {};
   Extraction extraction;

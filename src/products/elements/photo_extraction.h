@@ -27,12 +27,13 @@ struct ExtractionSettings {
   ElementSizes sizes;
   // factor, 1 to kMostEnlarged, by which the photo is enlarged before it is searched, cut up and shown
   int enlarged = 1;
-  // where not 0: enlarged so far, at most `most_enlarged` times, that the searched elements are so wide, px
+  // where not 0: enlarged so far, at most `most_enlarged` times, that elements are so wide, px
   double enlarged_element_px = 0;
   int most_enlarged = kMostEnlarged;
-  std::string labels;          // path of a label map from another program, used instead of a search; empty: none
-  bool with_overview = false;  // also make the picture of what was found
-  int ground_px = 0;           // side of the picture of the ground; 0: none
+  double most_enlarged_px2 = 1e9;  // of the enlarged photo
+  std::string labels;              // path of a label map from another program, used instead of a search; empty: none
+  bool with_overview = false;      // also make the picture of what was found
+  int ground_px = 0;               // side of the picture of the ground; 0: none
 };
 
 struct Extraction {

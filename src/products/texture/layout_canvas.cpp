@@ -13,6 +13,8 @@ constexpr double kMostOverlapped = 0.1;
 /// Holes narrower than this are slits, which the ground fills.
 constexpr int kSlit_cells = 3;
 
+int whole_steps(double px, int step_px) { return step_px * int(std::lround(px / step_px)); }
+
 int positive_rest(int value, int period) { return ((value % period) + period) % period; }
 
 }  // namespace
@@ -83,7 +85,8 @@ void LayoutCanvas::lay(const Patch& patch) {
   std::vector<std::pair<double, std::size_t>> elements;
   for (std::size_t i = 0; i < photo_->elements.size(); ++i) {
     const CellElement& element = photo_->elements[i];
-    if (element.area > 0 && has_middle_in(patch, element))
+    const bool fits = element.mask.cols <= above_.cols && element.mask.rows <= above_.rows;
+    if (fits && element.area > 0 && has_middle_in(patch, element))
       elements.emplace_back(double(overlap(i, patch.shift())) / element.area, i);
   }
   std::sort(elements.begin(), elements.end());
@@ -179,10 +182,13 @@ std::vector<cv::Point> LayoutCanvas::wide_holes() const {
   return holes;
 }
 
-std::vector<LaidElement> LayoutCanvas::laid() const {
+std::vector<LaidElement> LayoutCanvas::laid(int step_px) const {
   std::vector<LaidElement> all;
   for (const Instance& instance : laid_) {
-    if (instance.stands) all.push_back({instance.element, instance.shift * photo_->cell_px});
+    if (!instance.stands) continue;
+    all.push_back({instance.element,
+                   {whole_steps(instance.shift.x * photo_->cell_px.width, step_px),
+                    whole_steps(instance.shift.y * photo_->cell_px.height, step_px)}});
   }
   return all;
 }

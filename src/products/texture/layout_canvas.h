@@ -59,8 +59,8 @@ class LayoutCanvas {
 
   /// A cell of each hole that is wider than a slit.
   std::vector<cv::Point> wide_holes() const;
-  /// The elements in the order in which they were laid.
-  std::vector<LaidElement> laid() const;
+  /// The elements in the order in which they were laid, moved by multiples of a step.
+  std::vector<LaidElement> laid(int step_px) const;
 
  private:
   struct Instance {

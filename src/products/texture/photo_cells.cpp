@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <opencv2/imgproc.hpp>
 
+#include "products/texture/element_pitch.h"
+
 namespace tessera {
 namespace {
 
@@ -18,6 +20,11 @@ double mean_side_px(const std::vector<PhotoElement>& elements) {
   double area_px2 = 0;
   for (const PhotoElement& element : elements) area_px2 += element.area_px2;
   return std::sqrt(area_px2 / double(elements.size()));
+}
+
+/// A part of the pitch, about as large as a cell; the cell where there is no pitch.
+double divided(double pitch_px, double cell_px) {
+  return pitch_px == 0 ? cell_px : pitch_px / std::max(1., std::round(pitch_px / cell_px));
 }
 
 /// What the cells of each label show.
@@ -85,7 +92,9 @@ cv::Mat rooms_of(const cv::Mat& cells, int joint) {
 }
 
 CellElement cell_element(const PhotoCells& photo, const cv::Rect& box_px, int value, int joint) {
-  const auto cell_of = [&](cv::Point px) { return cv::Point(px.x / photo.cell_px, px.y / photo.cell_px); };
+  const auto cell_of = [&](cv::Point px) {
+    return cv::Point(int(px.x / photo.cell_px.width), int(px.y / photo.cell_px.height));
+  };
   const cv::Point more(joint, joint);
   const cv::Rect box = cv::Rect(cell_of(box_px.tl()) - more, cell_of(box_px.br()) + cv::Point(1, 1) + more) &
                        cv::Rect({}, photo.cells.size());
@@ -100,18 +109,19 @@ CellElement cell_element(const PhotoCells& photo, const cv::Rect& box_px, int va
 
 PhotoCells photo_cells(const PhotoLayout& photo) {
   const std::vector<int> values = values_of_labels(photo);
-  const double side_px = mean_side_px(photo.elements);
+  const double side_px = mean_side_px(photo.elements), cell_px = std::max(1., side_px / kCellsOfElement);
+  const cv::Size2d pitch_px = element_pitch_px(photo.labels, side_px);
   PhotoCells result;
-  const double steps = side_px / kCellsOfElement / photo.step_px;
-  const int cell_px = result.cell_px = photo.step_px * std::max(1, int(std::lround(steps)));
-  result.element_side = side_px / cell_px;
-  const cv::Size size = photo.labels.size();
-  result.cells.create(std::max(1, size.height / cell_px), std::max(1, size.width / cell_px), CV_32S);
+  result.cell_px = {divided(pitch_px.width, cell_px), divided(pitch_px.height, cell_px)};
+  result.element_side = side_px / std::sqrt(result.cell_px.area());
   const cv::Mat labels = photo.labels.labels();
+  result.cells.create(std::max(1, int(labels.rows / result.cell_px.height)),
+                      std::max(1, int(labels.cols / result.cell_px.width)), CV_32S);
   for (int y = 0; y < result.cells.rows; ++y) {
-    const int* row = labels.ptr<int>(std::min(y * cell_px + cell_px / 2, labels.rows - 1));
+    const int* row = labels.ptr<int>(std::min(int((y + 0.5) * result.cell_px.height), labels.rows - 1));
     for (int x = 0; x < result.cells.cols; ++x)
-      result.cells.at<int>(y, x) = values[std::size_t(row[std::min(x * cell_px + cell_px / 2, labels.cols - 1)])];
+      result.cells.at<int>(y, x) =
+          values[std::size_t(row[std::min(int((x + 0.5) * result.cell_px.width), labels.cols - 1)])];
   }
   result.ground_part = ground_part_of(result.cells, result.element_side);
   const int joint = joint_cells(result.cells);

@@ -26,7 +26,7 @@ inline constexpr std::uint8_t kElementCell = 2;
 inline constexpr std::uint8_t kRoomCell = 1;
 
 struct PhotoCells {
-  int cell_px = 1;
+  cv::Size2d cell_px;       // a whole number of them for each pitch of rows or columns
   double element_side = 0;  // of a mean element, cells
   cv::Mat cells;            // CV_32S
   cv::Mat rooms;            // CV_32S: of ground in the joint round an element: the element's index, plus 1; else 0

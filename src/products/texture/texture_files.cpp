@@ -7,12 +7,14 @@
 #include <span>
 #include <utility>
 
+#include "artwork/images/image_decoding.h"
 #include "core/base/error.h"
 #include "core/base/rank_pool.h"
 #include "files/atomic_file.h"
-#include "job/path_in_job.h"
+#include "job/job_keys.h"
 #include "library/library_builder.h"
 #include "library/library_view.h"
+#include "products/texture/element_pitch.h"
 #include "products/texture/texture_layout.h"
 #include "products/texture/texture_pieces.h"
 
@@ -23,8 +25,10 @@ namespace fs = std::filesystem;
 
 /// The least side of elements for good outlines, canvas px. Photos with smaller ones are enlarged.
 constexpr double kLeastElement_px = 40;
-/// The sides of the canvas that are possible.
+/// The longest side of a canvas.
 constexpr int kMostCanvasSide_px = 20'000;
+/// Sides of the texture for one of the photo, where nobody gave a size.
+constexpr double kSides = 2;
 constexpr int kGroundSide_px = 512;
 /// How much more often than the mean an element may come.
 constexpr double kMostByMean = 2;
@@ -42,8 +46,13 @@ Extraction extracted(const TextureRequest& request, Drawers& drawers) {
   settings.element_px = request.element_px;
   settings.labels = request.labels;
   settings.enlarged_element_px = kLeastElement_px;
-  if (!request.size_px.empty())
-    settings.most_enlarged = kMostCanvasSide_px / std::max(request.size_px.width, request.size_px.height);
+  // The canvas, which is enlarged, too, must not become too large for a job.
+  settings.most_enlarged_px2 = kMaxCanvas_px2 / ((kSides + 0.1) * (kSides + 0.1));
+  if (const cv::Size size = request.size_px; !size.empty()) {
+    const double by_area = std::sqrt(kMaxCanvas_px2 / (double(size.width) * size.height));
+    settings.most_enlarged = std::min(int(by_area), kMostCanvasSide_px / std::max(size.width, size.height));
+    settings.most_enlarged_px2 = kMaxImagePixels;
+  }
   settings.ground_px = kGroundSide_px;
   Extraction extraction = extract_elements(request.photo, settings, drawers);
   if (!extraction.cut_outs.empty()) return extraction;
@@ -89,12 +98,17 @@ std::vector<ElementShape> element_shapes(const Extraction& extraction, const std
   return shapes;
 }
 
-cv::Size texture_size(const TextureRequest& request, cv::Size enlarged_photo, int enlarged) {
+cv::Size texture_size(const TextureRequest& request, cv::Size enlarged_photo, int enlarged, cv::Size2d pitch_px) {
   if (!request.size_px.empty()) return request.size_px;
-  constexpr int kLeastSide_px = 16;
   const cv::Size photo(enlarged_photo.width / enlarged, enlarged_photo.height / enlarged);
-  const double scale = std::min(2., double(kMostTextureSide_px) / std::max(photo.width, photo.height));
-  return {std::max(kLeastSide_px, int(photo.width * scale)), std::max(kLeastSide_px, int(photo.height * scale))};
+  const double scale = std::min(kSides, double(kMostTextureSide_px) / std::max(photo.width, photo.height));
+  const auto side = [&](int side_px, double pitch_px) {
+    // A whole number of rows fits together at the seam.
+    const double wanted = side_px * scale, pitch = pitch_px / enlarged;
+    return std::max(kLeastTextureSide_px,
+                    int(std::lround(pitch > 0 ? pitch * std::max(1., std::round(wanted / pitch)) : wanted)));
+  };
+  return {side(photo.width, pitch_px.width), side(photo.height, pitch_px.height)};
 }
 
 std::vector<LaidElement> layout_of(const Extraction& extraction, const std::vector<ElementShape>& shapes,
@@ -121,8 +135,8 @@ TexturePlan plan_of(const TextureRequest& request, const Extraction& extraction)
   const cv::Size photo = extraction.labels->size();
   TexturePlan plan;
   plan.enlarged = extraction.enlarged;
-  plan.texture_px = texture_size(request, photo, plan.enlarged);
   plan.element_px = median_side_px(extraction.found.elements);
+  plan.texture_px = texture_size(request, photo, plan.enlarged, element_pitch_px(*extraction.labels, plan.element_px));
   // Some elements come more often than others, and some more for the gaps.
   const double copies = double(plan.texture_px.area()) * plan.enlarged * plan.enlarged / photo.area();
   plan.uses = int(std::ceil(kMostByMean * copies)) + 1;
@@ -142,13 +156,13 @@ TextureDraft draft_texture(const TextureRequest& request, Drawers& drawers) {
   return draft;
 }
 
-std::size_t write_texture_files(const TextureRequest& request, const TextureDraft& draft, Drawers& drawers) {
+std::size_t write_texture_files(const TextureRequest& request, const TextureDraft& draft, cv::Size canvas_px,
+                                Drawers& drawers) {
   const Extraction& extraction = draft.extraction;
   const std::string library = texture_library_path(request.job);
   build(extraction, library, drawers);
   if (!extraction.ground_png.empty()) write_file_atomically(texture_ground_path(request.job), extraction.ground_png);
   const std::vector<ElementShape> shapes = element_shapes(extraction, library);
-  const cv::Size canvas_px = draft.plan.texture_px * draft.plan.enlarged;
   const std::vector<LaidElement> layout = layout_of(extraction, shapes, canvas_px);
   write_file_atomically(texture_layout_path(request.job), texture_pieces(layout, shapes, canvas_px));
   return layout.size();

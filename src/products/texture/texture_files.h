@@ -19,8 +19,9 @@ struct TextureRequest {
   std::string labels;     // a label map of the photo, instead of a search; empty: none
 };
 
-/// Longest side of a texture whose size nobody gave.
+/// Longest side of a texture whose size nobody gave, and the shortest side of any.
 inline constexpr int kMostTextureSide_px = 4096;
+inline constexpr int kLeastTextureSide_px = 64;
 
 /// What is known before anything is written.
 struct TextureDraft {
@@ -37,8 +38,9 @@ std::string texture_ground_path(const std::string& job);
 /// Finds the elements and plans the texture. Throws InputError where the photo cannot be used or shows no whole element.
 TextureDraft draft_texture(const TextureRequest& request, Drawers& drawers);
 
-/// Writes the files beside the job, each whole or not at all. Returns the number of pieces that the texture begins with. Throws InputError where no element has a usable
+/// Writes the files beside the job, each whole or not at all. `canvas_px`: that of the job. Returns the number of pieces that the texture begins with. Throws InputError where no element has a usable
 /// silhouette, EnvironmentError.
-std::size_t write_texture_files(const TextureRequest& request, const TextureDraft& draft, Drawers& drawers);
+std::size_t write_texture_files(const TextureRequest& request, const TextureDraft& draft, cv::Size canvas_px,
+                                Drawers& drawers);
 
 }  // namespace tessera

@@ -62,7 +62,7 @@ class LayoutQuilt {
     }
   }
 
-  std::vector<LaidElement> laid() const { return canvas_.laid(); }
+  std::vector<LaidElement> laid(int step_px) const { return canvas_.laid(step_px); }
 
  private:
   /// Where patches begin on this side of the canvas.
@@ -112,11 +112,12 @@ class LayoutQuilt {
 std::vector<LaidElement> texture_layout(const PhotoLayout& photo, cv::Size canvas_px, std::uint64_t seed) {
   if (photo.elements.empty()) return {};
   const PhotoCells cells = photo_cells(photo);
-  const auto in_cells = [&](int px) { return std::max(1, int(std::lround(double(px) / cells.cell_px))); };
-  LayoutQuilt quilt(cells, {in_cells(canvas_px.width), in_cells(canvas_px.height)}, seed);
+  const auto in_cells = [&](int px, double cell_px) { return std::max(1, int(std::lround(px / cell_px))); };
+  const cv::Size size(in_cells(canvas_px.width, cells.cell_px.width), in_cells(canvas_px.height, cells.cell_px.height));
+  LayoutQuilt quilt(cells, size, seed);
   quilt.lay_all();
   quilt.mend_holes();
-  return quilt.laid();
+  return quilt.laid(photo.step_px);
 }
 
 }  // namespace tessera

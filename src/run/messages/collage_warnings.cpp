@@ -127,20 +127,21 @@ std::string used_up_warning(const PieceSettings& pieces, bool drawn_sizes, const
          "pieces.fit = \"all\"; so would more uses (pieces.uses)";
 }
 
-std::string standing_warning(const CollageSettings& collage, std::size_t first_of_start, const Canvas& canvas,
-                             const std::function<const Shape&(ShapeId)>& shape) {
+std::string standing_warning(const CollageSettings& collage, std::size_t first_of_start, StartKeep keep,
+                             const Canvas& canvas, const std::function<const Shape&(ShapeId)>& shape) {
   const std::vector<GivenPiece>& pieces = collage.wishes.given;
   const auto name = [&](std::size_t piece) { return shape(pieces[piece].shape).name; };
   const PieceSettings& settings = collage.pieces;
   const GivenPieceCheck found =
       check_given_pieces(canvas, pieces, settings.padding_px > 0 ? 0 : settings.overlap_px, shape);
+  const std::size_t end_of_overlaps = keep == StartKeep::standing ? first_of_start : pieces.size();
   const char* in_a_zone = "in a zone that pieces keep out of";
   const std::string given = misplaced_text(found.kept_out, 0, first_of_start, in_a_zone, name);
   std::string start;
   for (const std::string& part :
        {misplaced_text(found.kept_out, first_of_start, pieces.size(), in_a_zone, name),
         misplaced_text(found.outside, first_of_start, pieces.size(), "outside the canvas", name),
-        misplaced_text(found.overlapping, first_of_start, pieces.size(), "on pieces before them", name)}) {
+        misplaced_text(found.overlapping, first_of_start, end_of_overlaps, "on pieces before them", name)}) {
     if (!part.empty()) start += (start.empty() ? "" : "; ") + part;
   }
   std::string text;

@@ -31,8 +31,9 @@ std::string empty_result_warning(const std::string& folder, const WrittenKeys& k
 std::string incomplete_warning(const std::string& folder, const ResultManifest& manifest);
 
 /// Names pieces that stand from the start and lie in zones; and pieces of start.pieces that lie outside the canvas or on
-/// others. The first `rows` given pieces are those of [[given]]. `shape(id)` gives library shapes with their outlines.
-std::string standing_warning(const CollageSettings& settings, std::size_t rows, const Canvas& canvas,
+/// others; but not the latter where `keep` is standing, as commands write that for layouts that may overlap. The first
+/// `rows` given pieces are those of [[given]]. `shape(id)` gives library shapes with their outlines.
+std::string standing_warning(const CollageSettings& settings, std::size_t rows, StartKeep keep, const Canvas& canvas,
                              const std::function<const Shape&(ShapeId)>& shape);
 
 /// Warns that the library was used up while much of the canvas is free, and names the sizes that would fill it. With drawn

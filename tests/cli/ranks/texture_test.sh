@@ -43,6 +43,11 @@ grep -qx 'tiles_texture.toml: you have changed it, so it is kept; --job FILE.tom
   fail "does not say that a changed job is kept"
 grep -qx 'next: tessera collage tiles_texture.toml' output || fail "does not say what to type next"
 grep -qx '# mine' tiles_texture.toml || fail "a changed job is replaced"
+run 2 texture tiles.jpg --element-px 160 --size 640,600 --job-only
+expect_word 'tiles_texture.toml: you have changed it, and its canvas.size_px is [800, 600], with this --size it is [640, 600]'
+sed -i 's/size_px = .*/size_px = [400, 300]/' tiles_texture.toml
+run 0 texture tiles.jpg --element-px 160 --job-only
+grep -qE '^tiles_texture_layout.geojson: [0-9]+ pieces on 400 x 300 px$' output || fail "not laid on the canvas of the job"
 run 0 texture tiles.jpg --element-px 160 --size 200,100 --job-only --job small.toml --quiet
 [[ ! -s output ]] || fail "--quiet prints"
 [[ -s small.toml && -s small.h5 && ! -e out/small ]] || fail "--job names no files, or --job-only runs"
@@ -57,8 +62,10 @@ run 2 texture tiles.jpg --job foreign.toml
 expect_word 'foreign.h5: exists and was not made by tessera texture; give another name with --job'
 run 2 texture none.jpg
 expect_word 'none.jpg: '
-run 2 texture tiles.jpg --size 0,100
+run 2 texture tiles.jpg --size 63,100
 expect_word '--size'
+run 2 texture tiles.jpg --size 20000,10000
+expect_word '--size: found 20000,10000, allowed: at most 100 million px'
 run 2 texture tiles.jpg --element-px 160 --size 200,100 --job wrong.toml --set pieces.uses=none
 [[ ! -e wrong.toml ]] || fail "a mistake in --set leaves a job"
 rsvg-convert -w 100 -h 100 <<<"<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'/>" -b '#fff' -o empty.png
@@ -72,5 +79,6 @@ echo "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'><circle cx='4
 run 0 library build disc.svg -o disc.h5
 printf '[library]\nfile = "disc.h5"\n[canvas]\nsize_px = [100, 100]\n[pieces]\nscale_px = 30\n' >disc.toml
 run 2 collage disc.toml --set output.background=photo --set quality=draft
-expect_word 'output.background: found "photo", but no piece knows the photo round it'
+expect_word 'output.background: found "photo", but no drawing in'
+[[ ! -e out/disc/pieces.geojson ]] || fail "finds out only after the run"
 echo "ok others"
