@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
 #include <random>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "core/base/rank_pool.h"
 #include "products/texture/layout_canvas.h"
@@ -22,6 +26,10 @@ constexpr double kOverlap = 1. / 3;
 constexpr double kTolerance = 1.1;
 /// The number of times that the surroundings of all holes are laid anew.
 constexpr int kSweeps = 30;
+
+/// So many of the best patches are compared with those that lie up to so many cells beside them.
+constexpr std::size_t kRefined = 8;
+constexpr int kBeside_cells = 2;
 
 struct Search {
   std::size_t most_candidates;
@@ -84,20 +92,51 @@ class LayoutQuilt {
 
   Patch chosen(cv::Point corner, int side, const Search& search) {
     const CanvasPart part = canvas_.part({corner, cv::Size(side, side)});
-    const std::vector<Patch> all = candidates(corner, side, search.most_candidates);
-    std::vector<double> costs(all.size());
-    constexpr std::size_t kAtOnce = 100;
-    parallel_for((all.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t chunk) {
-      PatchCost cost(photo_, canvas_, search.use_cost);
-      for (std::size_t i = chunk * kAtOnce; i < std::min(all.size(), (chunk + 1) * kAtOnce); ++i)
-        costs[i] = cost(all[i], part);
-    });
+    std::vector<Patch> all = candidates(corner, side, search.most_candidates);
+    std::vector<double> costs = costs_of(all, part, search);
+    const std::vector<Patch> beside = beside_best(all, costs);
+    const std::vector<double> more = costs_of(beside, part, search);
+    all.insert(all.end(), beside.begin(), beside.end());
+    costs.insert(costs.end(), more.begin(), more.end());
     const double best = *std::min_element(costs.begin(), costs.end());
     std::vector<std::size_t> good;
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (costs[i] <= best * kTolerance) good.push_back(i);
     }
     return all[good[random_() % good.size()]];
+  }
+
+  std::vector<double> costs_of(const std::vector<Patch>& patches, const CanvasPart& part, const Search& search) const {
+    std::vector<double> costs(patches.size());
+    constexpr std::size_t kAtOnce = 100;
+    parallel_for((patches.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t chunk) {
+      PatchCost cost(photo_, canvas_, search.use_cost);
+      for (std::size_t i = chunk * kAtOnce; i < std::min(patches.size(), (chunk + 1) * kAtOnce); ++i)
+        costs[i] = cost(patches[i], part);
+    });
+    return costs;
+  }
+
+  /// The patches some cells beside the best ones, as not all were compared.
+  std::vector<Patch> beside_best(const std::vector<Patch>& patches, const std::vector<double>& costs) const {
+    std::vector<std::size_t> order(patches.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    const std::size_t count = std::min(kRefined, order.size());
+    std::partial_sort(order.begin(), order.begin() + std::ptrdiff_t(count), order.end(),
+                      [&](std::size_t a, std::size_t b) { return std::tie(costs[a], a) < std::tie(costs[b], b); });
+    const cv::Rect places(0, 0, photo_.cells.cols - patches.front().side + 1,
+                          photo_.cells.rows - patches.front().side + 1);
+    std::vector<Patch> beside;
+    for (std::size_t i = 0; i < count; ++i) {
+      for (int dy = -kBeside_cells; dy <= kBeside_cells; ++dy) {
+        for (int dx = -kBeside_cells; dx <= kBeside_cells; ++dx) {
+          Patch patch = patches[order[i]];
+          patch.from += cv::Point(dx, dy);
+          if ((dx != 0 || dy != 0) && places.contains(patch.from)) beside.push_back(patch);
+        }
+      }
+    }
+    return beside;
   }
 
   const PhotoCells& photo_;
