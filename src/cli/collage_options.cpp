@@ -24,7 +24,7 @@ std::string older_stays(const CollageArguments& arguments) {
 }  // namespace
 
 void add_collage_options(CLI::App& command, CollageArguments& arguments, const std::string& default_out) {
-  command.add_option("--out", arguments.out, "Folder for the result; default: " + default_out)->type_name("DIR");
+  command.add_option("-o,--out", arguments.out, "Folder for the result; default: " + default_out)->type_name("DIR");
   command.add_option("--set", arguments.overrides, "Use this value instead of the job file's; may be repeated")
       ->type_name("SECTION.KEY=VALUE")
       ->allow_extra_args(false)

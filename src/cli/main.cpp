@@ -23,6 +23,7 @@ void add_commands(CLI::App& app, Command& selected) {
       "  tessera keys pieces                              the keys of a job's table [pieces]\n"
       "  mpirun -n 3 tessera collage my_job.toml          the same on a master and two workers\n"
       "  tessera mosaic my_photo.jpg my.h5                a picture made of it: the job and the collage\n"
+      "  tessera texture my_wall.jpg                      a larger wall without seams\n"
       "  tessera puzzle solve pieces.h5 --size 600,400    a jigsaw's pieces laid together\n"
       "  tessera nest parts.svg --strip 600               shapes of fixed sizes on the shortest strip\n"
       "  tessera refine out/my_job --relax                less room between its pieces: out/my_job-relaxed\n"

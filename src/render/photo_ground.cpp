@@ -32,6 +32,8 @@ constexpr double kMostPixels = 64e6;
 /// that count for it.
 constexpr int kSquare_px = 1024;
 constexpr int kMostReach_px = 512;
+/// Each takes up to 100 MB while it is drawn.
+constexpr std::size_t kSquaresAtOnce = 8;
 /// The least alpha of a place that shows ground, and of one that shows anything: between those of the kinds
 /// (kOtherElementAlpha), because edges are mixed.
 constexpr int kGroundAlpha = 192, kAnyAlpha = 96;
@@ -363,13 +365,16 @@ GroundTile photo_ground(const CollageReport& report, const GroundTile& below, Dr
   GroundTile tile;
   tile.page = page_below(below, report, size);
   const std::vector<cv::Rect> squares = squares_of(size);
-  parallel_for(squares.size(), [&](std::size_t i) {
-    stop.check();
-    const cv::Mat drawn = photo.drawn(squares[i]);
-    cv::Mat mask;
-    cv::extractChannel(drawn, mask, 3);
-    drawn.copyTo(tile.page(squares[i]), mask);
-  });
+  for (std::size_t first = 0; first < squares.size(); first += kSquaresAtOnce) {
+    parallel_for(std::min(kSquaresAtOnce, squares.size() - first), [&](std::size_t i) {
+      stop.check();
+      const cv::Rect& square = squares[first + i];
+      const cv::Mat drawn = photo.drawn(square);
+      cv::Mat mask;
+      cv::extractChannel(drawn, mask, 3);
+      drawn.copyTo(tile.page(square), mask);
+    });
+  }
   fill_empty_places(tile.page);
   tile.size_px = cv::Size2d(report.canvas->width_px, report.canvas->height_px);
   tile.repeats = report.canvas->period.x_px > 0 && report.canvas->period.y_px > 0;
