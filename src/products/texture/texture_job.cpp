@@ -65,6 +65,9 @@ std::string texture_job(const TextureFiles& files, const TexturePlan& plan) {
                                "[objective]\n"
                                "repetition_exponent = 1.5\n"
                                "\n"
+                               "[colour]\n"
+                               "pieces = \"artwork\"  # also where all elements have one colour\n"
+                               "\n"
                                "[output]\n"
                                "width_px = " +
                                std::to_string(plan.texture_px.width) +

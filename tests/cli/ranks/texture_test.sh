@@ -74,6 +74,15 @@ expect_word 'empty.png: found no'
 [[ ! -e empty_texture.toml ]] || fail "a photo without elements leaves a job"
 echo "ok errors"
 
+# Discs of one colour keep it: no palette of silhouettes.
+echo "<svg xmlns='http://www.w3.org/2000/svg' width='200' height='160'><rect width='200' height='160' fill='#e8e8e8'/>
+  <circle cx='60' cy='60' r='30' fill='#783c1e'/><circle cx='140' cy='100' r='30' fill='#783c1e'/></svg>" |
+  rsvg-convert -o discs.png
+run 0 texture discs.png --size 400,320
+grep -qx 'pieces = "artwork"  # also where all elements have one colour' discs_texture.toml || fail "may recolour"
+grep -q '"colours"' out/discs_texture/manifest.json && fail "elements of one colour are recoloured"
+echo "ok colours"
+
 # Pieces of drawings that were not cut out of a photo have no photo round them.
 echo "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'><circle cx='4' cy='4' r='4'/></svg>" >disc.svg
 run 0 library build disc.svg -o disc.h5
