@@ -4,10 +4,12 @@
 #include <cmath>
 #include <cstdint>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 #include <vector>
 
 #include "artwork/alpha_regions.h"
 #include "artwork/images/page_pixels.h"
+#include "artwork/nearest_pixels.h"
 
 namespace tessera {
 namespace {
@@ -91,34 +93,6 @@ bool matters(const AlphaRegion& region, Kind kind) {
   return kind == Kind::shadow && region.most >= kHalf;
 }
 
-/// The nearest pixel of a mask to each pixel.
-class NearestPixels {
- public:
-  /// `mask`: CV_8U, 255 at its pixels.
-  NearestPixels(const cv::Mat& mask, const cv::Mat& alpha) : level_(std::size_t(cv::countNonZero(mask)) + 1, 0) {
-    if (level_.size() == 1) {
-      distance_px_ = cv::Mat(mask.size(), CV_32F, cv::Scalar(1e9));
-      label_ = cv::Mat::zeros(mask.size(), CV_32S);
-      return;
-    }
-    cv::distanceTransform(~mask, distance_px_, label_, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
-    for (int y = 0; y < mask.rows; ++y) {
-      for (int x = 0; x < mask.cols; ++x) {
-        if (mask.at<std::uint8_t>(y, x)) level_[std::size_t(label_.at<int>(y, x))] = alpha.at<std::uint8_t>(y, x);
-      }
-    }
-  }
-
-  double distance_px(int y, int x) const { return double(distance_px_.at<float>(y, x)); }
-  /// The alpha of the nearest pixel; 0 where the mask is empty.
-  int level(int y, int x) const { return level_[std::size_t(label_.at<int>(y, x))]; }
-
- private:
-  cv::Mat distance_px_;     // CV_32F
-  cv::Mat label_;           // CV_32S
-  std::vector<int> level_;  // by label
-};
-
 /// The regions of an alpha channel with their kinds.
 class RegionKinds {
  public:
@@ -190,20 +164,26 @@ PixelMasks sure_pixels(const cv::Mat& alpha, const RegionKinds& regions) {
 
 /// The coverage. On edges it rises like alpha, from what is left out on one side to what counts on the other.
 cv::Mat coverage_of(const cv::Mat& alpha, const RegionKinds& regions, const PixelMasks& sure, int unit_px) {
-  const NearestPixels opaque(sure.opaque, alpha), translucent(sure.translucent, alpha), left_out(sure.left_out, alpha);
+  const NearestPixels opaque(sure.opaque), translucent(sure.translucent), left_out(sure.left_out);
+  const auto level = [&](const NearestPixels& pixels, cv::Point at) {
+    const std::optional<cv::Point> nearest = pixels.nearest(at);
+    return nearest ? int(alpha.at<std::uint8_t>(*nearest)) : 0;
+  };
   const double reach_px = kEdgeWidth_px * unit_px;
   cv::Mat coverage = alpha.clone();
   for (int y = 0; y < alpha.rows; ++y) {
     for (int x = 0; x < alpha.cols; ++x) {
       if (!regions.is_edge(y, x)) continue;
       // Where both are near the lower level is used: between a wing and its body nothing is left out.
-      const double to_translucent_px = translucent.distance_px(y, x), to_opaque_px = opaque.distance_px(y, x);
+      const cv::Point at(x, y);
+      const double to_translucent_px = double(translucent.distance_px(at)),
+                   to_opaque_px = double(opaque.distance_px(at));
       const bool by_wing = to_translucent_px <= std::min(reach_px, to_opaque_px + 2 * unit_px);
       const bool by_shadow =
-          left_out.distance_px(y, x) <= reach_px && left_out.level(y, x) >= kPlainRegions.clear_alpha;
+          double(left_out.distance_px(at)) <= reach_px && level(left_out, at) >= kPlainRegions.clear_alpha;
       if (!by_wing && (!by_shadow || to_opaque_px > reach_px)) continue;
-      const int top = by_wing ? translucent.level(y, x) : opaque.level(y, x);
-      const int bottom = by_shadow ? std::min(left_out.level(y, x), top - 1) : 0;
+      const int top = level(by_wing ? translucent : opaque, at);
+      const int bottom = by_shadow ? std::min(level(left_out, at), top - 1) : 0;
       const double part = double(alpha.at<std::uint8_t>(y, x) - bottom) / (top - bottom);
       coverage.at<std::uint8_t>(y, x) = cv::saturate_cast<std::uint8_t>(255 * part);
     }

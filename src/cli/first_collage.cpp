@@ -2,14 +2,11 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <system_error>
 
 #include "cli/library/library_build_command.h"
-#include "comm/stop_signals.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "core/base/rank_pool.h"
-#include "files/atomic_file.h"
 #include "files/output_folder.h"
 #include "files/regular_file.h"
 #include "job/canvas/canvas_file.h"
@@ -17,6 +14,7 @@
 #include "job/path_in_job.h"
 #include "library/library_view.h"
 #include "products/first_collage/first_job.h"
+#include "run/job_output.h"
 #include "terminal/shell_word.h"
 #include "terminal/terminal.h"
 
@@ -28,7 +26,6 @@ namespace fs = std::filesystem;
 constexpr const char* kLibraryFolder = "out";
 /// Longest side of the box round the silhouette of --canvas.
 constexpr int kBox_px = 1200;
-constexpr std::size_t kMostJobBytes = std::size_t(1) << 20;
 
 /// The last part of the path; also for ".", "drawings/" and a path with "..".
 std::string name_of_source(const std::string& source) {
@@ -70,7 +67,7 @@ FirstCanvas canvas_of(const FirstCollageArguments& first, const std::string& job
 /// InputError where the file is another job, or where an option would change a job that is kept.
 bool keeps_changed_job(const FirstCollageArguments& first, const std::string& job) {
   if (!fs::exists(job)) return false;
-  const std::vector<std::uint8_t> bytes = read_regular_file(job, kMostJobBytes);
+  const std::vector<std::uint8_t> bytes = read_regular_file(job, kMaxJobBytes);
   const std::string text(bytes.begin(), bytes.end());
   if (is_unedited_first_job(text)) return false;
   if (!is_first_job(text)) {
@@ -83,20 +80,6 @@ bool keeps_changed_job(const FirstCollageArguments& first, const std::string& jo
                      "which writes another one");
   }
   return true;
-}
-
-/// Writes the job. Where an override of --set is wrong, a newly written job is removed again.
-void write_checked(const CollageArguments& collage, const std::string& text) {
-  const comm::StopDelay delay;
-  const bool is_new = !fs::exists(collage.job);
-  write_file_atomically(collage.job, text);
-  try {
-    load_job(collage.job, collage.overrides);
-  } catch (const InputError&) {
-    std::error_code ignored;
-    if (is_new) fs::remove(collage.job, ignored);
-    throw;
-  }
 }
 
 }  // namespace
@@ -117,7 +100,8 @@ void write_first_job(const FirstCollageArguments& first, const CollageArguments&
     return print_now();
   }
   const std::size_t shapes = LibraryView({.files = {library}, .names = {}}).size();
-  write_checked(collage, first_job(name_of_source(first.source), path_in_job(library, collage.job), shapes, canvas));
+  write_checked_job(collage,
+                    first_job(name_of_source(first.source), path_in_job(library, collage.job), shapes, canvas));
   if (collage.quiet) return;
   const FirstSizes sizes = first_sizes(canvas.area_px2, shapes);
   print_line("%s: %d x %d px%s, pieces of %g to %g px out of %s; change what you like in it, then: tessera collage %s",

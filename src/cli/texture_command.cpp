@@ -2,16 +2,13 @@
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "cli/collage_options.h"
 #include "cli/commands.h"
-#include "comm/stop_signals.h"
 #include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "core/base/rank_pool.h"
-#include "files/atomic_file.h"
 #include "files/regular_file.h"
 #include "job/job_file.h"
 #include "job/job_keys.h"
@@ -44,8 +41,6 @@ constexpr const char* kTextureExamples =
     "where they begin, wall_texture_ground.png what lies between them. If you change wall_texture.toml, it is kept.\n"
     "All else is as in tessera collage.";
 
-constexpr std::size_t kMostJobBytes = std::size_t(1) << 20;
-
 struct TextureArguments {
   TextureRequest request;
   CollageArguments collage;
@@ -68,28 +63,11 @@ bool keeps_changed_job(const TextureRequest& request) {
       throw InputError(path + ": exists and was not made by tessera texture; give another name with --job");
   }
   if (!has_job) return false;
-  const std::vector<std::uint8_t> bytes = read_regular_file(request.job, kMostJobBytes);
+  const std::vector<std::uint8_t> bytes = read_regular_file(request.job, kMaxJobBytes);
   const std::string text(bytes.begin(), bytes.end());
   if (is_unedited_texture_job(text)) return false;
   if (is_texture_job(text)) return true;
   throw InputError(request.job + ": exists and was not made by tessera texture; give another name with --job");
-}
-
-/// Writes the job. Where an override of --set is wrong, the file is again what it was.
-void write_checked(const TextureArguments& arguments, const std::string& text) {
-  const std::string& job = arguments.request.job;
-  const comm::StopDelay delay;
-  const bool is_new = !fs::exists(job);
-  const std::vector<std::uint8_t> before = is_new ? std::vector<std::uint8_t>() : read_regular_file(job, kMostJobBytes);
-  write_file_atomically(job, text);
-  try {
-    load_job(job, arguments.collage.overrides);
-  } catch (const InputError&) {
-    std::error_code ignored;
-    if (is_new) fs::remove(job, ignored);
-    if (!is_new) write_file_atomically(job, before);
-    throw;
-  }
 }
 
 /// The canvas of the job, which the user may have changed. Throws InputError where --size is another one.
@@ -122,7 +100,7 @@ void write_files(const TextureArguments& arguments) {
     print_now();
   }
   // The job comes first: it tells a later run whose the files beside it are.
-  if (!keeps_job) write_checked(arguments, draft.job);
+  if (!keeps_job) write_checked_job(arguments.collage, draft.job);
   const cv::Size canvas_px = canvas_of(arguments, draft.plan);
   const std::size_t laid = write_texture_files(request, draft, canvas_px, drawers);
   if (quiet) return;

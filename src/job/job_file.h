@@ -3,6 +3,7 @@
 // documentation all use it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -14,6 +15,9 @@
 #include "library/mirroring.h"
 
 namespace tessera {
+
+/// The most bytes of a job file: one with every key and comments has 4 kB, one of a thousand wishes some 100 kB.
+inline constexpr std::size_t kMaxJobBytes = std::size_t(1) << 20;
 
 /// The directions in which a canvas repeats: its left edge continues at the right one (x), its upper edge at the lower
 /// one (y).

@@ -28,8 +28,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A job with every key and comments has 4 kB, one of a thousand wishes some 100 kB.
-constexpr std::size_t kMaxJobBytes = std::size_t(1) << 20;
 constexpr std::size_t kMaxOverrideBytes = 16384;
 constexpr std::size_t kMostZones = 1000;  // this many take seconds on the largest canvas
 // toml++ 3.3 builds and destroys a dotted key "a.a.a..." recursively; 32,000 levels overflow a stack of 8 MB.

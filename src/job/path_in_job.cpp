@@ -17,4 +17,9 @@ std::string path_in_job(const std::string& path, const std::string& job) {
   return fs::absolute(given).lexically_normal().lexically_relative(from).string();
 }
 
+std::string path_beside_job(const std::string& job, const std::string& ending) {
+  const std::filesystem::path path(job);
+  return (path.parent_path() / (path.stem().string() + ending)).string();
+}
+
 }  // namespace tessera

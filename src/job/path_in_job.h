@@ -9,4 +9,7 @@ namespace tessera {
 /// only and follows no links. Throws InputError where the name is not UTF-8, as the text of a job must be.
 std::string path_in_job(const std::string& path, const std::string& job);
 
+/// The path of a file that is written beside a job and has its name: wall_sizes.png beside wall.toml.
+std::string path_beside_job(const std::string& job, const std::string& ending);
+
 }  // namespace tessera

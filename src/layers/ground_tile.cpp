@@ -50,16 +50,6 @@ int page_side_px(const OutputSpec& output, const Canvas& canvas, cv::Size2d tile
   return int(std::clamp(side_px, 1., double(kMaxArtworkSide_px)));
 }
 
-/// The page, scaled down to the largest size of an embedded picture.
-cv::Mat embedded(const cv::Mat& page) {
-  const double scale = double(kMaxBitmapSide_px) / std::max(page.cols, page.rows);
-  if (scale >= 1) return page;
-  const cv::Size size(std::max(1, cvRound(page.cols * scale)), std::max(1, cvRound(page.rows * scale)));
-  cv::Mat small;
-  cv::resize(page, small, size, 0, 0, cv::INTER_AREA);
-  return small;
-}
-
 GroundTile drawn(const OutputSpec& output, const Canvas& canvas, Drawers& drawers) {
   const std::string& path = output.ground;
   const std::vector<std::uint8_t> bytes = read_artwork_file(path);
@@ -75,7 +65,7 @@ GroundTile drawn(const OutputSpec& output, const Canvas& canvas, Drawers& drawer
   } else {
     tile.page = drawers.whole_picture(bytes, path, kMaxArtworkSide_px);
     tile.size_px = tile_size_px(size_in_file(bytes, tile.page.size()), output.ground_px, canvas);
-    const cv::Mat image = embedded(tile.page);
+    const cv::Mat image = in_embedded_size(tile.page);
     tile.svg = svg_image(image, kGroundId);
     tile.svg_size = image.size();
   }

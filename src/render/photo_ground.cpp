@@ -10,18 +10,17 @@
 #include <string>
 #include <vector>
 
-#include "artwork/artwork_render.h"
 #include "artwork/images/alpha.h"
-#include "artwork/images/image_header.h"
+#include "artwork/nearest_pixels.h"
 #include "core/base/error.h"
 #include "core/base/rank_pool.h"
-#include "core/geometry/extent.h"
 #include "core/geometry/rasterise.h"
 #include "job/picture_size.h"
 #include "layers/svg_image.h"
 #include "render/ground_strips.h"
 #include "render/pieces/piece_drawing.h"
 #include "render/pieces/sprite_cache.h"
+#include "render/pieces/surroundings_drawing.h"
 
 namespace tessera {
 namespace {
@@ -47,38 +46,6 @@ cv::Size ground_size(const CollageReport& report) {
   const cv::Size picture = picture_size_px(report.output, *report.canvas);
   const double scale = std::min(1., std::sqrt(kMostPixels / (double(picture.width) * picture.height)));
   return {std::max(1, int(picture.width * scale)), std::max(1, int(picture.height * scale))};
-}
-
-/// The place of a shape's surroundings. Their page is the original's and a margin round it.
-struct SurroundingsFrame {
-  int page_side_px = 0;          // the longer one
-  double px_per_artwork_px = 1;  // px of the page
-  float margin_artwork_px = 0;
-};
-
-/// Empty where the shape has no surroundings, or has them in a size that is not the artwork's and a margin.
-std::optional<SurroundingsFrame> surroundings_frame(const Artwork& artwork) {
-  constexpr double kMostScale = 64, kRounded_px = 2;
-  const std::optional<cv::Size2d> page = image_size_from_header(artwork.surroundings_png);
-  const double around_px = 2. * artwork.surroundings_margin_px;
-  if (!page || std::max(page->width, page->height) > kMaxArtworkSide_px) return {};
-  const double px_per_artwork_px = (page->width - around_px) / artwork.width_px;
-  if (!(px_per_artwork_px > 1 / kMostScale && px_per_artwork_px < kMostScale)) return {};
-  if (std::abs(page->height - around_px - px_per_artwork_px * artwork.height_px) > kRounded_px + px_per_artwork_px)
-    return {};
-  return SurroundingsFrame{int(std::max(page->width, page->height)), px_per_artwork_px,
-                           float(artwork.surroundings_margin_px / px_per_artwork_px)};
-}
-
-/// The surroundings as a sprite; nothing where they are damaged.
-Sprite surroundings_sprite(const Artwork& artwork, Drawers& drawers) {
-  try {
-    const std::string name = artwork.path + " (surroundings)";
-    const cv::Mat page = drawers.decode_png(artwork.surroundings_png, name, kMaxArtworkSide_px);
-    return {premultiplied(page), surroundings_frame(artwork)->px_per_artwork_px};
-  } catch (const InputError&) {
-    return {cv::Mat::zeros(1, 1, CV_8UC4), 1};
-  }
 }
 
 /// Draws the surroundings of pieces where these are the nearest.
@@ -108,9 +75,10 @@ class PhotoGround {
     const cv::Rect window(square.tl() - reach, square.br() + reach);
     Part part{window, owners_in(window), cv::Mat::zeros(window.size(), CV_8UC4), {}};
     const cv::Mat is_piece = part.owners != kNobody;
-    show_nearest(part, kGroundAlpha);
-    spread(part, kGroundAlpha);
-    show_elements(is_piece, part);
+    show_nearest(cv::Mat(window.size(), CV_8U, cv::Scalar(255)), kGroundAlpha, part);
+    spread(kGroundAlpha, part);
+    // In wide gaps, where all photos show other elements, these are shown, with a joint round the pieces.
+    show_nearest(beyond_joints(is_piece), kAnyAlpha, part);
     continue_ground(is_piece, part);
     return part.pixels(cv::Rect(reach, square.size())).clone();
   }
@@ -120,7 +88,6 @@ class PhotoGround {
 
   /// An image of a piece on the canvas.
   struct Image {
-    int page_side_px = 0;
     Similarity ground_from_shape;
     PieceDrawing surroundings;
   };
@@ -135,46 +102,16 @@ class PhotoGround {
 
   void add_images(const Placement& placement) {
     const std::size_t slot = report_.shapes.slot_of(placement.shape);
-    const Shape& shape = report_.shapes[slot];
-    const std::optional<SurroundingsFrame> frame = surroundings_frame(shape.artwork);
-    if (!frame) return;
-    const float margin = frame->margin_artwork_px;
     for (const Vec2 offset : report_.canvas->period.offsets()) {
       Placement image = placement;
       image.canvas_from_shape = moved(placement.canvas_from_shape, offset);
-      Image added{frame->page_side_px, scaled(image.canvas_from_shape, float(ground_px_)), {}};
-      PieceDrawing& drawing = added.surroundings;
-      drawing.slot = slot;
-      // The frame of the page is that of the artwork, moved by the margin.
-      Similarity& from_page = drawing.picture_from_artwork = picture_from_artwork(image, shape.artwork, ground_px_);
-      const Vec2 corner = from_page.apply({-margin, -margin});
-      from_page.tx = corner.x;
-      from_page.ty = corner.y;
-      if (shape.artwork.mirrored) drawing.mirrored_at_px = shape.artwork.centroid_px.x + margin;
-      const Extent page = page_extent(shape.artwork, margin, drawing);
-      if (!is_drawable(page)) continue;
-      const Window box = nodes_round(page, {}, 0);
-      drawing.box = {box.x0, box.y0, box.width(), box.height()};
+      std::optional<PieceDrawing> drawing = surroundings_drawing(image, report_.shapes[slot], ground_px_);
+      if (!drawing) continue;
+      drawing->slot = slot;
       // Whatever reaches into a square is known as a whole, so that squares agree at their edges.
-      reach_px_ = std::max(reach_px_, std::min(kMostReach_px, std::max(box.width(), box.height())));
-      images_.push_back(added);
+      reach_px_ = std::max(reach_px_, std::min(kMostReach_px, std::max(drawing->box.width, drawing->box.height)));
+      images_.push_back({scaled(image.canvas_from_shape, float(ground_px_)), *drawing});
     }
-  }
-
-  /// The part of the ground that the page of the surroundings covers.
-  static Extent page_extent(const Artwork& artwork, float margin, const PieceDrawing& drawing) {
-    const Vec2 page{float(artwork.width_px) + 2 * margin, float(artwork.height_px) + 2 * margin};
-    std::vector<Vec2> corners{{0, 0}, {page.x, 0}, {0, page.y}, page};
-    if (drawing.mirrored_at_px) {
-      for (Vec2& p : corners) p.x = 2 * *drawing.mirrored_at_px - p.x;
-    }
-    return extent_of(corners, drawing.picture_from_artwork);
-  }
-
-  /// Whether the numbers are those of a picture; a library may claim others.
-  static bool is_drawable(const Extent& page) {
-    constexpr float kMost_px = 1e7F;
-    return page.low.x > -kMost_px && page.low.y > -kMost_px && page.high.x < kMost_px && page.high.y < kMost_px;
   }
 
   cv::Mat owners_in(const cv::Rect& window) const {
@@ -189,24 +126,6 @@ class PhotoGround {
       }
     }
     return owners;
-  }
-
-  /// The owner of the nearest place that has one, for each place.
-  static cv::Mat nearest_of(const cv::Mat& owners) {
-    const cv::Mat is_nobody = owners == kNobody;
-    cv::Mat distances, labels;
-    cv::distanceTransform(is_nobody, distances, labels, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
-    std::vector<int> owner_of(owners.total() + 1, kNobody);  // of labels
-    for (int y = 0; y < owners.rows; ++y) {
-      for (int x = 0; x < owners.cols; ++x) {
-        if (owners.at<int>(y, x) != kNobody) owner_of[std::size_t(labels.at<int>(y, x))] = owners.at<int>(y, x);
-      }
-    }
-    cv::Mat nearest(owners.size(), CV_32S);
-    for (int y = 0; y < owners.rows; ++y) {
-      for (int x = 0; x < owners.cols; ++x) nearest.at<int>(y, x) = owner_of[std::size_t(labels.at<int>(y, x))];
-    }
-    return nearest;
   }
 
   /// Shows the image's photo at this place of the part, if it has something of such an alpha there.
@@ -228,24 +147,25 @@ class PhotoGround {
   cv::Mat drawn_photo(int image, const cv::Rect& box) {
     PieceDrawing drawing = images_[std::size_t(image)].surroundings;
     drawing.box = box;
-    return draw_rows(drawing, *sprites_.get(drawing.slot, images_[std::size_t(image)].page_side_px), box.y, box.br().y);
+    return draw_rows(drawing, *sprites_.get(drawing.slot, drawing.sprite_side_px), box.y, box.br().y);
   }
 
   static bool is_shown(const Part& part, cv::Point at) { return part.pixels.at<cv::Vec4b>(at)[3] > 0; }
 
-  /// Shows the photo of the nearest owner where nothing is shown yet.
-  void show_nearest(Part& part, int least_alpha) {
-    const cv::Mat nearest = nearest_of(part.owners);
-    for (int y = 0; y < nearest.rows; ++y) {
-      for (int x = 0; x < nearest.cols; ++x) {
-        const int image = nearest.at<int>(y, x);
-        if (image != kNobody && !is_shown(part, {x, y})) show(image, {x, y}, least_alpha, part);
+  /// Shows the photo of the nearest owner in these places (CV_8U) where nothing is shown yet.
+  void show_nearest(const cv::Mat& places, int least_alpha, Part& part) {
+    const NearestPixels owned(part.owners != kNobody);
+    const cv::Mat owners = part.owners.clone();  // as they are now
+    for (int y = 0; y < owners.rows; ++y) {
+      for (int x = 0; x < owners.cols; ++x) {
+        if (!places.at<std::uint8_t>(y, x) || is_shown(part, {x, y})) continue;
+        if (const auto owner = owned.nearest({x, y})) show(owners.at<int>(*owner), {x, y}, least_alpha, part);
       }
     }
   }
 
   /// Shows photos beyond the places where they are the nearest, where nothing is shown yet.
-  void spread(Part& part, int least_alpha) {
+  void spread(int least_alpha, Part& part) {
     std::deque<cv::Point> edge;
     for (int y = 0; y < part.pixels.rows; ++y) {
       for (int x = 0; x < part.pixels.cols; ++x) {
@@ -263,18 +183,15 @@ class PhotoGround {
     }
   }
 
-  /// In wide gaps where all photos show other elements, these are shown, with a joint round the pieces.
-  void show_elements(const cv::Mat& is_piece, Part& part) {
-    cv::Mat distances;
-    cv::distanceTransform(~is_piece, distances, cv::DIST_L2, cv::DIST_MASK_5);
-    const cv::Mat nearest = nearest_of(part.owners);
-    for (int y = 0; y < nearest.rows; ++y) {
-      for (int x = 0; x < nearest.cols; ++x) {
-        const int image = nearest.at<int>(y, x);
-        if (image == kNobody || is_shown(part, {x, y}) || distances.at<float>(y, x) <= joint_px_) continue;
-        show(image, {x, y}, kAnyAlpha, part);
-      }
+  /// The places that are farther from all pieces than a joint is wide: CV_8U.
+  cv::Mat beyond_joints(const cv::Mat& is_piece) const {
+    const NearestPixels pieces(is_piece);
+    cv::Mat beyond(is_piece.size(), CV_8U);
+    for (int y = 0; y < beyond.rows; ++y) {
+      for (int x = 0; x < beyond.cols; ++x)
+        beyond.at<std::uint8_t>(y, x) = pieces.distance_px({x, y}) > joint_px_ ? 255 : 0;
     }
+    return beyond;
   }
 
   /// Continues the ground into places that show nothing, mirrored at its edge.
@@ -282,20 +199,12 @@ class PhotoGround {
     cv::Mat is_ground;
     cv::extractChannel(part.pixels, is_ground, 3);
     is_ground = (is_ground > 0) & ~is_piece;
-    if (cv::countNonZero(is_ground) == 0) return;
-    cv::Mat distances, labels;
-    cv::distanceTransform(~is_ground, distances, labels, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
-    std::vector<cv::Point> place_of(is_ground.total() + 1);  // of labels
-    for (int y = 0; y < is_ground.rows; ++y) {
-      for (int x = 0; x < is_ground.cols; ++x) {
-        if (is_ground.at<std::uint8_t>(y, x)) place_of[std::size_t(labels.at<int>(y, x))] = {x, y};
-      }
-    }
+    const NearestPixels ground(is_ground);
     const cv::Rect inside({}, part.window.size());
     for (int y = 0; y < is_ground.rows; ++y) {
       for (int x = 0; x < is_ground.cols; ++x) {
-        if (is_shown(part, {x, y}) || distances.at<float>(y, x) > kContinued_px) continue;
-        const cv::Point edge = place_of[std::size_t(labels.at<int>(y, x))], mirrored = 2 * edge - cv::Point(x, y);
+        if (is_shown(part, {x, y}) || ground.distance_px({x, y}) > kContinued_px) continue;
+        const cv::Point edge = *ground.nearest({x, y}), mirrored = 2 * edge - cv::Point(x, y);
         const bool has_mirrored = inside.contains(mirrored) && is_ground.at<std::uint8_t>(mirrored);
         part.pixels.at<cv::Vec4b>(y, x) = part.pixels.at<cv::Vec4b>(has_mirrored ? mirrored : edge);
       }
@@ -341,15 +250,6 @@ void fill_empty_places(cv::Mat& page) {
   page.setTo(cv::Scalar(mean[0], mean[1], mean[2], 255), is_empty);
 }
 
-/// The page in the size of an embedded picture.
-cv::Mat embedded(const cv::Mat& page) {
-  const double scale = std::min(1., double(kMaxBitmapSide_px) / std::max(page.cols, page.rows));
-  cv::Mat small;
-  cv::resize(page, small, {std::max(1, cvRound(page.cols * scale)), std::max(1, cvRound(page.rows * scale))}, 0, 0,
-             cv::INTER_AREA);
-  return straightened(small);
-}
-
 }  // namespace
 
 GroundTile photo_ground(const CollageReport& report, const GroundTile& below, Drawers& drawers,
@@ -378,7 +278,7 @@ GroundTile photo_ground(const CollageReport& report, const GroundTile& below, Dr
   fill_empty_places(tile.page);
   tile.size_px = cv::Size2d(report.canvas->width_px, report.canvas->height_px);
   tile.repeats = report.canvas->period.x_px > 0 && report.canvas->period.y_px > 0;
-  const cv::Mat image = embedded(tile.page);
+  const cv::Mat image = straightened(in_embedded_size(tile.page));
   tile.svg = svg_image(image, kBackgroundId);
   tile.svg_size = image.size();
   return tile;

@@ -1,6 +1,14 @@
 #include "run/job_output.h"
 
+#include <cstdint>
+#include <filesystem>
+#include <system_error>
+
+#include "comm/stop_signals.h"
+#include "core/base/error.h"
 #include "files/atomic_file.h"
+#include "files/regular_file.h"
+#include "job/job_file.h"
 #include "result/collage_files.h"
 
 namespace tessera {
@@ -22,6 +30,22 @@ JobOutput::JobOutput(const CollageArguments& collage, const std::vector<std::str
   if (job_only) return;
   result_.emplace(output_folder(collage));
   check_can_be_published(output_folder(collage));
+}
+
+void write_checked_job(const CollageArguments& collage, const std::string& text) {
+  const comm::StopDelay delay;
+  const bool is_new = !std::filesystem::exists(collage.job);
+  const std::vector<std::uint8_t> before =
+      is_new ? std::vector<std::uint8_t>() : read_regular_file(collage.job, kMaxJobBytes);
+  write_file_atomically(collage.job, text);
+  try {
+    load_job(collage.job, collage.overrides);
+  } catch (const InputError&) {
+    std::error_code ignored;
+    if (is_new) std::filesystem::remove(collage.job, ignored);
+    if (!is_new) write_file_atomically(collage.job, before);
+    throw;
+  }
 }
 
 }  // namespace tessera

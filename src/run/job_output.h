@@ -25,4 +25,8 @@ class JobOutput {
   std::optional<OutputFolder> result_;
 };
 
+/// Writes a job that a command made. Where an override of --set is wrong, the file is again what it was, and InputError is
+/// thrown.
+void write_checked_job(const CollageArguments& collage, const std::string& text);
+
 }  // namespace tessera

@@ -1,4 +1,4 @@
-// What lies round an element in its photo.
+// Surroundings of an element: the part of its photo round it.
 #include <gtest/gtest.h>
 
 #include "core/shape/shape.h"

@@ -146,6 +146,37 @@ TEST(PhotoGround, RepeatsWithTheCanvas) {
   EXPECT_EQ(largest_difference(tile.page(cv::Rect(0, 6, 39, 88)), sample.photos[0](cv::Rect(49, 0, 39, 88))), 0);
 }
 
+/// The ground is made in squares of 1024 px; they must not be seen. Moved by a part of the period, the same canvas is cut
+/// into squares at other places.
+TEST(PhotoGround, SquaresAgreeAtTheirEdges) {
+  const auto ground_moved_by = [](Vec2 shift) {
+    PhotoCollage sample;
+    sample.canvas = make_seamless_canvas(200, 100, true, true);
+    sample.report.output.width_px = 1600;
+    for (const Vec2 centre : {Vec2{30, 30}, Vec2{95, 62}, Vec2{150, 20}, Vec2{180, 80}}) {
+      const Vec2 at = sample.canvas.period.wrapped(centre + shift);
+      sample.place(sample.report.placements.size() % 2 ? ShapeId{7} : ShapeId{3}, 40, at, 0);
+    }
+    return sample.ground().page;
+  };
+  const cv::Mat here = ground_moved_by({0, 0}), there = ground_moved_by({70, 40});
+  cv::Mat tiles;
+  cv::repeat(there, 2, 2, tiles);
+  EXPECT_LE(largest_difference(here, tiles(cv::Rect(70 * 8, 40 * 8, 1600, 800))), 3);
+}
+
+TEST(PhotoGround, OfAnEnlargedPhotoIsItsPixelsAveraged) {
+  PhotoCollage sample;
+  sample.canvas = make_rectangle_canvas(120, 120);
+  sample.report.output.width_px = 40;  // a third
+  sample.place(ShapeId{7}, 40, {60, 60}, 0);
+  cv::Mat photo = cv::Mat::zeros(120, 120, CV_8UC4), small;
+  sample.photos[0].copyTo(photo(cv::Rect(16, 16, 88, 88)));
+  cv::resize(photo, small, {40, 40}, 0, 0, cv::INTER_AREA);
+  const cv::Rect whole(6, 6, 28, 28);  // px that the photo covers wholly
+  EXPECT_LE(largest_difference(sample.ground().page(whole), small(whole)), 1);
+}
+
 TEST(PhotoGround, FarFromAllPiecesShowsWhatIsBelowOrTheMeanColour) {
   PhotoCollage sample;
   sample.place(ShapeId{7}, 40, {50, 50}, 0);

@@ -6,6 +6,7 @@
 #include <map>
 #include <opencv2/imgproc.hpp>
 
+#include "artwork/nearest_pixels.h"
 #include "job/canvas/canvas_regions.h"
 
 namespace tessera {
@@ -30,20 +31,12 @@ cv::Mat_<std::uint8_t> certain_places(const cv::Mat_<short>& labels, const cv::M
 
 /// The label of the nearest certain pixel, for each pixel.
 cv::Mat_<short> nearest_labels(const cv::Mat_<short>& labels, const cv::Mat_<std::uint8_t>& certain) {
+  const NearestPixels certain_pixels(certain);
   cv::Mat_<short> whole(labels.size(), short(kNoRegion));
-  const int places = cv::countNonZero(certain);
-  if (places == 0) return whole;
-  cv::Mat distance;
-  cv::Mat_<int> nearest;  // the number of the nearest certain pixel, for each pixel
-  cv::distanceTransform(~certain, distance, nearest, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
-  std::vector<short> label_of(std::size_t(places) + 1, short(kNoRegion));
   for (int y = 0; y < labels.rows; ++y) {
     for (int x = 0; x < labels.cols; ++x) {
-      if (certain(y, x)) label_of[std::size_t(nearest(y, x))] = labels(y, x);
+      if (const auto nearest = certain_pixels.nearest({x, y})) whole(y, x) = labels(*nearest);
     }
-  }
-  for (int y = 0; y < labels.rows; ++y) {
-    for (int x = 0; x < labels.cols; ++x) whole(y, x) = label_of[std::size_t(nearest(y, x))];
   }
   return whole;
 }

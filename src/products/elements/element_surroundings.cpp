@@ -21,10 +21,8 @@ constexpr int kLeastEdge_px = 1, kMostEdge_px = 6;
 
 int surroundings_margin_px(const std::vector<PhotoElement>& elements) {
   if (elements.empty()) return kLeastMargin_px;
-  double area_px2 = 0;
-  for (const PhotoElement& element : elements) area_px2 += element.area_px2;
-  const double side_px = std::sqrt(area_px2 / double(elements.size()));
-  return std::clamp(int(std::lround(kMargin_elements * side_px)), kLeastMargin_px, kMostMargin_px);
+  const double margin_px = kMargin_elements * mean_side_px(elements);
+  return std::clamp(int(std::lround(margin_px)), kLeastMargin_px, kMostMargin_px);
 }
 
 cv::Mat element_surroundings(const cv::Mat& photo, const cv::Mat& labels, const std::vector<LabelRole>& roles,

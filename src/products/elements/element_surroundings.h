@@ -1,4 +1,4 @@
-// Cuts out what lies round an element in its photograph, so that pictures can show the element's own ground, joints and
+// Cuts out the photograph round an element in its photograph, so that pictures can show the element's own ground, joints and
 // contact shadows (output.background = "photo").
 #pragma once
 

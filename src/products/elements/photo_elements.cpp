@@ -63,6 +63,12 @@ FoundElements find_elements(const LabelRuns& labels, const ElementSizes& sizes) 
   return found;
 }
 
+double mean_side_px(const std::vector<PhotoElement>& elements) {
+  double area_px2 = 0;
+  for (const PhotoElement& element : elements) area_px2 += element.area_px2;
+  return std::sqrt(area_px2 / double(elements.size()));
+}
+
 cv::Mat cut_element(const cv::Mat& photo, const LabelRuns& labels, const PhotoElement& element) {
   // Beyond the photo there is only rim, because no element reaches the photo's edge.
   const cv::Rect around(element.box.tl() - cv::Point(kElementRim_px, kElementRim_px),

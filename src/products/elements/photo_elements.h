@@ -30,6 +30,9 @@ struct FoundElements {
   std::size_t too_many_pixels = 0;  // their bounding box has more than kMostElement_px2
 };
 
+/// The side of a square as large as the mean of these elements, at least one.
+double mean_side_px(const std::vector<PhotoElement>& elements);
+
 /// The largest bounding box of an element that is cut out, px².
 inline constexpr int kMostElement_px2 = 16'000'000;
 

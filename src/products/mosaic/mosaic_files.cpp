@@ -85,11 +85,6 @@ void check_replaceable(const std::string& output, std::span<const std::uint8_t> 
   }
 }
 
-std::string path_beside(const std::string& job, const char* ending) {
-  const fs::path path(job);
-  return (path.parent_path() / (path.stem().string() + ending)).string();
-}
-
 void check_regions(int regions) {
   if (regions >= 1 && regions <= kMostMosaicRegions) return;
   throw InputError("--regions: found " + std::to_string(regions) + ", allowed: from 1 to " +
@@ -139,9 +134,9 @@ cv::Mat saliency_of(const std::vector<Face>& faces, const MosaicPlan& plan) {
 
 }  // namespace
 
-std::string size_map_path(const std::string& job) { return path_beside(job, "_sizes.png"); }
+std::string size_map_path(const std::string& job) { return path_beside_job(job, "_sizes.png"); }
 
-std::string region_picture_path(const std::string& job) { return path_beside(job, "_regions.png"); }
+std::string region_picture_path(const std::string& job) { return path_beside_job(job, "_regions.png"); }
 
 Mosaic make_mosaic(const MosaicRequest& request, Drawers& drawers) {
   check_regions(request.regions);

@@ -10,7 +10,7 @@
 
 namespace tessera {
 
-/// What the canvas shows where no element lies. Open places were not reached by a patch yet.
+/// A place of the canvas without an element: not reached by a patch yet, ground of the photo, or a hole.
 enum BelowCell : std::uint8_t { kOpen, kLaidGround, kHole };
 
 /// A square of the photo, and where it is laid.
@@ -70,7 +70,7 @@ class LayoutCanvas {
     bool stands = true;
   };
 
-  /// What clear() has to know for undo().
+  /// The state that clear() keeps for undo().
   struct Before {
     cv::Rect region;  // cells that may change
     cv::Mat above, below;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <opencv2/imgproc.hpp>
 
+#include "artwork/nearest_pixels.h"
 #include "products/texture/element_pitch.h"
 
 namespace tessera {
@@ -16,18 +17,12 @@ constexpr int kMostJoint_cells = 3;
 /// Side of the squares in which elements are counted, in elements of mean size.
 constexpr double kSquare_elements = 3;
 
-double mean_side_px(const std::vector<PhotoElement>& elements) {
-  double area_px2 = 0;
-  for (const PhotoElement& element : elements) area_px2 += element.area_px2;
-  return std::sqrt(area_px2 / double(elements.size()));
-}
-
 /// A part of the pitch, about as large as a cell; the cell where there is no pitch.
 double divided(double pitch_px, double cell_px) {
   return pitch_px == 0 ? cell_px : pitch_px / std::max(1., std::round(pitch_px / cell_px));
 }
 
-/// What the cells of each label show.
+/// The number that a cell gets where it shows this label: see PhotoCells.
 std::vector<int> values_of_labels(const PhotoLayout& photo) {
   std::vector<int> values(photo.roles.size(), kGroundCell);
   for (std::size_t label = 1; label < values.size(); ++label) {
@@ -54,7 +49,8 @@ int joint_cells(const cv::Mat& cells) {
   return std::clamp(int(std::lround(4 * (*middle - kToEdge))), 0, kMostJoint_cells);
 }
 
-/// The part of the ground in those quarters of the photo's squares that show the most elements.
+/// The part of a square of the photo that is ground where elements lie close: a quarter of all squares with elements have
+/// less.
 double ground_part_of(const cv::Mat& cells, double element_side) {
   const int side = std::clamp(int(kSquare_elements * element_side), 1, std::min(cells.cols, cells.rows));
   std::vector<double> parts;
@@ -74,18 +70,11 @@ double ground_part_of(const cv::Mat& cells, double element_side) {
 /// The nearest element of each ground cell that lies in a joint.
 cv::Mat rooms_of(const cv::Mat& cells, int joint) {
   cv::Mat rooms = cv::Mat::zeros(cells.size(), CV_32S);
-  cv::Mat distances, labels;
-  cv::distanceTransform(cells <= kGroundCell, distances, labels, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
-  std::vector<int> element_of(cells.total() + 1);  // of labels
+  const NearestPixels elements(cells > kGroundCell);
   for (int y = 0; y < cells.rows; ++y) {
     for (int x = 0; x < cells.cols; ++x) {
-      if (cells.at<int>(y, x) > 0) element_of[std::size_t(labels.at<int>(y, x))] = cells.at<int>(y, x);
-    }
-  }
-  for (int y = 0; y < cells.rows; ++y) {
-    for (int x = 0; x < cells.cols; ++x) {
-      if (cells.at<int>(y, x) == kGroundCell && distances.at<float>(y, x) <= float(joint))
-        rooms.at<int>(y, x) = element_of[std::size_t(labels.at<int>(y, x))];
+      const bool is_joint = cells.at<int>(y, x) == kGroundCell && elements.distance_px({x, y}) <= float(joint);
+      if (is_joint) rooms.at<int>(y, x) = cells.at<int>(*elements.nearest({x, y}));
     }
   }
   return rooms;

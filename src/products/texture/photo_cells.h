@@ -9,7 +9,7 @@
 
 namespace tessera {
 
-// What a cell of the photo shows; from 1 on: the index of an element, plus 1.
+// The number of a cell of the photo says what it shows: the index of an element, plus 1, or one of these.
 inline constexpr int kGroundCell = 0;
 inline constexpr int kCutCell = -1;
 

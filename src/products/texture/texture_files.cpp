@@ -4,7 +4,6 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <span>
 #include <utility>
 
 #include "artwork/images/image_decoding.h"
@@ -12,6 +11,7 @@
 #include "core/base/rank_pool.h"
 #include "files/atomic_file.h"
 #include "job/job_keys.h"
+#include "job/path_in_job.h"
 #include "library/library_builder.h"
 #include "library/library_view.h"
 #include "products/texture/element_pitch.h"
@@ -34,11 +34,6 @@ constexpr int kGroundSide_px = 512;
 constexpr double kMostByMean = 2;
 constexpr std::uint64_t kSeed = 1;
 
-std::string path_beside(const std::string& job, const char* ending) {
-  const fs::path path(job);
-  return (path.parent_path() / (path.stem().string() + ending)).string();
-}
-
 std::string name_of(const std::string& path) { return fs::path(path).filename().string(); }
 
 Extraction extracted(const TextureRequest& request, Drawers& drawers) {
@@ -59,15 +54,6 @@ Extraction extracted(const TextureRequest& request, Drawers& drawers) {
   throw InputError(request.photo +
                    ": found no whole element; allowed: a photo of many elements, or --element-px, the short side of a "
                    "typical one in px");
-}
-
-/// Median of the elements' sides, px of the enlarged photo; 0: none.
-double median_side_px(const std::vector<PhotoElement>& elements) {
-  if (elements.empty()) return 0;
-  std::vector<double> sides;
-  for (const PhotoElement& element : elements) sides.push_back(std::sqrt(element.area_px2));
-  std::nth_element(sides.begin(), sides.begin() + std::ptrdiff_t(sides.size() / 2), sides.end());
-  return sides[sides.size() / 2];
 }
 
 void build(const Extraction& extraction, const std::string& output, Drawers& drawers) {
@@ -135,7 +121,7 @@ TexturePlan plan_of(const TextureRequest& request, const Extraction& extraction)
   const cv::Size photo = extraction.labels->size();
   TexturePlan plan;
   plan.enlarged = extraction.enlarged;
-  plan.element_px = median_side_px(extraction.found.elements);
+  plan.element_px = mean_side_px(extraction.found.elements);
   plan.texture_px = texture_size(request, photo, plan.enlarged, element_pitch_px(*extraction.labels, plan.element_px));
   // Some elements come more often than others, and some more for the gaps.
   const double copies = double(plan.texture_px.area()) * plan.enlarged * plan.enlarged / photo.area();
@@ -145,9 +131,9 @@ TexturePlan plan_of(const TextureRequest& request, const Extraction& extraction)
 
 }  // namespace
 
-std::string texture_library_path(const std::string& job) { return path_beside(job, ".h5"); }
-std::string texture_layout_path(const std::string& job) { return path_beside(job, "_layout.geojson"); }
-std::string texture_ground_path(const std::string& job) { return path_beside(job, "_ground.png"); }
+std::string texture_library_path(const std::string& job) { return path_beside_job(job, ".h5"); }
+std::string texture_layout_path(const std::string& job) { return path_beside_job(job, "_layout.geojson"); }
+std::string texture_ground_path(const std::string& job) { return path_beside_job(job, "_ground.png"); }
 
 TextureDraft draft_texture(const TextureRequest& request, Drawers& drawers) {
   TextureDraft draft{extracted(request, drawers), {}, {}};

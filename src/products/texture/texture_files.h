@@ -23,7 +23,7 @@ struct TextureRequest {
 inline constexpr int kMostTextureSide_px = 4096;
 inline constexpr int kLeastTextureSide_px = 64;
 
-/// What is known before anything is written.
+/// A texture before any of its files is written.
 struct TextureDraft {
   Extraction extraction;
   TexturePlan plan;
@@ -38,8 +38,8 @@ std::string texture_ground_path(const std::string& job);
 /// Finds the elements and plans the texture. Throws InputError where the photo cannot be used or shows no whole element.
 TextureDraft draft_texture(const TextureRequest& request, Drawers& drawers);
 
-/// Writes the files beside the job, each whole or not at all. `canvas_px`: that of the job. Returns the number of pieces that the texture begins with. Throws InputError where no element has a usable
-/// silhouette, EnvironmentError.
+/// Writes the files beside the job, each whole or not at all. `canvas_px`: that of the job. Returns the number of pieces
+/// that the texture begins with. Throws InputError where no element has a usable silhouette, EnvironmentError.
 std::size_t write_texture_files(const TextureRequest& request, const TextureDraft& draft, cv::Size canvas_px,
                                 Drawers& drawers);
 

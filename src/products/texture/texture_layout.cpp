@@ -27,7 +27,7 @@ constexpr double kTolerance = 1.1;
 /// The number of times that the surroundings of all holes are laid anew.
 constexpr int kSweeps = 30;
 
-/// So many of the best patches are compared with those that lie up to so many cells beside them.
+/// The number of best patches that are compared with the patches beside them, and how many cells beside.
 constexpr std::size_t kRefined = 8;
 constexpr int kBeside_cells = 2;
 

@@ -37,6 +37,9 @@ run 0 collage tiles_texture.toml --set quality=draft --out by_job
 the_same one_rank by_job
 echo "ok ranks"
 
+run 2 texture tiles.jpg --element-px 160 --size 700,600 --set pieces.uses=none
+cmp first.toml tiles_texture.toml || fail "a mistake in --set changes the job"
+
 echo '# mine' >>tiles_texture.toml
 run 0 texture tiles.jpg --element-px 160 --size 800,600 --job-only
 grep -qx 'tiles_texture.toml: you have changed it, so it is kept; --job FILE.toml writes another one' output ||
@@ -82,6 +85,20 @@ run 0 texture discs.png --size 400,320
 grep -qx 'pieces = "artwork"  # also where all elements have one colour' discs_texture.toml || fail "may recolour"
 grep -q '"colours"' out/discs_texture/manifest.json && fail "elements of one colour are recoloured"
 echo "ok colours"
+
+# Elements of few pixels are enlarged, with and without a search, but not beyond the largest canvas.
+rsvg-convert -w 50 -h 40 -b '#e8e8e8' -o few.png <<<"<svg xmlns='http://www.w3.org/2000/svg' width='50' height='40'>
+  <circle cx='15' cy='15' r='7' fill='#783c1e'/><circle cx='35' cy='25' r='7' fill='#783c1e'/></svg>"
+run 0 texture few.png --job-only
+grep -qx 'few.png: 2 elements, enlarged 4 times' output || fail "not enlarged: $(cat output)"
+rsvg-convert -w 50 -h 40 -b '#000' -f pdf -o few.pdf <<<"<svg xmlns='http://www.w3.org/2000/svg' width='50' height='40'>
+  <circle cx='15' cy='15' r='7' fill='#111'/><circle cx='35' cy='25' r='7' fill='#222'/></svg>"
+pdftocairo -png -gray -antialias none -singlefile -r 72 -scale-to-x 50 -scale-to-y 40 few.pdf few_labels
+run 0 texture few.png --labels few_labels.png --job few_labels.toml --job-only
+grep -qx 'few.png: 2 elements, enlarged 4 times' output || fail "not enlarged with labels: $(cat output)"
+run 2 texture few.png --job wide.toml --size 20000,64 --job-only
+expect_word 'few.png: found no whole element'
+echo "ok enlarged"
 
 # Pieces of drawings that were not cut out of a photo have no photo round them.
 echo "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'><circle cx='4' cy='4' r='4'/></svg>" >disc.svg
