@@ -1,9 +1,11 @@
 // The pitch of rows and columns of elements.
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <opencv2/imgproc.hpp>
 
 #include "products/drawn_elements.h"
+#include "products/random_labels.h"
 #include "products/texture/element_pitch.h"
 
 namespace tessera {
@@ -40,6 +42,13 @@ TEST(ElementPitch, IsNoneWhereElementsLieInNoLines) {
   EXPECT_EQ(element_pitch_px(LabelRuns(labels), 35), cv::Size2d(0, 0));
   const cv::Size2d of_nothing = element_pitch_px(LabelRuns(cv::Mat::zeros(30, 40, CV_32S)), 10);
   EXPECT_EQ(of_nothing, cv::Size2d(0, 0));
+}
+
+RC_GTEST_PROP(ElementPitch, IsNoneOrAboutAsLongAsAnElement, ()) {
+  const double element_px = *rc::gen::inRange(2, 20);
+  const cv::Size2d pitch = element_pitch_px(LabelRuns(test::random_labels({70, 60})), element_px);
+  for (const double side : {pitch.width, pitch.height})
+    RC_ASSERT(side == 0 || (side > 0.3 * element_px - 1 && side < 3.2 * element_px + 1));
 }
 
 }  // namespace test_element_pitch

@@ -14,6 +14,8 @@ namespace {
 constexpr double kLeast_elements = 0.4, kMost_elements = 2.5;
 /// The least correlation of a photo with itself, moved by the pitch.
 constexpr double kLeastCorrelation = 0.45;
+/// How far from a multiple of the pitch a better one may lie, in pitches.
+constexpr double kReach = 0.25;
 
 /// How alike the profile is to itself, moved: 1 = equal, 0 = not alike.
 double correlation(const std::vector<double>& profile, std::size_t moved) {
@@ -50,10 +52,13 @@ double pitch_of(std::vector<double> profile, double element_px) {
       pitch = lag;
   }
   if (pitch == 0) return 0;
-  // Several pitches are measured more exactly than one.
+  // Several pitches are measured more exactly than one, as long as they agree with it.
   double exact = double(pitch);
-  for (std::size_t count = 2; double(count + 1) * exact < 0.8 * double(profile.size()); ++count)
-    exact = double(best_near(profile, double(count) * exact, 0.25 * exact)) / double(count);
+  for (std::size_t count = 2; double(count + 1) * exact < 0.8 * double(profile.size()); ++count) {
+    const double next = double(best_near(profile, double(count) * exact, kReach * exact)) / double(count);
+    if (std::abs(next - double(pitch)) > kReach * double(pitch)) break;
+    exact = next;
+  }
   return exact;
 }
 

@@ -33,15 +33,24 @@ cv::Point LayoutCanvas::wrapped(cv::Point at) const {
   return {positive_rest(at.x, above_.cols), positive_rest(at.y, above_.rows)};
 }
 
-CanvasPart LayoutCanvas::part(const cv::Rect& region) const {
-  CanvasPart part{cv::Mat(region.size(), CV_32S), cv::Mat(region.size(), CV_8U)};
-  for (int y = 0; y < region.height; ++y) {
-    for (int x = 0; x < region.width; ++x) {
+template <class Visit>
+void LayoutCanvas::for_each_box(const cv::Rect& region, const Visit& visit) const {
+  for (int y = 0, height = 0; y < region.height; y += height) {
+    for (int x = 0, width = 0; x < region.width; x += width) {
       const cv::Point at = wrapped(region.tl() + cv::Point(x, y));
-      part.above.at<int>(y, x) = above_.at<int>(at);
-      part.below.at<std::uint8_t>(y, x) = below_.at<std::uint8_t>(at);
+      width = std::min(region.width - x, above_.cols - at.x);
+      height = std::min(region.height - y, above_.rows - at.y);
+      visit({at, cv::Size(width, height)}, {{x, y}, cv::Size(width, height)});
     }
   }
+}
+
+CanvasPart LayoutCanvas::part(const cv::Rect& region) const {
+  CanvasPart part{cv::Mat(region.size(), CV_32S), cv::Mat(region.size(), CV_8U)};
+  for_each_box(region, [&](const cv::Rect& on_canvas, const cv::Rect& in_part) {
+    above_(on_canvas).copyTo(part.above(in_part));
+    below_(on_canvas).copyTo(part.below(in_part));
+  });
   return part;
 }
 
@@ -52,7 +61,8 @@ bool LayoutCanvas::may_overlap(std::size_t element, int overlapped) const {
 bool LayoutCanvas::has_copy_near(std::size_t element, cv::Point middle, double distance) const {
   return std::any_of(middles_[element].begin(), middles_[element].end(), [&](cv::Point other) {
     const cv::Point d = wrapped(other - middle);
-    return std::hypot(std::min(d.x, above_.cols - d.x), std::min(d.y, above_.rows - d.y)) < distance;
+    const double dx = std::min(d.x, above_.cols - d.x), dy = std::min(d.y, above_.rows - d.y);
+    return dx * dx + dy * dy < distance * distance;
   });
 }
 
@@ -152,23 +162,17 @@ void LayoutCanvas::undo() {
     laid_[i].stands = true;
     middles_[laid_[i].element].push_back(wrapped(photo_->elements[laid_[i].element].middle + laid_[i].shift));
   }
-  for (int y = 0; y < before_.region.height; ++y) {
-    for (int x = 0; x < before_.region.width; ++x) {
-      const cv::Point at = wrapped(before_.region.tl() + cv::Point(x, y));
-      above_.at<int>(at) = before_.above.at<int>(y, x);
-      below_.at<std::uint8_t>(at) = before_.below.at<std::uint8_t>(y, x);
-    }
-  }
+  for_each_box(before_.region, [&](const cv::Rect& on_canvas, const cv::Rect& in_region) {
+    before_.above(in_region).copyTo(above_(on_canvas));
+    before_.below(in_region).copyTo(below_(on_canvas));
+  });
 }
 
 int LayoutCanvas::holes_in(const cv::Rect& region) const {
   int count = 0;
-  for (int y = 0; y < region.height; ++y) {
-    for (int x = 0; x < region.width; ++x) {
-      const cv::Point at = wrapped(region.tl() + cv::Point(x, y));
-      count += above_.at<int>(at) == 0 && below_.at<std::uint8_t>(at) != kLaidGround;
-    }
-  }
+  for_each_box(region, [&](const cv::Rect& on_canvas, const cv::Rect&) {
+    count += cv::countNonZero((above_(on_canvas) == 0) & (below_(on_canvas) != kLaidGround));
+  });
   return count;
 }
 

@@ -80,6 +80,9 @@ class LayoutCanvas {
   };
 
   cv::Point wrapped(cv::Point at) const;
+  /// Calls visit(box of the canvas, the same box in the region) for all parts of a region, which may reach over an edge.
+  template <class Visit>
+  void for_each_box(const cv::Rect& region, const Visit& visit) const;
   template <class Visit>
   void for_each_cell(std::size_t element, cv::Point shift, const Visit& visit) const;
   int overlap(std::size_t element, cv::Point shift) const;

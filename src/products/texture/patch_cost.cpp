@@ -1,7 +1,6 @@
 #include "products/texture/patch_cost.h"
 
 #include <algorithm>
-#include <cstdint>
 
 namespace tessera {
 namespace {
@@ -18,71 +17,62 @@ PatchCost::PatchCost(const PhotoCells& photo, const LayoutCanvas& canvas, double
     : photo_(photo),
       canvas_(canvas),
       use_cost_(use_cost),
-      fates_(photo.elements.size(), kUnseen),
-      overlapped_(photo.elements.size()) {}
+      under_(2 * (photo.elements.size() + kFirstElement)),
+      is_seen_(photo.elements.size() + kFirstElement, 0) {}
 
-double PatchCost::operator()(const Patch& patch, const CanvasPart& part) {
-  find_fates(patch, part);
-  double uses = 0, count = 0, near = 0;
-  for (const std::size_t element : seen_) {
-    if (fates_[element] != kStands) continue;
-    uses += double(canvas_.uses(element));
-    ++count;
-    const cv::Point middle = photo_.elements[element].middle + patch.shift();
-    if (canvas_.has_copy_near(element, middle, kApart_elements * photo_.element_side))
-      near += kNearCopy * photo_.elements[element].area;
+double PatchCost::operator()(const Patch& patch, const CountedPart& part) {
+  count(patch, part);
+  int bad = 0, ground = 0;
+  double uses = 0, stand = 0, near = 0;
+  for (const int thing : seen_) {
+    const CellCounts &shown = under_[2 * std::size_t(thing)], &joint = under_[2 * std::size_t(thing) + 1];
+    ground += joint.all;
+    if (thing == kGroundThing) {
+      ground += shown.all;
+    } else if (thing == kCutThing) {
+      bad += kElementCell * shown.unlaid;
+    } else {
+      const auto index = std::size_t(thing - kFirstElement);
+      const CellElement& element = photo_.elements[index];
+      const int overlapped = kElementCell * shown.taken + kRoomCell * joint.taken;
+      if (!has_middle_in(patch, element)) {
+        bad += kElementCell * shown.hole;
+      } else if (!canvas_.may_overlap(index, overlapped)) {
+        bad += kElementCell * (shown.all - shown.taken);
+      } else {
+        bad += overlapped;
+        uses += double(canvas_.uses(index));
+        ++stand;
+        if (canvas_.has_copy_near(index, element.middle + patch.shift(), kApart_elements * photo_.element_side))
+          near += kNearCopy * element.area;
+      }
+    }
   }
   const double cells = double(patch.side) * patch.side;
-  const double too_bare = std::max(0., ground_ - photo_.ground_part * cells);
-  const double bad = badness(patch, part) + kElementCell * (kNoise * cells + near + too_bare);
-  for (const std::size_t element : seen_) fates_[element] = kUnseen;
-  return bad * (1 + (count > 0 ? use_cost_ * uses / count : 0));
+  const double too_bare = std::max(0., ground - photo_.ground_part * cells);
+  return (bad + kElementCell * (kNoise * cells + near + too_bare)) * (1 + (stand > 0 ? use_cost_ * uses / stand : 0));
 }
 
-/// Finds the elements of the patch, and what would become of them.
-void PatchCost::find_fates(const Patch& patch, const CanvasPart& part) {
+void PatchCost::count(const Patch& patch, const CountedPart& part) {
+  for (const int thing : seen_) {
+    under_[2 * std::size_t(thing)] = under_[2 * std::size_t(thing) + 1] = {};
+    is_seen_[std::size_t(thing)] = 0;
+  }
   seen_.clear();
-  ground_ = 0;
   for (int y = 0; y < patch.side; ++y) {
-    const int *shown = photo_.cells.ptr<int>(patch.from.y + y) + patch.from.x, *above = part.above.ptr<int>(y);
-    const int* rooms = photo_.rooms.ptr<int>(patch.from.y + y) + patch.from.x;
-    for (int x = 0; x < patch.side; ++x) {
-      ground_ += shown[x] == kGroundCell;
-      if (shown[x] <= 0 && rooms[x] == 0) continue;
-      const auto element = std::size_t(shown[x] > 0 ? shown[x] : rooms[x]) - 1;
-      if (fates_[element] == kUnseen) {
-        fates_[element] = has_middle_in(patch, photo_.elements[element]) ? kStands : kOutside;
-        overlapped_[element] = 0;
-        seen_.push_back(element);
+    const CellRun* runs = photo_.runs.ptr<CellRun>(patch.from.y + y) + patch.from.x;
+    const CellCounts* before = part.before(y);
+    for (int x = 0, next = 0; x < patch.side; x = next) {
+      const CellRun& run = runs[x];
+      next = std::min(x + run.length, patch.side);
+      const auto slot = std::size_t(run.slot);
+      if (!is_seen_[slot / 2]) {
+        is_seen_[slot / 2] = 1;
+        seen_.push_back(run.slot / 2);
       }
-      if (above[x] > 0) overlapped_[element] += shown[x] > 0 ? kElementCell : kRoomCell;
+      under_[slot].add(before[x], before[next]);
     }
   }
-  for (const std::size_t element : seen_) {
-    if (fates_[element] == kStands && !canvas_.may_overlap(element, overlapped_[element])) fates_[element] = kSkipped;
-  }
-}
-
-/// kElementCell for each cell that would be a hole, and all overlaps.
-int PatchCost::badness(const Patch& patch, const CanvasPart& part) const {
-  int bad = 0;
-  for (int y = 0; y < patch.side; ++y) {
-    const int *shown = photo_.cells.ptr<int>(patch.from.y + y) + patch.from.x, *above = part.above.ptr<int>(y);
-    const int* rooms = photo_.rooms.ptr<int>(patch.from.y + y) + patch.from.x;
-    const std::uint8_t* below = part.below.ptr(y);
-    for (int x = 0; x < patch.side; ++x) {
-      const Fate fate = shown[x] > 0 ? fates_[std::size_t(shown[x]) - 1] : kUnseen;
-      if (above[x] > 0) {
-        if (fate == kStands) bad += kElementCell;
-        if (rooms[x] > 0 && fates_[std::size_t(rooms[x]) - 1] == kStands) bad += kRoomCell;
-      } else if (shown[x] == kCutCell) {
-        if (below[x] != kLaidGround) bad += kElementCell;
-      } else if (fate == kSkipped || (fate == kOutside && below[x] == kHole)) {
-        bad += kElementCell;
-      }
-    }
-  }
-  return bad;
 }
 
 }  // namespace tessera

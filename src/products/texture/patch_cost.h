@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "products/texture/counted_part.h"
 #include "products/texture/layout_canvas.h"
 
 namespace tessera {
@@ -14,28 +15,19 @@ class PatchCost {
   /// `use_cost`: how much it costs that the patch's elements were laid before. The arguments must outlive it.
   PatchCost(const PhotoCells& photo, const LayoutCanvas& canvas, double use_cost);
 
-  /// `part`: what the canvas shows at patch.to. More is worse.
-  double operator()(const Patch& patch, const CanvasPart& part);
+  /// `part`: what the canvas shows at patch.to. More is worse: kElementCell for each cell that would be a hole, all
+  /// overlaps, copies that lie near, and ground that is barer than the photo's.
+  double operator()(const Patch& patch, const CountedPart& part);
 
  private:
-  // The fate of an element in a patch.
-  enum Fate : char {
-    kUnseen,
-    kOutside,  // its middle is not in the patch
-    kSkipped,  // it would overlap others too much
-    kStands
-  };
-
-  void find_fates(const Patch& patch, const CanvasPart& part);
-  int badness(const Patch& patch, const CanvasPart& part) const;
+  void count(const Patch& patch, const CountedPart& part);
 
   const PhotoCells& photo_;
   const LayoutCanvas& canvas_;
   const double use_cost_;
-  std::vector<Fate> fates_;      // of all elements
-  std::vector<int> overlapped_;  // of each seen element
-  std::vector<std::size_t> seen_;
-  int ground_ = 0;  // cells of the patch
+  std::vector<CellCounts> under_;  // of all slots, see CellRun: the cells of the canvas under what the patch shows
+  std::vector<char> is_seen_;      // whether the patch shows a thing
+  std::vector<int> seen_;          // the things that it shows
 };
 
 }  // namespace tessera

@@ -80,6 +80,24 @@ cv::Mat rooms_of(const cv::Mat& cells, int joint) {
   return rooms;
 }
 
+int slot_of(int cell, int room) {
+  if (cell == kCutCell) return 2 * kCutThing;
+  if (cell == kGroundCell) return room > 0 ? 2 * (kFirstElement + room - 1) + 1 : 2 * kGroundThing;
+  return 2 * (kFirstElement + cell - 1);
+}
+
+cv::Mat runs_of(const cv::Mat& cells, const cv::Mat& rooms) {
+  cv::Mat runs(cells.size(), CV_32SC2);
+  for (int y = 0; y < cells.rows; ++y) {
+    auto* row = runs.ptr<CellRun>(y);
+    for (int x = cells.cols - 1; x >= 0; --x) {
+      row[x] = {1, slot_of(cells.at<int>(y, x), rooms.at<int>(y, x))};
+      if (x + 1 < cells.cols && row[x + 1].slot == row[x].slot) row[x].length += row[x + 1].length;
+    }
+  }
+  return runs;
+}
+
 CellElement cell_element(const PhotoCells& photo, const cv::Rect& box_px, int value, int joint) {
   const auto cell_of = [&](cv::Point px) {
     return cv::Point(int(px.x / photo.cell_px.width), int(px.y / photo.cell_px.height));
@@ -115,6 +133,7 @@ PhotoCells photo_cells(const PhotoLayout& photo) {
   result.ground_part = ground_part_of(result.cells, result.element_side);
   const int joint = joint_cells(result.cells);
   result.rooms = rooms_of(result.cells, joint);
+  result.runs = runs_of(result.cells, result.rooms);
   for (std::size_t i = 0; i < photo.elements.size(); ++i)
     result.elements.push_back(cell_element(result, photo.elements[i].box, int(i) + 1, joint));
   return result;

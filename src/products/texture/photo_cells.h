@@ -25,11 +25,20 @@ struct CellElement {
 inline constexpr std::uint8_t kElementCell = 2;
 inline constexpr std::uint8_t kRoomCell = 1;
 
+// What a run of cells shows: a thing is ground, what is cut, or an element, whose index is kFirstElement less.
+inline constexpr int kGroundThing = 0, kCutThing = 1, kFirstElement = 2;
+
+struct CellRun {
+  int length;  // the cells from this one that show the same
+  int slot;    // twice the thing, plus 1 for the joint round an element
+};
+
 struct PhotoCells {
   cv::Size2d cell_px;       // a whole number of them for each pitch of rows or columns
   double element_side = 0;  // of a mean element, cells
   cv::Mat cells;            // CV_32S
   cv::Mat rooms;            // CV_32S: of ground in the joint round an element: the element's index, plus 1; else 0
+  cv::Mat runs;             // CV_32SC2: the CellRun that begins at each cell
   double ground_part = 0;   // of the photo where elements lie close together
   std::vector<CellElement> elements;
 };

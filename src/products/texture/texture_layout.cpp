@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/rank_pool.h"
+#include "products/texture/counted_part.h"
 #include "products/texture/layout_canvas.h"
 #include "products/texture/patch_cost.h"
 #include "products/texture/photo_cells.h"
@@ -91,7 +92,7 @@ class LayoutQuilt {
   }
 
   Patch chosen(cv::Point corner, int side, const Search& search) {
-    const CanvasPart part = canvas_.part({corner, cv::Size(side, side)});
+    const CountedPart part(canvas_.part({corner, cv::Size(side, side)}));
     std::vector<Patch> all = candidates(corner, side, search.most_candidates);
     std::vector<double> costs = costs_of(all, part, search);
     const std::vector<Patch> beside = beside_best(all, costs);
@@ -106,7 +107,7 @@ class LayoutQuilt {
     return all[good[random_() % good.size()]];
   }
 
-  std::vector<double> costs_of(const std::vector<Patch>& patches, const CanvasPart& part, const Search& search) const {
+  std::vector<double> costs_of(const std::vector<Patch>& patches, const CountedPart& part, const Search& search) const {
     std::vector<double> costs(patches.size());
     constexpr std::size_t kAtOnce = 100;
     parallel_for((patches.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t chunk) {
