@@ -38,6 +38,8 @@ constexpr std::size_t kSquaresAtOnce = 8;
 constexpr int kGroundAlpha = 192, kAnyAlpha = 96;
 /// The width of the joint that is kept round pieces in gaps where photos show other elements, as a part of a piece's size.
 constexpr double kJoint = 0.06;
+/// Cut elements that would be thinner than twice so many joints are left to the ground.
+constexpr double kSliver = 1.3;
 /// How far ground is continued beyond what photos show.
 constexpr float kContinued_px = 12;
 constexpr std::size_t kSpriteBytes = std::size_t(256) << 20;
@@ -183,7 +185,7 @@ class PhotoGround {
     }
   }
 
-  /// The places that are farther from all pieces than a joint is wide: CV_8U.
+  /// The places that are farther from all pieces than a joint is wide, without slivers: CV_8U.
   cv::Mat beyond_joints(const cv::Mat& is_piece) const {
     const NearestPixels pieces(is_piece);
     cv::Mat beyond(is_piece.size(), CV_8U);
@@ -191,6 +193,9 @@ class PhotoGround {
       for (int x = 0; x < beyond.cols; ++x)
         beyond.at<std::uint8_t>(y, x) = pieces.distance_px({x, y}) > joint_px_ ? 255 : 0;
     }
+    const int across = 2 * int(std::lround(kSliver * joint_px_)) + 1;
+    cv::morphologyEx(beyond, beyond, cv::MORPH_OPEN,
+                     cv::getStructuringElement(cv::MORPH_ELLIPSE, cv::Size(across, across)));
     return beyond;
   }
 

@@ -15,6 +15,7 @@
 #include "library/library_builder.h"
 #include "library/library_view.h"
 #include "products/texture/element_pitch.h"
+#include "products/texture/layout_relaxation.h"
 #include "products/texture/texture_layout.h"
 #include "products/texture/texture_pieces.h"
 
@@ -108,7 +109,8 @@ std::vector<LaidElement> layout_of(const Extraction& extraction, const std::vect
   }
   for (const PhotoElement& element : elements) roles[std::size_t(element.label)] = LabelRole::element;
   // Shifts by whole px of the photo leave its pixels what they are.
-  return texture_layout({*extraction.labels, elements, roles, extraction.enlarged}, canvas_px, kSeed);
+  const PhotoLayout photo{*extraction.labels, elements, roles, extraction.enlarged};
+  return relaxed_layout(photo, texture_layout(photo, canvas_px, kSeed), canvas_px);
 }
 
 /// The names of the files in the job.
