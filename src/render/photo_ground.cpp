@@ -17,6 +17,7 @@
 #include "core/geometry/rasterise.h"
 #include "job/picture_size.h"
 #include "layers/svg_image.h"
+#include "render/ground_continuation.h"
 #include "render/ground_strips.h"
 #include "render/pieces/piece_drawing.h"
 #include "render/pieces/sprite_cache.h"
@@ -25,7 +26,7 @@
 namespace tessera {
 namespace {
 
-constexpr const char* kBackgroundId = "photo-ground";
+constexpr const char* kPhotoGroundId = "photo-ground";
 constexpr double kMostPixels = 64e6;
 /// The side of the squares in which the picture is made, one for each thread at a time, and the most px beyond a square
 /// that count for it.
@@ -40,8 +41,6 @@ constexpr int kGroundAlpha = 192, kAnyAlpha = 96;
 constexpr double kJoint = 0.06;
 /// Cut elements that would be thinner than twice so many joints are left to the ground.
 constexpr double kSliver = 1.3;
-/// How far ground is continued beyond what photos show.
-constexpr float kContinued_px = 12;
 constexpr std::size_t kSpriteBytes = std::size_t(256) << 20;
 
 cv::Size ground_size(const CollageReport& report) {
@@ -64,7 +63,7 @@ class PhotoGround {
       add_images(placement);
       area += double(placement.canvas_from_shape.scale()) * placement.canvas_from_shape.scale();
     }
-    reach_px_ += 2 * int(std::ceil(kContinued_px)) + 1;
+    reach_px_ += kContinuation_px;
     const double size_px = std::sqrt(area / double(std::max<std::size_t>(1, report.placements.size()))) * ground_px_;
     joint_px_ = float(std::max(1., kJoint * size_px));
   }
@@ -81,7 +80,7 @@ class PhotoGround {
     spread(kGroundAlpha, part);
     // In wide gaps, where all photos show other elements, these are shown, with a joint round the pieces.
     show_nearest(beyond_joints(is_piece), kAnyAlpha, part);
-    continue_ground(is_piece, part);
+    continue_ground(is_piece, part.window.tl(), part.pixels);
     return part.pixels(cv::Rect(reach, square.size())).clone();
   }
 
@@ -199,23 +198,6 @@ class PhotoGround {
     return beyond;
   }
 
-  /// Continues the ground into places that show nothing, mirrored at its edge.
-  static void continue_ground(const cv::Mat& is_piece, Part& part) {
-    cv::Mat is_ground;
-    cv::extractChannel(part.pixels, is_ground, 3);
-    is_ground = (is_ground > 0) & ~is_piece;
-    const NearestPixels ground(is_ground);
-    const cv::Rect inside({}, part.window.size());
-    for (int y = 0; y < is_ground.rows; ++y) {
-      for (int x = 0; x < is_ground.cols; ++x) {
-        if (is_shown(part, {x, y}) || ground.distance_px({x, y}) > kContinued_px) continue;
-        const cv::Point edge = *ground.nearest({x, y}), mirrored = 2 * edge - cv::Point(x, y);
-        const bool has_mirrored = inside.contains(mirrored) && is_ground.at<std::uint8_t>(mirrored);
-        part.pixels.at<cv::Vec4b>(y, x) = part.pixels.at<cv::Vec4b>(has_mirrored ? mirrored : edge);
-      }
-    }
-  }
-
   const CollageReport& report_;
   const double ground_px_;  // px of the ground for one of the canvas
   int reach_px_ = 1;
@@ -284,7 +266,7 @@ GroundTile photo_ground(const CollageReport& report, const GroundTile& below, Dr
   tile.size_px = cv::Size2d(report.canvas->width_px, report.canvas->height_px);
   tile.repeats = report.canvas->period.x_px > 0 && report.canvas->period.y_px > 0;
   const cv::Mat image = straightened(in_embedded_size(tile.page));
-  tile.svg = svg_image(image, kBackgroundId);
+  tile.svg = svg_image(image, kPhotoGroundId);
   tile.svg_size = image.size();
   return tile;
 }

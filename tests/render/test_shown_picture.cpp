@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "job/canvas/overlays.h"
+#include "result/folder/result_file.h"
 #include "support/artwork_samples.h"
 #include "support/images.h"
 #include "support/input_error.h"
