@@ -15,6 +15,7 @@
 
 #include "artwork/images/photo.h"
 #include "artwork/images/png_encoder.h"
+#include "copied_part.h"
 #include "core/base/error.h"
 #include "files/atomic_file.h"
 #include "files/regular_file.h"
@@ -195,6 +196,11 @@ void run(const Options& options) {
   const TextureStatistics of_ours = statistics_of(texture, photo.size(), element_px);
   const TextureStatistics of_quilt = statistics_of(quilt, photo.size(), element_px);
   DistanceTable(of_photo, of_ours, of_quilt).print();
+  const auto copied = [&](const cv::Mat& picture) {
+    return fixed(copied_part(picture, int(kElementsToBlock * element_px)), 2);
+  };
+  std::printf("| part that comes again, in squares of two elements | %s | %s | %s |\n", copied(photo).c_str(),
+              copied(texture).c_str(), copied(quilt).c_str());
 }
 
 }  // namespace
