@@ -24,9 +24,10 @@ cv::Mat alpha_of(const cv::Mat& pixels) {
   return alpha;
 }
 
-/// A pixel of the ground near `edge`, which is one itself, drawn by the place that it is for.
-cv::Point drawn_ground(const cv::Mat& is_ground, cv::Point edge, cv::Point place) {
-  const std::uint64_t key = mix_bits(std::uint64_t(std::uint32_t(place.y)) << 32 | std::uint32_t(place.x));
+/// A pixel of the ground near `edge`, which is one itself, drawn by the way from there to the place that it is for. So the
+/// same gap looks the same wherever it lies on the canvas.
+cv::Point drawn_ground(const cv::Mat& is_ground, cv::Point edge, cv::Point way) {
+  const std::uint64_t key = mix_bits(std::uint64_t(std::uint32_t(way.y)) << 32 | std::uint32_t(way.x));
   const cv::Rect inside({}, is_ground.size());
   constexpr std::uint64_t kSide_px = 2 * kGrain_px + 1;
   for (std::uint64_t draw = 0; draw < kMostDraws; ++draw) {
@@ -46,14 +47,14 @@ void soften(const cv::Mat& which, cv::Mat& pixels) {
 
 }  // namespace
 
-void continue_ground(const cv::Mat& is_piece, cv::Point corner, cv::Mat& pixels) {
+void continue_ground(const cv::Mat& is_piece, cv::Mat& pixels) {
   const cv::Mat is_shown = alpha_of(pixels) > 0, is_ground = is_shown & ~is_piece;
   const NearestPixels ground(is_ground);
   cv::Mat is_new = cv::Mat::zeros(pixels.size(), CV_8U);
   for (int y = 0; y < pixels.rows; ++y) {
     for (int x = 0; x < pixels.cols; ++x) {
       if (is_shown.at<std::uint8_t>(y, x) || ground.distance_px({x, y}) > kContinued_px) continue;
-      const cv::Point from = drawn_ground(is_ground, *ground.nearest({x, y}), corner + cv::Point(x, y));
+      const cv::Point edge = *ground.nearest({x, y}), from = drawn_ground(is_ground, edge, cv::Point(x, y) - edge);
       pixels.at<cv::Vec4b>(y, x) = pixels.at<cv::Vec4b>(from);
       is_new.at<std::uint8_t>(y, x) = 255;
     }

@@ -9,8 +9,7 @@ namespace tessera {
 inline constexpr int kContinuation_px = 20;
 
 /// Gives pixels that show nothing yet (alpha 0) the grains of ground nearby, up to 12 px from it. `pixels`: CV_8UC4, alpha 255
-/// where something is shown. `is_piece`: CV_8U, 255 where no ground lies. `corner`: the place of the first pixel on the
-/// canvas; the same place gets the same grain.
-void continue_ground(const cv::Mat& is_piece, cv::Point corner, cv::Mat& pixels);
+/// where something is shown. `is_piece`: CV_8U, 255 where no ground lies.
+void continue_ground(const cv::Mat& is_piece, cv::Mat& pixels);
 
 }  // namespace tessera

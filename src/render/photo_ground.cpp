@@ -80,7 +80,7 @@ class PhotoGround {
     spread(kGroundAlpha, part);
     // In wide gaps, where all photos show other elements, these are shown, with a joint round the pieces.
     show_nearest(beyond_joints(is_piece), kAnyAlpha, part);
-    continue_ground(is_piece, part.window.tl(), part.pixels);
+    continue_ground(is_piece, part.pixels);
     return part.pixels(cv::Rect(reach, square.size())).clone();
   }
 

@@ -27,7 +27,7 @@ cv::Mat canvas() {
 
 cv::Mat continued(const cv::Mat& shown, const cv::Rect& window) {
   cv::Mat pixels = shown(window).clone();
-  continue_ground(cv::Mat::zeros(pixels.size(), CV_8U), window.tl(), pixels);
+  continue_ground(cv::Mat::zeros(pixels.size(), CV_8U), pixels);
   return pixels;
 }
 
@@ -58,7 +58,7 @@ TEST(GroundContinuation, TakesNothingFromPieces) {
   cv::Mat is_piece = cv::Mat::zeros(pixels.size(), CV_8U);
   is_piece.colRange(4, kGroundWidth_px) = 255;
   pixels.colRange(4, kGroundWidth_px) = cv::Scalar(0, 0, 250, 255);
-  continue_ground(is_piece, {}, pixels);
+  continue_ground(is_piece, pixels);
   EXPECT_LT(pixels.at<cv::Vec4b>(30, kGroundWidth_px + 4)[2], 130);
 }
 
@@ -73,7 +73,7 @@ TEST(GroundContinuation, IsTheSameInEachWindow) {
 
 TEST(GroundContinuation, OfNothingIsNothing) {
   cv::Mat pixels = cv::Mat::zeros(20, 20, CV_8UC4);
-  continue_ground(cv::Mat::zeros(pixels.size(), CV_8U), {}, pixels);
+  continue_ground(cv::Mat::zeros(pixels.size(), CV_8U), pixels);
   EXPECT_EQ(cv::norm(pixels, cv::NORM_INF), 0);
 }
 
