@@ -38,19 +38,7 @@ constexpr std::uint64_t kSeed = 1;
 std::string name_of(const std::string& path) { return fs::path(path).filename().string(); }
 
 Extraction extracted(const TextureRequest& request, Drawers& drawers) {
-  ExtractionSettings settings;
-  settings.element_px = request.element_px;
-  settings.labels = request.labels;
-  settings.enlarged_element_px = kLeastElement_px;
-  // The canvas, which is enlarged, too, must not become too large for a job.
-  settings.most_enlarged_px2 = kMaxCanvas_px2 / ((kSides + 0.1) * (kSides + 0.1));
-  if (const cv::Size size = request.size_px; !size.empty()) {
-    const double by_area = std::sqrt(kMaxCanvas_px2 / (double(size.width) * size.height));
-    settings.most_enlarged = std::min(int(by_area), kMostCanvasSide_px / std::max(size.width, size.height));
-    settings.most_enlarged_px2 = kMaxImagePixels;
-  }
-  settings.ground_px = kGroundSide_px;
-  Extraction extraction = extract_elements(request.photo, settings, drawers);
+  Extraction extraction = extract_elements(request.photo, texture_extraction(request), drawers);
   if (!extraction.cut_outs.empty()) return extraction;
   throw InputError(request.photo +
                    ": found no whole element; allowed: a photo of many elements, or --element-px, the short side of a "
@@ -136,6 +124,22 @@ TexturePlan plan_of(const TextureRequest& request, const Extraction& extraction)
 std::string texture_library_path(const std::string& job) { return path_beside_job(job, ".h5"); }
 std::string texture_layout_path(const std::string& job) { return path_beside_job(job, "_layout.geojson"); }
 std::string texture_ground_path(const std::string& job) { return path_beside_job(job, "_ground.png"); }
+
+ExtractionSettings texture_extraction(const TextureRequest& request) {
+  ExtractionSettings settings;
+  settings.element_px = request.element_px;
+  settings.labels = request.labels;
+  settings.enlarged_element_px = kLeastElement_px;
+  // The canvas, which is enlarged, too, must not become too large for a job.
+  settings.most_enlarged_px2 = kMaxCanvas_px2 / ((kSides + 0.1) * (kSides + 0.1));
+  if (const cv::Size size = request.size_px; !size.empty()) {
+    const double by_area = std::sqrt(kMaxCanvas_px2 / (double(size.width) * size.height));
+    settings.most_enlarged = std::min(int(by_area), kMostCanvasSide_px / std::max(size.width, size.height));
+    settings.most_enlarged_px2 = kMaxImagePixels;
+  }
+  settings.ground_px = kGroundSide_px;
+  return settings;
+}
 
 TextureDraft draft_texture(const TextureRequest& request, Drawers& drawers) {
   TextureDraft draft{extracted(request, drawers), {}, {}};

@@ -35,6 +35,9 @@ std::string texture_library_path(const std::string& job);
 std::string texture_layout_path(const std::string& job);
 std::string texture_ground_path(const std::string& job);
 
+/// How the elements of a texture are searched for: with the photo enlarged where they are small, and with the ground.
+ExtractionSettings texture_extraction(const TextureRequest& request);
+
 /// Finds the elements and plans the texture. Throws InputError where the photo cannot be used or shows no whole element.
 TextureDraft draft_texture(const TextureRequest& request, Drawers& drawers);
 
