@@ -38,13 +38,6 @@ cv::Point drawn_ground(const cv::Mat& is_ground, cv::Point edge, cv::Point way) 
   return edge;
 }
 
-/// Blurs these pixels, except beside pixels that show nothing.
-void soften(const cv::Mat& which, cv::Mat& pixels) {
-  cv::Mat soft;
-  cv::GaussianBlur(pixels, soft, {2 * kBlurReach_px + 1, 2 * kBlurReach_px + 1}, kGrainBlur_px);
-  soft.copyTo(pixels, which & (alpha_of(soft) == 255));
-}
-
 }  // namespace
 
 void continue_ground(const cv::Mat& is_piece, cv::Mat& pixels) {
@@ -60,6 +53,12 @@ void continue_ground(const cv::Mat& is_piece, cv::Mat& pixels) {
     }
   }
   soften(is_new, pixels);
+}
+
+void soften(const cv::Mat& which, cv::Mat& pixels) {
+  cv::Mat soft;
+  cv::GaussianBlur(pixels, soft, {2 * kBlurReach_px + 1, 2 * kBlurReach_px + 1}, kGrainBlur_px);
+  soft.copyTo(pixels, which & (alpha_of(soft) == 255));
 }
 
 }  // namespace tessera

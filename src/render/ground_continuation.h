@@ -12,4 +12,7 @@ inline constexpr int kContinuation_px = 20;
 /// where something is shown. `is_piece`: CV_8U, 255 where no ground lies.
 void continue_ground(const cv::Mat& is_piece, cv::Mat& pixels);
 
+/// Blurs these pixels (CV_8U: 255) by a little, where hard edges would be seen, except beside pixels that show nothing.
+void soften(const cv::Mat& which, cv::Mat& pixels);
+
 }  // namespace tessera

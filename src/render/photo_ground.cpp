@@ -28,6 +28,9 @@ namespace {
 
 constexpr const char* kPhotoGroundId = "photo-ground";
 constexpr double kMostPixels = 64e6;
+constexpr int kMostTimes = 3;
+/// Pixels of two photos are the same if they differ by no more, of 255.
+constexpr double kSamePixel = 4;
 /// The side of the squares in which the picture is made, one for each thread at a time, and the most px beyond a square
 /// that count for it.
 constexpr int kSquare_px = 1024;
@@ -43,9 +46,12 @@ constexpr double kJoint = 0.06;
 constexpr double kSliver = 1.3;
 constexpr std::size_t kSpriteBytes = std::size_t(256) << 20;
 
+/// The size of the picture; a multiple of it where the picture is a smaller copy of the canvas, so that the edges between
+/// photos are averaged, too.
 cv::Size ground_size(const CollageReport& report) {
   const cv::Size picture = picture_size_px(report.output, *report.canvas);
-  const double scale = std::min(1., std::sqrt(kMostPixels / (double(picture.width) * picture.height)));
+  const int times = std::clamp(report.canvas->width_px / picture.width, 1, kMostTimes);
+  const double scale = std::min(double(times), std::sqrt(kMostPixels / (double(picture.width) * picture.height)));
   return {std::max(1, int(picture.width * scale)), std::max(1, int(picture.height * scale))};
 }
 
@@ -81,6 +87,7 @@ class PhotoGround {
     // In wide gaps, where all photos show other elements, these are shown, with a joint round the pieces.
     show_nearest(beyond_joints(is_piece), kAnyAlpha, part);
     continue_ground(is_piece, part.pixels);
+    soften(seams(is_piece, part), part.pixels);
     return part.pixels(cv::Rect(reach, square.size())).clone();
   }
 
@@ -184,6 +191,35 @@ class PhotoGround {
     }
   }
 
+  /// Whether the photo of `image` shows something else at this place than what is shown there.
+  bool differs(int image, cv::Point at, const Part& part) const {
+    const auto photo = part.photos.find(image);
+    const cv::Rect box = images_[std::size_t(image)].surroundings.box & part.window;
+    const cv::Point place = at + part.window.tl();
+    if (photo == part.photos.end() || !box.contains(place)) return true;
+    const cv::Vec4b &a = photo->second.at<cv::Vec4b>(place - box.tl()), &b = part.pixels.at<cv::Vec4b>(at);
+    return a[3] < 255 || cv::norm(a, b, cv::NORM_INF) > kSamePixel;
+  }
+
+  /// The pixels of the ground beside another photo, unless both photos are the same there: CV_8U.
+  cv::Mat seams(const cv::Mat& is_piece, const Part& part) const {
+    cv::Mat found = cv::Mat::zeros(is_piece.size(), CV_8U);
+    const auto look = [&](cv::Point a, cv::Point b) {
+      const int first = part.owners.at<int>(a), second = part.owners.at<int>(b);
+      if (first == second || first == kNobody || second == kNobody) return;
+      if (is_piece.at<std::uint8_t>(a) || is_piece.at<std::uint8_t>(b)) return;
+      if (differs(first, b, part) || differs(second, a, part))
+        found.at<std::uint8_t>(a) = found.at<std::uint8_t>(b) = 255;
+    };
+    for (int y = 0; y < found.rows; ++y) {
+      for (int x = 0; x < found.cols; ++x) {
+        if (x + 1 < found.cols) look({x, y}, {x + 1, y});
+        if (y + 1 < found.rows) look({x, y}, {x, y + 1});
+      }
+    }
+    return found;
+  }
+
   /// The places that are farther from all pieces than a joint is wide, without slivers: CV_8U.
   cv::Mat beyond_joints(const cv::Mat& is_piece) const {
     const NearestPixels pieces(is_piece);
@@ -237,6 +273,15 @@ void fill_empty_places(cv::Mat& page) {
   page.setTo(cv::Scalar(mean[0], mean[1], mean[2], 255), is_empty);
 }
 
+/// The page, averaged where it is larger than the picture.
+cv::Mat in_picture_size(const cv::Mat& page, const CollageReport& report) {
+  const cv::Size picture = picture_size_px(report.output, *report.canvas);
+  if (page.cols <= picture.width) return page;
+  cv::Mat small;
+  cv::resize(page, small, picture, 0, 0, cv::INTER_AREA);
+  return small;
+}
+
 }  // namespace
 
 GroundTile photo_ground(const CollageReport& report, const GroundTile& below, Drawers& drawers,
@@ -265,7 +310,7 @@ GroundTile photo_ground(const CollageReport& report, const GroundTile& below, Dr
   fill_empty_places(tile.page);
   tile.size_px = cv::Size2d(report.canvas->width_px, report.canvas->height_px);
   tile.repeats = report.canvas->period.x_px > 0 && report.canvas->period.y_px > 0;
-  const cv::Mat image = straightened(in_embedded_size(tile.page));
+  const cv::Mat image = straightened(in_embedded_size(in_picture_size(tile.page, report)));
   tile.svg = svg_image(image, kPhotoGroundId);
   tile.svg_size = image.size();
   return tile;

@@ -86,9 +86,32 @@ TEST(PhotoGround, EachPlaceShowsThePhotoOfTheNearestPiece) {
   sample.place(ShapeId{7}, 40, {60, 50}, 0);
   sample.place(ShapeId{3}, 40, {120, 50}, 0);  // the middle between them is at 90
   const cv::Mat page = sample.ground().page;
-  const cv::Rect left(80, 40, 10, 20), right(90, 40, 10, 20);
+  const cv::Rect left(80, 40, 9, 20), right(91, 40, 9, 20);
   EXPECT_EQ(largest_difference(page(left), sample.photos[0](left - cv::Point(60 - 44, 50 - 44))), 0);
   EXPECT_EQ(largest_difference(page(right), sample.photos[1](right - cv::Point(120 - 44, 50 - 44))), 0);
+}
+
+TEST(PhotoGround, TheEdgeBetweenTwoPhotosIsSoft) {
+  PhotoCollage sample;
+  sample.place(ShapeId{7}, 40, {60, 50}, 0);
+  sample.place(ShapeId{3}, 40, {120, 50}, 0);
+  const cv::Mat page = sample.ground().page;
+  const cv::Mat left = page(cv::Rect(89, 40, 1, 20)), right = page(cv::Rect(90, 40, 1, 20));
+  const cv::Mat hard_left = sample.photos[0](cv::Rect(89 - 16, 34, 1, 20));
+  const cv::Mat hard_right = sample.photos[1](cv::Rect(90 - 76, 34, 1, 20));
+  EXPECT_LT(cv::norm(left, right, cv::NORM_L1), 0.7 * cv::norm(hard_left, hard_right, cv::NORM_L1));
+}
+
+TEST(PhotoGround, BetweenNeighboursOfOnePhotoIsThePhoto) {
+  PhotoCollage sample;
+  const cv::Mat photo = photo_of({138, 88}, 3);
+  for (const int slot : {0, 1}) {
+    sample.photos[std::size_t(slot)] = photo(cv::Rect(50 * slot, 0, 88, 88)).clone();
+    sample.set_photo(std::size_t(slot));
+  }
+  sample.place(ShapeId{7}, 40, {60, 50}, 0);
+  sample.place(ShapeId{3}, 40, {110, 50}, 0);
+  EXPECT_EQ(largest_difference(sample.ground().page(cv::Rect(16, 6, 138, 88)), photo), 0);
 }
 
 TEST(PhotoGround, TakesTheNextPhotoWhereTheNearestShowsAnotherElement) {
@@ -177,7 +200,10 @@ TEST(PhotoGround, OfAnEnlargedPhotoIsItsPixelsAveraged) {
   sample.photos[0].copyTo(photo(cv::Rect(16, 16, 88, 88)));
   cv::resize(photo, small, {40, 40}, 0, 0, cv::INTER_AREA);
   const cv::Rect whole(6, 6, 28, 28);  // px that the photo covers wholly
-  EXPECT_LE(largest_difference(sample.ground().page(whole), small(whole)), 1);
+  cv::Mat page = sample.ground().page;
+  ASSERT_EQ(page.size(), cv::Size(120, 120));  // averaged where it is drawn
+  cv::resize(page, page, {40, 40}, 0, 0, cv::INTER_AREA);
+  EXPECT_LE(largest_difference(page(whole), small(whole)), 1);
 }
 
 TEST(PhotoGround, FarFromAllPiecesShowsWhatIsBelowOrTheMeanColour) {

@@ -16,7 +16,7 @@ namespace {
 constexpr double kElementInCopy_px = 40;
 constexpr double kMostCopy_px2 = 4e6;
 /// Wider gaps are no joints, but room for another element. In sides of a mean element.
-constexpr double kMostJoint_elements = 0.5;
+constexpr double kMostJoint_elements = 0.8;
 /// The range of the photo's joints that is usual.
 constexpr double kNarrow = 0.25, kWide = 0.75;
 constexpr int kRounds = 6;
