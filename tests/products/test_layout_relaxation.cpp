@@ -77,9 +77,9 @@ TEST(LayoutRelaxation, MovesOverlappingElementsApart) {
 
 TEST(LayoutRelaxation, LeavesAGapForAnotherElement) {
   const Wall wall;
-  const std::vector<LaidElement> laid = wall.laid(300, {70, 0});
+  const std::vector<LaidElement> laid = wall.laid(300, {84, 0});
   const std::vector<int> after =
-      joints_in_rows(wall, relaxed_layout(wall.layout(), laid, {kWall.width + 70, kWall.height}));
+      joints_in_rows(wall, relaxed_layout(wall.layout(), laid, {kWall.width + 84, kWall.height}));
   EXPECT_GE(*std::max_element(after.begin(), after.end()), 60);
 }
 
@@ -88,6 +88,42 @@ TEST(LayoutRelaxation, LeavesWhatLiesAsInThePhoto) {
   const std::vector<LaidElement> laid = wall.laid(0, {12, 20});
   const std::vector<LaidElement> after = relaxed_layout(wall.layout(), laid, {kWall.width, kWall.height});
   for (std::size_t i = 0; i < laid.size(); ++i) EXPECT_EQ(after[i].shift_px, laid[i].shift_px);
+}
+
+/// The mean step from a tile to the next one in its row, px; a step of more than half a tile leads to another row.
+double mean_step_px(const std::vector<PhotoElement>& elements, const std::vector<LaidElement>& laid, cv::Size canvas) {
+  const auto middle = [&](const LaidElement& e) {
+    return (elements[e.element].box.tl() + elements[e.element].box.br()) / 2 + e.shift_px;
+  };
+  const auto wrapped = [](int d, int period) { return ((d + period / 2) % period + period) % period - period / 2; };
+  double steps = 0, count = 0;
+  for (const LaidElement& one : laid) {
+    for (const LaidElement& other : laid) {
+      const cv::Point d = middle(other) - middle(one);
+      const int dx = wrapped(d.x, canvas.width), dy = wrapped(d.y, canvas.height);
+      if (dx < 30 || dx > 80 || std::abs(dy) > 25) continue;
+      steps += std::abs(dy);
+      ++count;
+    }
+  }
+  return steps / std::max(count, 1.);
+}
+
+TEST(LayoutRelaxation, KeepsLinesOfTiles) {
+  cv::RNG random(5);
+  cv::Mat map = cv::Mat::zeros(8 * 58, 5 * 58, CV_32S);
+  for (int i = 0; i < 40; ++i) {
+    const cv::Point jitter(random.uniform(2, 6), random.uniform(2, 6));
+    map(cv::Rect(cv::Point(i % 5 * 58, i / 5 * 58) + jitter, cv::Size(50, 50))) = i + 1;
+  }
+  const LabelRuns labels(map);
+  const std::vector<PhotoElement> elements = find_elements(labels, {}).elements;
+  const PhotoLayout photo{labels, elements, label_roles(labels, elements, 0)};
+  for (const cv::Size canvas : {cv::Size(8 * 58, 6 * 58), cv::Size(9 * 58, 7 * 58), cv::Size(10 * 58, 5 * 58)}) {
+    const std::vector<LaidElement> laid = texture_layout(photo, canvas, 1);
+    EXPECT_LE(mean_step_px(elements, relaxed_layout(photo, laid, canvas), canvas),
+              mean_step_px(elements, laid, canvas) + 0.5);
+  }
 }
 
 TEST(LayoutRelaxation, MovesByStepsOnly) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
@@ -22,6 +23,12 @@ constexpr double kNarrow = 0.25, kWide = 0.75;
 constexpr int kRounds = 6;
 /// The longest way of an element in a round, in sides of a mean element.
 constexpr double kMostWay_elements = 0.15;
+/// A joint is no wider than at its narrowest place and this, in sides of a mean element. Else gaps would pull the elements round
+/// them together.
+constexpr double kOpening_elements = 0.25;
+/// Elements that face each other by less are no neighbours, as those at opposite corners of a crossing, which would pull rows
+/// of tiles out of line. In sides of a mean element.
+constexpr double kLeastFacing_elements = 0.25;
 /// How much elements of one patch hold each other along a joint, relative to across it.
 constexpr double kAlong = 0.1;
 
@@ -112,26 +119,48 @@ class Relaxation {
   }
 
   std::vector<Spring> springs() const {
-    std::vector<Spring> all;
-    for (const JointPlace& place : places()) {
-      const auto first = std::size_t(place.first) - 1, second = std::size_t(place.second) - 1;
-      if (all.empty() || all.back().first != first || all.back().second != second)
-        all.push_back({first, second, cv::Matx22d::zeros(), {}});
-      Spring& spring = all.back();
+    const std::vector<JointPlace> all = places();
+    std::vector<Spring> springs;
+    for (auto begin = all.begin(), end = begin; begin != all.end(); begin = end) {
+      end = std::find_if(begin, all.end(), [&](const JointPlace& place) {
+        return place.first != begin->first || place.second != begin->second;
+      });
+      const std::vector<JointPlace> facing = facing_places(begin, end);
+      if (double(facing.size()) >= kLeastFacing_elements * side_px_ * scale_) springs.push_back(spring_across(facing));
+    }
+    return springs;
+  }
+
+  /// The places of a joint without those where it opens into a gap.
+  template <class Places>
+  std::vector<JointPlace> facing_places(Places begin, Places end) const {
+    const auto narrower = [](const JointPlace& a, const JointPlace& b) { return a.width_px < b.width_px; };
+    const double most_px = std::min_element(begin, end, narrower)->width_px + kOpening_elements * side_px_ * scale_;
+    std::vector<JointPlace> facing;
+    std::copy_if(begin, end, std::back_inserter(facing),
+                 [&](const JointPlace& place) { return place.width_px <= most_px; });
+    return facing;
+  }
+
+  /// The spring of a joint.
+  Spring spring_across(const std::vector<JointPlace>& joint) const {
+    Spring spring{std::size_t(joint.front().first) - 1, std::size_t(joint.front().second) - 1, {}, {}};
+    const bool of_one_patch = laid_[spring.first].shift_px == laid_[spring.second].shift_px;
+    const cv::Vec2d opened = ways_[spring.second] - ways_[spring.first];
+    for (const JointPlace& place : joint) {
       const cv::Vec2d across(place.across[0], place.across[1]);
-      const cv::Matx22d normal(across[0] * across[0], across[0] * across[1], across[0] * across[1],
-                               across[1] * across[1]);
-      if (laid_[first].shift_px == laid_[second].shift_px) {
-        const cv::Matx22d held = normal + kAlong * cv::Matx22d::eye();
-        spring.stiffness += held;
-        spring.pull += held * (ways_[second] - ways_[first]);
+      const cv::Matx22d normal = across * across.t();
+      spring.stiffness += normal;
+      if (of_one_patch) {
+        const cv::Matx22d along = kAlong * cv::Matx22d::eye();
+        spring.stiffness += along;
+        spring.pull += (normal + along) * opened;
       } else {
-        const double usual = std::clamp(place.width_px, narrow_, std::max(narrow_, wide_));
-        spring.stiffness += normal;
-        spring.pull += (place.width_px - usual) * across;
+        const float usual_px = std::clamp(place.width_px, narrow_, std::max(narrow_, wide_));
+        spring.pull += double(place.width_px - usual_px) * across;
       }
     }
-    return all;
+    return spring;
   }
 
   const PhotoLayout& photo_;
