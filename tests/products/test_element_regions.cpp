@@ -57,8 +57,9 @@ TEST(MergedBasins, ShallowOnesJoinTheirNeighbour) {
   const cv::Mat relief = (cv::Mat_<float>(1, 7) << 0, 3, 2, 9, 1, 5, 4);
   const cv::Mat basins = basins_of(relief);
   EXPECT_EQ(label_count(basins), 4);
+  const BasinMerger merger(relief, basins);
   const auto deeper_than = [&](float depth) {
-    return merged_basins(relief, basins, [depth](float saddle, float floor) { return saddle - floor < depth; });
+    return merger.merged([depth](float saddle, float floor) { return saddle - floor < depth; });
   };
   EXPECT_EQ(label_count(deeper_than(0.5F)), 4);
   EXPECT_EQ(label_count(deeper_than(2)), 2);
