@@ -2,13 +2,17 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <opencv2/imgproc.hpp>
+#include <vector>
 
 #include "products/elements/gap_filter.h"
 #include "products/elements/segmentation/boundary_map.h"
 #include "products/elements/segmentation/colour_clusters.h"
 #include "products/elements/segmentation/distance_split.h"
 #include "products/elements/segmentation/label_scaling.h"
+#include "products/elements/segmentation/mask_parts.h"
 #include "products/elements/segmentation/merge_tree.h"
 #include "products/elements/segmentation/region_labels.h"
 #include "products/elements/segmentation/region_vote.h"
@@ -93,6 +97,25 @@ TEST(SolidPart, FillsHolesAndKeepsTheLargest) {
   EXPECT_EQ(cv::countNonZero(solid), 400);
   EXPECT_EQ(solid.at<std::uint8_t>(7, 7), 255);
   EXPECT_EQ(solid.at<std::uint8_t>(20, 20), 0);
+}
+
+/// Compares random masks with OpenCV's connected components.
+RC_GTEST_PROP(MaskParts, AreTheConnectedComponents, ()) {
+  const cv::Mat mask = random_relief(*rc::gen::inRange(1, 20), *rc::gen::inRange(1, 20), 3) > 0;
+  cv::Mat labels, stats, centroids;
+  const int count = cv::connectedComponentsWithStats(mask, labels, stats, centroids, 4);
+  using Part = std::array<int, 5>;
+  std::vector<Part> expected, found;
+  for (int i = 1; i < count; ++i) {
+    const int* s = stats.ptr<int>(i);
+    expected.push_back(
+        {s[cv::CC_STAT_LEFT], s[cv::CC_STAT_TOP], s[cv::CC_STAT_WIDTH], s[cv::CC_STAT_HEIGHT], s[cv::CC_STAT_AREA]});
+  }
+  for (const auto& [box, area_px2] : mask_parts(mask))
+    found.push_back({box.x, box.y, box.width, box.height, int(area_px2)});
+  std::sort(expected.begin(), expected.end());
+  std::sort(found.begin(), found.end());
+  RC_ASSERT(found == expected);
 }
 
 /// Compares random masks with OpenCV's connected components.

@@ -60,7 +60,8 @@ void by_levels(const cv::Mat& bgr, const Take& take) {
 }
 
 void by_colours(const cv::Mat& lab, const Take& take) {
-  for (const int colour_count : {3, 4, 5}) take(elements_of(colour_mask(lab, colour_count)));
+  const cv::Mat colours = relative_colours(lab);
+  for (const int colour_count : {3, 4, 5}) take(elements_of(colour_mask(colours, colour_count)));
 }
 
 /// Merges basins shallower than `depth` with their neighbours.
