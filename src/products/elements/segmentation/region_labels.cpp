@@ -114,7 +114,7 @@ cv::Mat solid_regions(const cv::Mat& labels, double least_area_px2, double least
   const std::vector<RegionBox> regions = region_boxes(labels);
   for (std::size_t label = 1; label < regions.size(); ++label) {
     const RegionBox& region = regions[label];
-    if (region.area_px2 == 0) continue;
+    if (region.area_px2 == 0 || region.box.area() < least_area_px2) continue;  // the solid part lies in the box
     const cv::Mat mask = solid_part(labels(region.box) == int(label));
     const int area_px2 = cv::countNonZero(mask);
     if (area_px2 < least_area_px2 || solidity_of(mask) < least_solidity) continue;
