@@ -78,7 +78,7 @@ bool is_hollow(const Silhouette& silhouette, TracingRules rules) {
 
 std::variant<ArtworkShape, SkipReason> shape_from_artwork(std::span<const std::uint8_t> bytes, const std::string& path,
                                                           const TracingSettings& settings) {
-  Silhouette silhouette = make_silhouette(bytes, path, settings.rules.edge_opacity);
+  Silhouette silhouette = make_silhouette(bytes, path, settings.rules);
   const Traced traced = traced_outline(silhouette, settings.rules);
   if (const auto* reason = std::get_if<SkipReason>(&traced.outline)) {
     if (silhouette.loses_text)

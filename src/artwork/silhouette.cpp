@@ -82,8 +82,10 @@ struct Judged {
   bool loses_parts = false;
 };
 
-Judged judged(const ArtworkPage& page, const cv::Mat& first, float edge_opacity) {
-  if (edge_opacity != kEdgeOpacity || !has_translucent_parts(first)) return {drawn_finely(page, first, edge_opacity)};
+Judged judged(const ArtworkPage& page, const cv::Mat& first, const TracingRules& rules) {
+  const float edge_opacity = rules.edge_opacity;
+  const bool is_literal = rules.opaque || edge_opacity != kEdgeOpacity;
+  if (is_literal || !has_translucent_parts(first)) return {drawn_finely(page, first, edge_opacity)};
   // All of a shadow must be in the picture, as it is recognised by the way in which it fades.
   Drawing seen = drawn_finely(page, first, kLeastSeen);
   const cv::Mat alpha = alpha_of(seen.bgra);
@@ -153,10 +155,10 @@ ColourRaster colours_of(const Drawing& drawing) {
 
 }  // namespace
 
-Silhouette make_silhouette(std::span<const std::uint8_t> bytes, const std::string& path, float edge_opacity) {
+Silhouette make_silhouette(std::span<const std::uint8_t> bytes, const std::string& path, const TracingRules& rules) {
   const std::unique_ptr<ArtworkPage> page = open_artwork_page(bytes, path);
   const cv::Mat first = page->draw(kSilhouetteSide_px, cv::Rect({0, 0}, page_size_px(*page, kSilhouetteSide_px)));
-  const Judged judgement = judged(*page, first, edge_opacity);
+  const Judged judgement = judged(*page, first, rules);
   const Drawing& drawing = judgement.drawing;
   const cv::Size size = page_size_px(*page, drawing.longest_side_px);
   const cv::Mat thumbnail = thumbnail_of(first);

@@ -45,10 +45,10 @@ struct Silhouette {
   std::vector<std::uint8_t> thumbnail_png;  // the whole page, RGBA, longest side kThumbnailSide_px
 };
 
-/// Makes the silhouette. A pixel belongs to the drawing if its alpha is at least `edge_opacity`. A value other than
-/// kEdgeOpacity is a request of the user, and is applied literally: there is no `body` then. Throws InputError as
-/// open_artwork_page (open_artwork_page.h) does. `path` is kept and used in messages.
+/// Makes the silhouette. A pixel belongs to the drawing if its alpha is at least `rules.edge_opacity`. A value other than
+/// kEdgeOpacity is a request of the user, and is applied literally: there is no `body` then, nor with `rules.opaque`.
+/// Throws InputError as open_artwork_page (open_artwork_page.h) does. `path` is kept and used in messages.
 Silhouette make_silhouette(std::span<const std::uint8_t> bytes, const std::string& path,
-                           float edge_opacity = kEdgeOpacity);
+                           const TracingRules& rules = {});
 
 }  // namespace tessera

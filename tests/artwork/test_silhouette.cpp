@@ -239,6 +239,17 @@ TEST(ArtworkShape, TheOutlineRunsAtTheOpacityAskedFor) {
             std::get<ArtworkShape>(shape_from_artwork(halo, "halo.svg", {{}, 0.5f})).shape.drawn_scale_px);
 }
 
+/// A cut-out of a photo has no wings and no shadow, so that its soft edge alone tells the outline.
+TEST(ArtworkShape, OfAnOpaqueDrawingTranslucentPartsAreEdge) {
+  const Bytes winged = svg(R"(<circle cx="30" cy="25" r="15"/><circle cx="55" cy="25" r="15" opacity="0.4"/>)");
+  const auto size_px = [&](bool opaque) {
+    const TracingSettings settings{.pad = {}, .rules = {.opaque = opaque}};
+    return std::get<ArtworkShape>(shape_from_artwork(winged, "winged.svg", settings)).shape.drawn_scale_px;
+  };
+  EXPECT_NEAR(size_px(true), 15 * std::sqrt(kPi), 0.3);
+  EXPECT_GT(size_px(false), 1.3f * size_px(true));
+}
+
 /// The message advises to fill enclosed areas only if the lines alone are too thin.
 TEST(ArtworkShape, SaysWhereWhatItEnclosesWouldHelp) {
   const auto ring = [](double line) {

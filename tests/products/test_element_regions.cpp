@@ -2,13 +2,17 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <opencv2/imgproc.hpp>
+#include <vector>
 
 #include "products/elements/gap_filter.h"
 #include "products/elements/segmentation/boundary_map.h"
 #include "products/elements/segmentation/colour_clusters.h"
 #include "products/elements/segmentation/distance_split.h"
 #include "products/elements/segmentation/label_scaling.h"
+#include "products/elements/segmentation/mask_parts.h"
 #include "products/elements/segmentation/merge_tree.h"
 #include "products/elements/segmentation/region_labels.h"
 #include "products/elements/segmentation/region_vote.h"
@@ -57,8 +61,9 @@ TEST(MergedBasins, ShallowOnesJoinTheirNeighbour) {
   const cv::Mat relief = (cv::Mat_<float>(1, 7) << 0, 3, 2, 9, 1, 5, 4);
   const cv::Mat basins = basins_of(relief);
   EXPECT_EQ(label_count(basins), 4);
+  const BasinMerger merger(relief, basins);
   const auto deeper_than = [&](float depth) {
-    return merged_basins(relief, basins, [depth](float saddle, float floor) { return saddle - floor < depth; });
+    return merger.merged([depth](float saddle, float floor) { return saddle - floor < depth; });
   };
   EXPECT_EQ(label_count(deeper_than(0.5F)), 4);
   EXPECT_EQ(label_count(deeper_than(2)), 2);
@@ -95,6 +100,25 @@ TEST(SolidPart, FillsHolesAndKeepsTheLargest) {
 }
 
 /// Compares random masks with OpenCV's connected components.
+RC_GTEST_PROP(MaskParts, AreTheConnectedComponents, ()) {
+  const cv::Mat mask = random_relief(*rc::gen::inRange(1, 20), *rc::gen::inRange(1, 20), 3) > 0;
+  cv::Mat labels, stats, centroids;
+  const int count = cv::connectedComponentsWithStats(mask, labels, stats, centroids, 4);
+  using Part = std::array<int, 5>;
+  std::vector<Part> expected, found;
+  for (int i = 1; i < count; ++i) {
+    const int* s = stats.ptr<int>(i);
+    expected.push_back(
+        {s[cv::CC_STAT_LEFT], s[cv::CC_STAT_TOP], s[cv::CC_STAT_WIDTH], s[cv::CC_STAT_HEIGHT], s[cv::CC_STAT_AREA]});
+  }
+  for (const auto& [box, area_px2] : mask_parts(mask))
+    found.push_back({box.x, box.y, box.width, box.height, int(area_px2)});
+  std::sort(expected.begin(), expected.end());
+  std::sort(found.begin(), found.end());
+  RC_ASSERT(found == expected);
+}
+
+/// Compares random masks with OpenCV's connected components.
 RC_GTEST_PROP(SolidPart, IsTheLargestComponentAndAllThatItEncloses, ()) {
   const cv::Mat mask = random_relief(*rc::gen::inRange(1, 20), *rc::gen::inRange(1, 20), 3) > 0;
   cv::Mat parts, stats, centroids;
@@ -119,6 +143,29 @@ TEST(Solidity, IsTheAreaByItsHull) {
   cv::Mat corner = cv::Mat::ones(10, 10, CV_8U);
   corner(cv::Rect(5, 5, 5, 5)).setTo(0);
   EXPECT_DOUBLE_EQ(solidity_of(corner), 75 / 87.5);
+}
+
+/// Compares random masks with OpenCV's convex hull.
+RC_GTEST_PROP(Solidity, IsThePartOfTheConvexHullOfThePixelsSquares, ()) {
+  const cv::Mat mask = random_relief(*rc::gen::inRange(1, 12), *rc::gen::inRange(1, 12), 4) > 2;
+  std::vector<cv::Point> pixels, corners, hull;
+  cv::findNonZero(mask, pixels);
+  RC_PRE(!pixels.empty());
+  for (const cv::Point& p : pixels) {
+    for (const cv::Point corner : {cv::Point(0, 0), {1, 0}, {0, 1}, {1, 1}}) corners.push_back(p + corner);
+  }
+  cv::convexHull(corners, hull);
+  RC_ASSERT(solidity_of(mask) == double(pixels.size()) / cv::contourArea(hull));
+}
+
+/// Negative values, too, and many equal ones.
+RC_GTEST_PROP(Quantile, IsTheValueAtItsPlaceInOrder, ()) {
+  const cv::Mat relief = random_relief(*rc::gen::inRange(1, 12), *rc::gen::inRange(1, 12), 20);
+  const cv::Mat map = (relief - 9) * 0.37;
+  const double fraction = *rc::gen::inRange(0, 101) / 100.;
+  std::vector<float> values(map.begin<float>(), map.end<float>());
+  std::sort(values.begin(), values.end());
+  RC_ASSERT(quantile_of(map, fraction) == values[std::size_t(fraction * double(values.size() - 1))]);
 }
 
 TEST(SolidRegions, TheRegionInAHoleBecomesPartOfIt) {

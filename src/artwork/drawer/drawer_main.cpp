@@ -60,7 +60,8 @@ void answer_next_request() {
                          .tracing = {.pad = {.levels = header.pad_levels, .delta_tau = header.pad_delta_tau},
                                      .rules = {.edge_opacity = header.edge_opacity,
                                                .keep_rectangles = header.keep_rectangles != 0,
-                                               .fill_holes = header.fill_holes != 0}}};
+                                               .fill_holes = header.fill_holes != 0,
+                                               .opaque = header.opaque != 0}}};
   request.path = read_bytes<std::string>(header.path_bytes);
   request.scope_id = read_bytes<std::string>(header.scope_id_bytes);
   request.warp = read_bytes<std::vector<std::uint8_t>>(header.warp_bytes);

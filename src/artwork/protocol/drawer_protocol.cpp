@@ -53,7 +53,7 @@ RequestHeader header_of(const DrawingRequest& request) {
           .edge_opacity = request.tracing.rules.edge_opacity,
           .keep_rectangles = request.tracing.rules.keep_rectangles,
           .fill_holes = request.tracing.rules.fill_holes,
-          .unused = 0,
+          .opaque = request.tracing.rules.opaque,
           .path_bytes = request.path.size(),
           .scope_id_bytes = request.scope_id.size(),
           .warp_bytes = request.warp.size(),

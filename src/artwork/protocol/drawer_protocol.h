@@ -78,7 +78,7 @@ struct RequestHeader {
   float edge_opacity;
   std::uint32_t keep_rectangles;
   std::uint32_t fill_holes;
-  std::uint32_t unused;
+  std::uint32_t opaque;
   std::uint64_t path_bytes;
   std::uint64_t scope_id_bytes;
   std::uint64_t warp_bytes;

@@ -45,15 +45,15 @@ std::vector<Vec2> gaussian_smoothed(const std::vector<Vec2>& even_curve, float s
     total += k ? 2 * weight[k] : weight[k];
   }
   for (float& w : weight) w /= total;
-  // Copied borders let the inner loop run over plain memory.
   std::vector<Vec2> padded(n + 2 * reach);
   for (int i = 0; i < n + 2 * reach; ++i) padded[i] = even_curve[(i - reach + n) % n];
+  // The loop over the points is the inner one, because it runs over plain memory and has no sum to wait for.
   std::vector<Vec2> result(n);
-  for (int i = 0; i < n; ++i) {
-    const Vec2* centre = padded.data() + i + reach;
-    Vec2 sum = *centre * weight[0];
-    for (int k = 1; k <= reach; ++k) sum = sum + (centre[k] + centre[-k]) * weight[k];
-    result[i] = sum;
+  for (int i = 0; i < n; ++i) result[i] = padded[i + reach] * weight[0];
+  for (int k = 1; k <= reach; ++k) {
+    const float w = weight[k];
+    const Vec2 *before = padded.data() + reach - k, *after = padded.data() + reach + k;
+    for (int i = 0; i < n; ++i) result[i] = result[i] + (after[i] + before[i]) * w;
   }
   return result;
 }

@@ -57,6 +57,7 @@ struct TracingRules {
   float edge_opacity = kEdgeOpacity;  // the outline runs where alpha has this value
   bool keep_rectangles = false;       // false: a plain rectangle is skipped, as it is mostly a drawing's background
   bool fill_holes = false;  // the area that the outer curve encloses belongs to the shape, with all parts in it
+  bool opaque = false;  // only the drawing's edge is translucent: no pixel needs a look at how translucent parts end
 };
 
 /// Traces the outline of a drawing. `alpha`: coverage 0..1; node (i, j) is the pixel whose centre lies at origin_px +

@@ -15,20 +15,38 @@ constexpr float kLeastContrast = 22;
 /// Distance from its edge at which a line has its full contrast, px.
 constexpr int kSoft_px = 2;
 
-/// For each pixel the best value in a disc around it. Beyond the rim the value is `nothing`.
+/// Half the width of a disc's row, at this distance from its middle row.
+int reach_of_row(int dy) { return int(std::sqrt(double(kLineRadius_px * kLineRadius_px - dy * dy) + 0.5)); }
+
+/// Makes `row_best`, the best values within `reach - 1` px on both sides, those within `reach` px.
+template <class Better>
+void widen(Grid<float>& row_best, const Grid<float>& values, int reach, Better better) {
+  for (int y = 0; y < values.height(); ++y) {
+    const float* from = values.row(y);
+    float* to = row_best.row(y);
+    for (int x = reach; x < values.width(); ++x) to[x] = better(to[x], from[x - reach]);
+    for (int x = 0; x < values.width() - reach; ++x) to[x] = better(to[x], from[x + reach]);
+  }
+}
+
+/// For each pixel the best value in a disc around it. Beyond the rim the value is `nothing`. The disc is taken row by row
+/// from its short rows to its long ones, whose bests come from those of the shorter ones.
 template <class Better>
 Grid<float> best_in_disc(const Grid<float>& values, float nothing, Better better) {
   Grid<float> best(values.width(), values.height(), nothing);
-  for (int dy = -kLineRadius_px; dy <= kLineRadius_px; ++dy) {
-    const int reach = int(std::sqrt(double(kLineRadius_px * kLineRadius_px - dy * dy) + 0.5));
+  Grid<float> row_best = values;
+  const auto take_row = [&](int dy) {
     for (int y = std::max(0, -dy); y < std::min(values.height(), values.height() - dy); ++y) {
-      const float* from = values.row(y + dy);
+      const float* from = row_best.row(y + dy);
       float* to = best.row(y);
-      for (int dx = -reach; dx <= reach; ++dx) {
-        const int end = std::min(values.width(), values.width() - dx);
-        for (int x = std::max(0, -dx); x < end; ++x) to[x] = better(to[x], from[x + dx]);
-      }
+      for (int x = 0; x < values.width(); ++x) to[x] = better(to[x], from[x]);
     }
+  };
+  int reach = 0;
+  for (int dy = kLineRadius_px; dy >= 0; --dy) {
+    while (reach < reach_of_row(dy)) widen(row_best, values, ++reach, better);
+    take_row(dy);
+    if (dy > 0) take_row(-dy);
   }
   return best;
 }

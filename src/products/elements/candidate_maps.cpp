@@ -60,20 +60,21 @@ void by_levels(const cv::Mat& bgr, const Take& take) {
 }
 
 void by_colours(const cv::Mat& lab, const Take& take) {
-  for (const int colour_count : {3, 4, 5}) take(elements_of(colour_mask(lab, colour_count)));
+  const cv::Mat colours = relative_colours(lab);
+  for (const int colour_count : {3, 4, 5}) take(elements_of(colour_mask(colours, colour_count)));
 }
 
 /// Merges basins shallower than `depth` with their neighbours.
-cv::Mat deep_basins(const cv::Mat& relief, const cv::Mat& basins, double depth) {
-  return merged_basins(relief, basins, [depth](float saddle, float floor) { return saddle - floor < depth; });
+cv::Mat deep_basins(const BasinMerger& basins, double depth) {
+  return basins.merged([depth](float saddle, float floor) { return saddle - floor < depth; });
 }
 
 void by_gradient(const cv::Mat& lab, const Take& take) {
   const cv::Mat gradient = colour_gradient(lab, 2, 1.5);
-  const cv::Mat basins = basins_of(gradient);
+  const BasinMerger basins(gradient, basins_of(gradient));
   const double steep = quantile_of(gradient, 0.9);
   for (const double depth : {0.2, 0.35, 0.55}) {
-    take(solid_regions(deep_basins(gradient, basins, depth * steep), kLeastCandidate_px2, kSolidCandidate));
+    take(solid_regions(deep_basins(basins, depth * steep), kLeastCandidate_px2, kSolidCandidate));
   }
 }
 
@@ -85,10 +86,9 @@ struct Leaves {
 void by_merges(const cv::Mat& lab, const BoundaryKind& kind, const std::vector<Leaves>& trees, const Take& take) {
   cv::Mat boundary;
   cv::GaussianBlur(boundary_map(lab, kind), boundary, {}, 1);
-  const cv::Mat basins = basins_of(boundary);
+  const BasinMerger basins(boundary, basins_of(boundary));
   for (const Leaves& leaves : trees) {
-    const cv::Mat found =
-        best_of_merge_tree(boundary, deep_basins(boundary, basins, leaves.depth), leaves.solidity_power);
+    const cv::Mat found = best_of_merge_tree(boundary, deep_basins(basins, leaves.depth), leaves.solidity_power);
     take(solid_regions(trimmed_regions(found, lab), kLeastCandidate_px2, kSolidCandidate));
   }
 }

@@ -59,9 +59,11 @@ std::vector<CutOut> cut_outs(const std::string& photo, const cv::Mat& picture, c
 ShapeLoader cut_out_loader(Drawers& drawers, const std::vector<CutOut>& cut_outs, const TracingSettings& settings) {
   std::map<std::string, const CutOut*> cut_out_at;
   for (const CutOut& cut_out : cut_outs) cut_out_at[cut_out.path] = &cut_out;
-  const auto load = [&drawers, cut_out_at, settings](const std::string& path) {
+  TracingSettings of_cut_outs = settings;
+  of_cut_outs.rules.opaque = true;
+  const auto load = [&drawers, cut_out_at, of_cut_outs](const std::string& path) {
     const CutOut& cut_out = *cut_out_at.at(path);
-    std::variant<ArtworkShape, SkipReason> loaded = drawers.shape(cut_out.png, path, settings);
+    std::variant<ArtworkShape, SkipReason> loaded = drawers.shape(cut_out.png, path, of_cut_outs);
     if (auto* artwork = std::get_if<ArtworkShape>(&loaded)) {
       artwork->shape.artwork.path = std::filesystem::absolute(cut_out.photo);
       artwork->shape.artwork.original = cut_out.png;

@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "products/elements/segmentation/colour_clusters.h"
+#include "products/elements/segmentation/mask_parts.h"
 #include "products/elements/segmentation/region_labels.h"
 
 namespace tessera {
@@ -29,14 +30,10 @@ cv::Mat normalised_grey(const cv::Mat& bgr) {
 
 /// The area of regions of a usual size that fill their bounding box.
 double compact_area_px2(const cv::Mat& mask) {
-  cv::Mat labels, stats, centroids;
-  const int count = cv::connectedComponentsWithStats(mask, labels, stats, centroids, 4);
   double sum = 0;
-  for (int i = 1; i < count; ++i) {
-    const double area_px2 = stats.at<int>(i, cv::CC_STAT_AREA);
-    const double box_px2 = double(stats.at<int>(i, cv::CC_STAT_WIDTH)) * stats.at<int>(i, cv::CC_STAT_HEIGHT);
-    const bool is_usual = area_px2 > 0.15 * kElement_px2 && area_px2 < 6 * kElement_px2;
-    if (is_usual && area_px2 > 0.6 * box_px2) sum += area_px2;
+  for (const RegionBox& region : mask_parts(mask)) {
+    const bool is_usual = region.area_px2 > 0.15 * kElement_px2 && region.area_px2 < 6 * kElement_px2;
+    if (is_usual && region.area_px2 > 0.6 * region.box.width * double(region.box.height)) sum += region.area_px2;
   }
   return sum;
 }
@@ -56,16 +53,19 @@ LevelMasks level_masks(const cv::Mat& bgr) {
   return masks;
 }
 
-cv::Mat colour_mask(const cv::Mat& lab, int colour_count) {
+cv::Mat relative_colours(const cv::Mat& lab) {
   cv::Mat lightness, surroundings;
   cv::extractChannel(lab, lightness, 0);
   cv::GaussianBlur(lightness, surroundings, {}, kElement_px);
   lightness -= 0.7 * surroundings;
-  cv::Mat features = lab.clone();
-  cv::insertChannel(lightness, features, 0);
-  cv::multiply(features, cv::Scalar(0.7, 1.5, 1.5), features);
-  const cv::Mat cluster = colour_clusters(features, colour_count);
+  cv::Mat colours = lab.clone();
+  cv::insertChannel(lightness, colours, 0);
+  cv::multiply(colours, cv::Scalar(0.7, 1.5, 1.5), colours);
+  return colours;
+}
 
+cv::Mat colour_mask(const cv::Mat& colours, int colour_count) {
+  const cv::Mat cluster = colour_clusters(colours, colour_count);
   cv::Mat best;
   double most_px2 = -1;
   for (int chosen = 1; chosen + 1 < 1 << colour_count; ++chosen) {

@@ -12,8 +12,12 @@ struct LevelMasks {
 };
 LevelMasks level_masks(const cv::Mat& bgr);
 
-/// A mask by colour: divides the colours of `lab` (smooth_lab()) into `colour_count` clusters. Elements are the clusters
+/// The colours for colour_mask(), CV_32FC3: those of `lab` (smooth_lab()), with a lightness that is relative to its
+/// surroundings.
+cv::Mat relative_colours(const cv::Mat& lab);
+
+/// A mask by colour: divides the `colours` (relative_colours()) into `colour_count` clusters. Elements are the clusters
 /// that together make most compact regions of a usual size.
-cv::Mat colour_mask(const cv::Mat& lab, int colour_count);
+cv::Mat colour_mask(const cv::Mat& colours, int colour_count);
 
 }  // namespace tessera

@@ -20,12 +20,14 @@ constexpr double kCutAt = 0.6;
 
 cv::Vec3f weighted(const cv::Vec3f& lab) { return {lab[0], 1.5F * lab[1], 1.5F * lab[2]}; }
 
-cv::Vec3f median_of(std::vector<cv::Vec3f>& colours) {
+cv::Vec3f median_of(const std::vector<cv::Vec3f>& colours) {
   cv::Vec3f median;
+  std::vector<float> values(colours.size());  // of one channel: sorting them takes half the time of sorting colours
   for (int c = 0; c < 3; ++c) {
-    const auto middle = colours.begin() + std::ptrdiff_t(colours.size() / 2);
-    std::nth_element(colours.begin(), middle, colours.end(), [c](auto& a, auto& b) { return a[c] < b[c]; });
-    median[c] = (*middle)[c];
+    std::transform(colours.begin(), colours.end(), values.begin(), [c](const cv::Vec3f& colour) { return colour[c]; });
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    median[c] = *middle;
   }
   return median;
 }

@@ -84,7 +84,11 @@ cv::Mat colour_clusters(const cv::Mat& colours, int count) {
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     Colours centres = first_centres(sample, count, random);
     double spread = 0;
-    for (int round = 0; round < kRounds; ++round) spread = improve(centres, sample);
+    for (int round = 0; round < kRounds; ++round) {
+      const Colours before = centres;
+      spread = improve(centres, sample);
+      if (centres == before) break;  // later rounds would find the same
+    }
     if (spread >= least_spread) continue;
     least_spread = spread;
     best = centres;

@@ -20,10 +20,12 @@ cv::Mat split_by_distance(const cv::Mat& mask) {
   cv::distanceTransform(mask, distance, cv::DIST_L2, 5);
   cv::GaussianBlur(distance, distance, {}, 1.5);
   const cv::Mat relief = -distance;
-  const cv::Mat parts = merged_basins(relief, basins_of(relief, mask),
-                                      [](float saddle, float floor) { return -saddle > kNeck * -floor; });
-  std::vector<RegionBox> regions = region_boxes(parts);
-  std::vector<char> is_thick(regions.size(), 0);
+  const cv::Mat parts = BasinMerger(relief, basins_of(relief, mask)).merged([](float saddle, float floor) {
+    return -saddle > kNeck * -floor;
+  });
+  double count = 0;
+  cv::minMaxLoc(parts, nullptr, &count);
+  std::vector<char> is_thick(std::size_t(count) + 1, 0);
   for (int y = 0; y < parts.rows; ++y) {
     for (int x = 0; x < parts.cols; ++x) {
       if (distance.at<float>(y, x) > kLeastRadius_px) is_thick[std::size_t(parts.at<int>(y, x))] = 1;

@@ -71,8 +71,10 @@ std::span<const LabelRun> LabelRuns::runs_of(std::size_t label) const {
 cv::Mat LabelRuns::mask_of(std::size_t label, const cv::Rect& window) const {
   cv::Mat mask = cv::Mat::zeros(window.size(), CV_8U);
   for (const LabelRun& run : runs_of(label)) {
-    const cv::Rect seen = cv::Rect(run.x, run.y, run.length, 1) & window;
-    if (!seen.empty()) mask(seen - window.tl()).setTo(255);
+    if (run.y < window.y || run.y >= window.br().y) continue;
+    const int from = std::max(run.x, window.x), to = std::min(run.x + run.length, window.br().x);
+    std::uint8_t* row = mask.ptr<std::uint8_t>(run.y - window.y) - window.x;
+    if (from < to) std::fill(row + from, row + to, std::uint8_t(255));
   }
   return mask;
 }

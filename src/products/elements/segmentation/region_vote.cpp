@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <opencv2/imgproc.hpp>
+#include <span>
 
 #include "products/elements/segmentation/region_labels.h"
 
@@ -57,45 +60,129 @@ void balance_weights(std::vector<Map>& maps) {
   for (Map& map : maps) map.weight *= double(maps.size()) / sum;
 }
 
-/// For each pixel how many pixels from it to the right have its label, up to 65535: CV_16U.
-cv::Mat lengths_to_the_right(const cv::Mat& labels) {
-  cv::Mat lengths(labels.size(), CV_16U, cv::Scalar(1));
-  for (int y = 0; y < labels.rows; ++y) {
-    const int* row = labels.ptr<int>(y);
-    std::uint16_t* length = lengths.ptr<std::uint16_t>(y);
-    for (int x = labels.cols - 2; x >= 0; --x) {
-      if (row[x] == row[x + 1] && length[x + 1] < UINT16_MAX) length[x] = std::uint16_t(length[x + 1] + 1);
+/// The runs of a map row by row, so that two maps can be compared in one walk along both.
+class RowRuns {
+ public:
+  struct Run {
+    int x, end;  // px; `end` is behind the last one
+    int label;
+  };
+
+  explicit RowRuns(const LabelRuns& labels) : first_(std::size_t(labels.size().height) + 1, 0) {
+    const std::size_t count = labels.regions().size();
+    for (std::size_t label = 1; label < count; ++label) {
+      for (const LabelRun& run : labels.runs_of(label)) ++first_[std::size_t(run.y) + 1];
+    }
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    runs_.resize(first_.back());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for (std::size_t label = 1; label < count; ++label) {
+      for (const LabelRun& run : labels.runs_of(label))
+        runs_[next[std::size_t(run.y)]++] = {run.x, run.x + run.length, int(label)};
+    }
+    for (std::size_t y = 0; y + 1 < first_.size(); ++y) {
+      std::sort(runs_.begin() + std::ptrdiff_t(first_[y]), runs_.begin() + std::ptrdiff_t(first_[y + 1]),
+                [](const Run& a, const Run& b) { return a.x < b.x; });
     }
   }
-  return lengths;
+
+  std::size_t rows() const { return first_.size() - 1; }
+  std::span<const Run> row(std::size_t y) const {
+    return std::span(runs_).subspan(first_[y], first_[y + 1] - first_[y]);
+  }
+
+ private:
+  std::vector<std::size_t> first_;  // of each row: its first run in runs_; at the end, the number of runs
+  std::vector<Run> runs_;
+};
+
+/// Calls f(a, b, px) where regions a and b of two maps share so many pixels of a row.
+template <class F>
+void each_shared(const RowRuns& first, const RowRuns& second, F f) {
+  for (std::size_t y = 0; y < first.rows(); ++y) {
+    const std::span<const RowRuns::Run> a = first.row(y), b = second.row(y);
+    for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
+      const int shared = std::min(a[i].end, b[j].end) - std::max(a[i].x, b[j].x);
+      if (shared > 0) f(a[i].label, b[j].label, shared);
+      a[i].end < b[j].end ? ++i : ++j;
+    }
+  }
 }
 
-/// Gives each region of `map` a vote of `other` (labels `others`, and their lengths to the right), from the region there
-/// that agrees with it best.
-void add_votes(Map& map, const Map& other, const cv::Mat& others, const cv::Mat& lengths) {
-  std::vector<int> common_px2(other.regions().size(), 0);
-  std::vector<int> met;
-  for (std::size_t i = 1; i < map.regions().size(); ++i) {
-    const RegionBox& region = map.regions()[i];
-    met.clear();
-    for (const LabelRun& run : map.labels->runs_of(i)) {
-      const int* row = others.ptr<int>(run.y) + run.x;
-      const std::uint16_t* length = lengths.ptr<std::uint16_t>(run.y) + run.x;
-      for (int x = 0, step = 0; x < run.length; x += step) {
-        step = std::min(int(length[x]), run.length - x);
-        if (row[x] == 0) continue;
-        int& common = common_px2[std::size_t(row[x])];
-        if (common == 0) met.push_back(row[x]);
-        common += step;
+/// The common pixels of the regions of two maps.
+class CommonPixels {
+ public:
+  struct Common {
+    int first, second;  // regions
+    int px2;
+    int next;  // the next one of the same first region
+  };
+
+  explicit CommonPixels(std::size_t first_count) : newest_(first_count, kNone) {}
+
+  void add(int first, int second, int px2) {
+    for (int i = newest_[std::size_t(first)]; i != kNone; i = all_[std::size_t(i)].next) {
+      if (all_[std::size_t(i)].second == second) {
+        all_[std::size_t(i)].px2 += px2;
+        return;
       }
     }
-    double best = 0;
-    for (const int there : met) {
-      const double common = common_px2[std::size_t(there)];
-      best = std::max(best, common / (region.area_px2 + other.regions()[std::size_t(there)].area_px2 - common));
-      common_px2[std::size_t(there)] = 0;
-    }
-    map.votes[i] += other.weight * std::clamp((best - kAgreeFrom) / (kAgreeFully - kAgreeFrom), 0., 1.);
+    all_.push_back({first, second, px2, newest_[std::size_t(first)]});
+    newest_[std::size_t(first)] = int(all_.size()) - 1;
+  }
+
+  const std::vector<Common>& all() const { return all_; }
+
+ private:
+  static constexpr int kNone = -1;
+
+  std::vector<int> newest_;  // of each first region: its newest place in all_
+  std::vector<Common> all_;
+};
+
+/// For each region of two maps the greatest intersection over union with a region of the other map; 0 where it is less
+/// than kAgreeFrom.
+struct Agreement {
+  std::vector<double> of_first, of_second;
+};
+
+Agreement agreement_of(const Map& first, const RowRuns& first_rows, const Map& second, const RowRuns& second_rows) {
+  const auto area = [](const Map& map, int label) { return map.regions()[std::size_t(label)].area_px2; };
+  CommonPixels common(first.regions().size());
+  each_shared(first_rows, second_rows, [&](int a, int b, int px2) {
+    // Most regions that overlap differ so much in size that they cannot agree.
+    const double one_px2 = area(first, a), other_px2 = area(second, b);
+    if (std::min(one_px2, other_px2) >= kAgreeFrom * std::max(one_px2, other_px2)) common.add(a, b, px2);
+  });
+  Agreement best{std::vector<double>(first.regions().size(), 0), std::vector<double>(second.regions().size(), 0)};
+  for (const CommonPixels::Common& c : common.all()) {
+    const double agreement = c.px2 / (area(first, c.first) + area(second, c.second) - c.px2);
+    double &of_first = best.of_first[std::size_t(c.first)], &of_second = best.of_second[std::size_t(c.second)];
+    of_first = std::max(of_first, agreement);
+    of_second = std::max(of_second, agreement);
+  }
+  return best;
+}
+
+void add_votes(Map& map, double weight, const std::vector<double>& agreement) {
+  for (std::size_t i = 1; i < agreement.size(); ++i)
+    map.votes[i] += weight * std::clamp((agreement[i] - kAgreeFrom) / (kAgreeFully - kAgreeFrom), 0., 1.);
+}
+
+/// Each region gets a vote of each other map, from the region there that agrees with it best. A map gets its votes in the
+/// order of the other maps, so that the sums are the same on any number of threads.
+void vote(std::vector<Map>& maps) {
+  std::vector<RowRuns> rows;
+  for (const Map& map : maps) rows.emplace_back(*map.labels);
+  for (std::size_t i = 0; i < maps.size(); ++i) {
+    std::vector<Agreement> with_later(maps.size());
+    cv::parallel_for_({int(i) + 1, int(maps.size())}, [&](const cv::Range& range) {
+      for (auto j = std::size_t(range.start); j < std::size_t(range.end); ++j) {
+        with_later[j] = agreement_of(maps[i], rows[i], maps[j], rows[j]);
+        add_votes(maps[j], maps[i].weight, with_later[j].of_second);
+      }
+    });
+    for (std::size_t j = i + 1; j < maps.size(); ++j) add_votes(maps[i], maps[j].weight, with_later[j].of_first);
   }
 }
 
@@ -137,15 +224,7 @@ VotedRegions voted_regions(const std::vector<LabelRuns>& label_maps, const cv::M
   std::vector<Map> maps;
   for (const LabelRuns& labels : label_maps) maps.push_back(map_of(labels, element_px2));
   balance_weights(maps);
-  for (const Map& other : maps) {  // one after the other, because its labels take memory
-    const cv::Mat others = other.labels->labels();
-    const cv::Mat lengths = lengths_to_the_right(others);
-    cv::parallel_for_({0, int(maps.size())}, [&](const cv::Range& range) {
-      for (int i = range.start; i < range.end; ++i) {
-        if (&maps[std::size_t(i)] != &other) add_votes(maps[std::size_t(i)], other, others, lengths);
-      }
-    });
-  }
+  vote(maps);
   cv::Mat near_boundary;
   cv::dilate(boundary, near_boundary, cv::Mat::ones(5, 5, CV_8U));
   std::vector<Candidate> candidates;

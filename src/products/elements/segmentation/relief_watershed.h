@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <opencv2/core.hpp>
+#include <vector>
 
 namespace tessera {
 
@@ -14,7 +15,24 @@ cv::Mat basins_of(const cv::Mat& relief, const cv::Mat& mask = {});
 /// shallower basin.
 using OneBasin = std::function<bool(float saddle, float floor)>;
 
-/// Merges neighbouring basins, beginning at the lowest saddle, where `one_basin` says so. Labels 1..n without gaps.
-cv::Mat merged_basins(const cv::Mat& relief, const cv::Mat& basins, const OneBasin& one_basin);
+/// Merges neighbouring basins of a relief. It looks for their saddles once, however many ways to merge are tried.
+class BasinMerger {
+ public:
+  struct Saddle {
+    float level;
+    int a, b;  // a < b
+  };
+
+  /// `basins`: from basins_of() with this relief; the merger keeps the labels.
+  BasinMerger(const cv::Mat& relief, const cv::Mat& basins);
+
+  /// Merges where `one_basin` says so, beginning at the lowest saddle. Labels 1..n without gaps.
+  cv::Mat merged(const OneBasin& one_basin) const;
+
+ private:
+  cv::Mat basins_;
+  std::vector<float> floors_;    // by basin; [0] is unused
+  std::vector<Saddle> saddles_;  // the lowest one of each two neighbours, the lowest first
+};
 
 }  // namespace tessera
