@@ -3,8 +3,11 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "artwork/images/png_encoder.h"
+#include "drawn_elements.h"
 #include "library/storage/library_file.h"
 #include "products/elements/cut_outs.h"
+#include "products/elements/photo_extraction.h"
 #include "support/artwork_samples.h"
 #include "support/scratch_folder.h"
 
@@ -75,6 +78,51 @@ TEST_F(CutOuts, OfPhotosOfOneNameHaveNamesOfTheirOwn) {
   ASSERT_EQ(shapes.size(), 24u);
   EXPECT_EQ(shapes[23].artwork.path, "/winter/beach.jpg");
   EXPECT_NE(shapes[23].name, shapes[11].name);
+}
+
+/// Squares of 40 px in a photo of 400 x 400 px. The last `small` ones have 16 px; they lie at the edge where they are cut.
+int times_enlarged(const test::ScratchFolder& folder, int small, bool are_cut) {
+  cv::Mat labels(400, 400, CV_16U, cv::Scalar(0)), photo(400, 400, CV_8UC3, cv::Scalar(90, 90, 90));
+  for (int i = 0; i < 16; ++i) {
+    const bool is_small = i >= 16 - small;
+    const int side_px = is_small ? 16 : 40, x = is_small && are_cut ? 400 - side_px : 20 + i % 4 * 90;
+    labels(cv::Rect(x, 20 + i / 4 * 90, side_px, side_px)) = i + 1;
+  }
+  const auto written = [&](const std::string& name, const cv::Mat& picture) {
+    const std::vector<std::uint8_t> png = png_of(picture);
+    return folder.write(name, std::string(png.begin(), png.end()));
+  };
+  Drawers drawers({});
+  ExtractionSettings settings;
+  settings.labels = written("labels.png", labels);
+  settings.enlarged_element_px = 40;
+  return extract_elements(written("photo.png", photo), settings, drawers).enlarged;
+}
+
+TEST_F(CutOuts, ThePhotoIsEnlargedUntilSevenOfEightAreLargeEnough) {
+  EXPECT_EQ(times_enlarged(folder_, 0, false), 1);
+  EXPECT_EQ(times_enlarged(folder_, 2, false), 1) << "14 of 16 are large enough";
+  EXPECT_EQ(times_enlarged(folder_, 3, false), 2);
+  EXPECT_EQ(times_enlarged(folder_, 1, true), 1) << "the photo's edge cuts the small one";
+  EXPECT_EQ(times_enlarged(folder_, 3, true), 1) << "the photo's edge cuts all small ones";
+}
+
+/// The same, with a search.
+TEST_F(CutOuts, ThePhotoIsEnlargedForWhatTheSearchFound) {
+  const test::ElementPhoto discs = test::photographed(test::discs(), {110, 120, 130}, {45, 50, 55});
+  cv::Mat small;  // every fifth disc is too small for a library: 22 px
+  cv::resize(discs.bgr, small, {}, 0.62, 0.62, cv::INTER_AREA);
+  const std::vector<std::uint8_t> png = png_of(small);
+  Drawers drawers({});
+  ExtractionSettings settings;
+  settings.element_px = 40;
+  settings.enlarged_element_px = 40;
+  const Extraction found =
+      extract_elements(folder_.write("discs.png", std::string(png.begin(), png.end())), settings, drawers);
+  EXPECT_EQ(found.enlarged, 2);
+  EXPECT_EQ(found.found.elements.size(), 20u);
+  settings.most_enlarged = 1;
+  EXPECT_EQ(extract_elements(folder_.path("discs.png"), settings, drawers).enlarged, 1);
 }
 
 }  // namespace test_cut_outs

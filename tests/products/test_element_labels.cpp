@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "drawn_elements.h"
+#include "products/elements/photo_elements.h"
 
 namespace tessera {
 namespace test_element_labels {
@@ -66,6 +67,21 @@ TEST(ElementLabels, TheSizeNeedNotBeExact) {
   const ElementPhoto photo = photographed(test::discs(), kStone, kDarkJoint);
   expect_all_found(photo, 48 * 1.4);
   expect_all_found(photo, 48 / 1.4);
+}
+
+/// A joint along the upper edge, which is one pixel wide in the copies and more: the bricks below it are whole.
+TEST(ElementLabels, BesideTheEdgeOfThePhoto) {
+  const ElementPhoto photo = photographed(test::bricks(), kBrick, kMortar);
+  for (const int joint_px : {1, 2, 4}) {
+    const cv::Rect part(0, 56 - joint_px, 420, 160 + joint_px);
+    const ElementCopies copies = element_copies(photo.bgr(part).clone(), 44);
+    const cv::Mat labels = elements_in_copies(copies);
+    ASSERT_EQ(labels.size(), copies.fine.size());
+    int beside = 0;
+    for (const PhotoElement& element : find_elements(LabelRuns(labels), {.least_px = 38}).elements)
+      beside += element.box.y < 14;
+    EXPECT_EQ(beside, 3) << "with a joint of " << joint_px << " px";
+  }
 }
 
 TEST(ElementLabels, EachIsOneRegionWithoutHoles) {

@@ -256,6 +256,18 @@ TEST(RegionVote, GroundCutFromGroundIsNoElement) {
   EXPECT_EQ(label_count(voted_regions(maps, boundary, 40).labels), 0);
 }
 
+TEST(RegionVote, VotesMakeUpForAWeakBorder) {
+  const cv::Rect agreed(10, 10, 40, 40), rare(70, 70, 40, 40);
+  std::vector<LabelRuns> maps(16, LabelRuns(with_squares({agreed})));
+  for (int i = 0; i < 3; ++i) maps.emplace_back(with_squares({agreed, rare}));  // two others of eighteen agree
+  const auto voted = [&](double border) { return voted_regions(maps, cv::Mat(120, 120, CV_32F, border), 40).labels; };
+  EXPECT_EQ(label_count(voted(0.41)), 2);
+  const cv::Mat weak = voted(0.36);
+  EXPECT_EQ(label_count(weak), 1);
+  EXPECT_EQ(cv::countNonZero(weak(agreed)), 1600);
+  EXPECT_EQ(label_count(voted(0.34)), 0) << "nothing makes up for no border";
+}
+
 /// Bright squares on a dark ground. One labelled square has the colour of the ground.
 TEST(GapFilter, GroundGoesButNotWhatHasAJointAroundIt) {
   cv::Mat photo(240, 320, CV_8UC3, cv::Scalar(40, 45, 50));

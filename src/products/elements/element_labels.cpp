@@ -30,6 +30,8 @@ constexpr double kMostWorking_px2 = 6e6;
 constexpr double kSizeTolerance = 1.4;
 /// Smaller copies hold no element.
 constexpr int kLeastSide_px = kElement_px / 2;
+/// What is added along each edge of the coarser copy: half an element.
+constexpr int kMirrored_px = kElement_px / 2;
 
 void check(const cv::Mat& photo, double element_px) {
   if (!photo.empty() && photo.type() != CV_8UC3 && photo.type() != CV_8UC4)
@@ -59,6 +61,14 @@ cv::Mat zoomed(const cv::Mat& photo, double zoom) {
   return bgr_of(copy);
 }
 
+/// A copy that is continued beyond its edges by its mirror image. An element that the edge cuts becomes one that reaches
+/// far beyond it. A joint along the edge becomes twice as wide, which parts the element beside it from the edge.
+cv::Mat mirrored(const cv::Mat& copy, int margin_px) {
+  cv::Mat result;
+  cv::copyMakeBorder(copy, result, margin_px, margin_px, margin_px, margin_px, cv::BORDER_REFLECT_101);
+  return result;
+}
+
 /// `lab`: smooth_lab() of the finer copy.
 cv::Mat voted_elements(const ElementCopies& copies, const cv::Mat& lab) {
   std::vector<LabelRuns> maps = candidate_maps(copies.fine, lab, lab.size());
@@ -79,10 +89,13 @@ ElementCopies element_copies(const cv::Mat& photo, double element_px) {
 
 cv::Mat elements_in_copies(const ElementCopies& copies) {
   if (copies.fine.empty()) return cv::Mat::zeros(1, 1, CV_32S);
-  const cv::Mat lab = smooth_lab(copies.fine);
-  const cv::Mat voted = voted_elements(copies, lab);
+  const int margin_px = int(std::lround(kMirrored_px * kFiner));
+  const ElementCopies continued{mirrored(copies.coarse, kMirrored_px), mirrored(copies.fine, margin_px)};
+  const cv::Mat lab = smooth_lab(continued.fine);
+  const cv::Mat voted = voted_elements(continued, lab);
   give_back_freed_memory();
-  return without_gap_regions(voted, copies.fine, lab);
+  const cv::Rect photo({margin_px, margin_px}, copies.fine.size());
+  return without_gap_regions(solid_regions(voted(photo), 0, 0), copies.fine, lab(photo));
 }
 
 LabelRuns labels_of_photo(const cv::Mat& photo, const cv::Mat& in_copy) {

@@ -27,6 +27,8 @@ namespace {
 
 /// Limit of a label map: 100 MB. Maps of wide elements need less than half of that.
 constexpr std::size_t kMostRuns = 8'000'000;
+/// The part of the found regions, by number, for which the photo is enlarged until a library accepts them.
+constexpr double kLargeEnough = 0.875;
 
 std::string size_text(const cv::Size& size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
 
@@ -62,25 +64,28 @@ struct FoundMaps {
 
 bool any_of(const std::vector<bool>& marks) { return std::find(marks.begin(), marks.end(), true) != marks.end(); }
 
-/// The median of the sides of all regions, px; 0: there are none.
-double median_side_px(const cv::Mat& labels) {
+/// The sides (square roots of areas) of all regions that do not reach the map's edge, in px of the map, sorted.
+std::vector<double> whole_sides_px(const cv::Mat& labels) {
   std::vector<double> sides;
   for (const RegionBox& region : region_boxes(labels)) {
-    if (region.area_px2 > 0) sides.push_back(std::sqrt(region.area_px2));
+    if (region.area_px2 > 0 && !reaches_edge(region.box, labels.size())) sides.push_back(std::sqrt(region.area_px2));
   }
-  if (sides.empty()) return 0;
-  const auto middle = sides.begin() + std::ptrdiff_t(sides.size() / 2);
-  std::nth_element(sides.begin(), middle, sides.end());
-  return *middle;
+  std::sort(sides.begin(), sides.end());
+  return sides;
 }
 
-/// How many times the photo is enlarged, where its elements are so wide and its pixels so many.
-int enlargement(const ExtractionSettings& settings, double element_px, const cv::Mat& picture) {
-  if (settings.enlarged_element_px == 0 || element_px == 0) return settings.enlarged;
+/// How many times the photo is enlarged. `element_px`: the side of a usual element; 0: the middle of the found regions.
+int enlargement(const ExtractionSettings& settings, const cv::Mat& labels, double element_px, cv::Size photo) {
+  std::vector<double> sides_px = whole_sides_px(labels);
+  if (settings.enlarged_element_px == 0 || sides_px.empty()) return settings.enlarged;
+  for (double& side_px : sides_px) side_px *= double(photo.width) / labels.cols;
+  const double usual_px = element_px > 0 ? element_px : sides_px[sides_px.size() / 2];
+  const double least_px = sides_px[std::size_t((1 - kLargeEnough) * double(sides_px.size()))];
   const double pixels = std::min(double(kMaxImagePixels), settings.most_enlarged_px2);
-  const int possible = int(std::sqrt(pixels / (double(picture.cols) * picture.rows)));
+  const int possible = int(std::sqrt(pixels / (double(photo.width) * photo.height)));
   const int most = std::max(1, std::min({settings.most_enlarged, possible, kMostEnlarged}));
-  return std::clamp(int(std::ceil(settings.enlarged_element_px / element_px)), 1, most);
+  const double wanted = std::max(settings.enlarged_element_px / usual_px, double(kLeastSize_px) / least_px);
+  return std::clamp(int(std::ceil(wanted)), 1, most);
 }
 
 /// Makes the maps. The photo is not in memory during the search, which needs as much, nor afterwards.
@@ -89,11 +94,13 @@ FoundMaps found_maps(const PhotoFile& photo, const ExtractionSettings& settings,
   FoundMaps maps;
   double& element_px = maps.element_px;
   ElementCopies copies;
+  cv::Size photo_px;
   {
     const cv::Mat picture = decoded(photo, settings.enlarged, drawers);
+    photo_px = picture.size() / settings.enlarged;
     maps.apart = elements_on_plain_ground(picture);
     element_px = has_size || maps.apart ? settings.element_px : found_element_px(picture) / settings.enlarged;
-    maps.enlarged = enlargement(settings, maps.apart ? median_side_px(*maps.apart) : element_px, picture);
+    if (maps.apart) maps.enlarged = enlargement(settings, *maps.apart, 0, photo_px);
     if (!maps.apart && element_px == 0) {
       throw InputError(
           photo.path +
@@ -108,6 +115,7 @@ FoundMaps found_maps(const PhotoFile& photo, const ExtractionSettings& settings,
     }
   }
   maps.searched = elements_in_copies(copies);
+  if (!maps.apart) maps.enlarged = enlargement(settings, maps.searched, element_px, photo_px);
   give_back_freed_memory();
   return maps;
 }
@@ -171,7 +179,7 @@ Extraction extract_elements(const std::string& photo, const ExtractionSettings& 
   maps.enlarged = settings.enlarged;
   if (searches) maps = found_maps(file, settings, drawers);
   const cv::Mat given = searches ? cv::Mat() : given_labels(settings.labels, drawers);
-  if (!searches) maps.enlarged = enlargement(settings, median_side_px(given), given);
+  if (!searches) maps.enlarged = enlargement(settings, given, 0, given.size());
   const int times = maps.enlarged;
   const cv::Mat picture = decoded(file, times, drawers);
   file.bytes = {};

@@ -27,7 +27,8 @@ struct ExtractionSettings {
   ElementSizes sizes;
   // factor, 1 to kMostEnlarged, by which the photo is enlarged before it is searched, cut up and shown
   int enlarged = 1;
-  // where not 0: enlarged so far, at most `most_enlarged` times, that elements are so wide, px
+  // where not 0: enlarged so far, at most `most_enlarged` times, that usual elements are so wide, px, and seven of eight
+  // large enough for a library
   double enlarged_element_px = 0;
   int most_enlarged = kMostEnlarged;
   double most_enlarged_px2 = 1e9;  // of the enlarged photo

@@ -21,8 +21,11 @@ constexpr double kLeastVotes = 0.125;
 /// Intersection over union at which two regions begin to agree, and at which they fully do.
 constexpr double kAgreeFrom = 0.6;
 constexpr double kAgreeFully = 0.9;
-/// Value of the boundary map. If a quarter of a region's border is weaker, the region is ground cut from ground.
+/// Values of the boundary map. If a quarter of a region's border is weaker, the region is ground cut from ground. A region
+/// with few votes needs the first one. Each part of all votes beyond that makes up for as much of the border, down to the
+/// second one: what is cut from ground at random is not cut in the same way twice.
 constexpr double kLeastBorder = 0.4;
+constexpr double kLeastBorderOfAgreed = 0.35;
 /// Least part of a region that better regions must leave.
 constexpr double kLeastFree = 0.85;
 
@@ -207,11 +210,16 @@ struct Candidate {
   int label;
 };
 
-/// The score of a region; 0 where it cannot be an element.
-double score_of(const Map& map, std::size_t i, const cv::Mat& boundary, double element_px2) {
+/// `votes`: part of the possible votes.
+double least_border(double votes) {
+  return std::max(kLeastBorderOfAgreed, kLeastBorder - std::max(0., votes - kLeastVotes));
+}
+
+/// The score of a region; 0 where it cannot be an element. `votes`: part of the possible votes.
+double score_of(const Map& map, std::size_t i, double votes, const cv::Mat& boundary, double element_px2) {
   const RegionBox& region = map.regions()[i];
   const double border = border_strength(map.labels->mask_of(i), boundary(region.box));
-  if (border < kLeastBorder) return 0;
+  if (border < least_border(votes)) return 0;
   const double size = region.area_px2 / element_px2;
   return std::pow(map.solidity[i], 3) * std::pow(map.votes[i], 0.6) * size_preference(size, 1.6, 0.6) *
          std::sqrt(map.weight) * std::sqrt(std::min(1., border + 0.1)) * std::pow(std::min(4., size), 0.3);
@@ -231,7 +239,7 @@ VotedRegions voted_regions(const std::vector<LabelRuns>& label_maps, const cv::M
   for (const Map& map : maps) {
     for (std::size_t i = 1; i < map.regions().size(); ++i) {
       if (map.solidity[i] < kSolidRegion || map.votes[i] < kLeastVotes * double(maps.size())) continue;
-      const double score = score_of(map, i, near_boundary, element_px2);
+      const double score = score_of(map, i, map.votes[i] / double(maps.size() - 1), near_boundary, element_px2);
       if (score > 0) candidates.push_back({score, &map, int(i)});
     }
   }
