@@ -145,6 +145,29 @@ TEST(Solidity, IsTheAreaByItsHull) {
   EXPECT_DOUBLE_EQ(solidity_of(corner), 75 / 87.5);
 }
 
+/// Compares random masks with OpenCV's convex hull.
+RC_GTEST_PROP(Solidity, IsThePartOfTheConvexHullOfThePixelsSquares, ()) {
+  cv::Mat mask = random_relief(*rc::gen::inRange(1, 12), *rc::gen::inRange(1, 12), 4) > 2;
+  mask.at<std::uint8_t>(0, 0) = 255;  // is not empty
+  std::vector<cv::Point> pixels, corners, hull;
+  cv::findNonZero(mask, pixels);
+  for (const cv::Point& p : pixels) {
+    for (const cv::Point corner : {cv::Point(0, 0), {1, 0}, {0, 1}, {1, 1}}) corners.push_back(p + corner);
+  }
+  cv::convexHull(corners, hull);
+  RC_ASSERT(solidity_of(mask) == double(pixels.size()) / cv::contourArea(hull));
+}
+
+/// Negative values, too, and many equal ones.
+RC_GTEST_PROP(Quantile, IsTheValueAtItsPlaceInOrder, ()) {
+  const cv::Mat relief = random_relief(*rc::gen::inRange(1, 12), *rc::gen::inRange(1, 12), 20);
+  const cv::Mat map = (relief - 9) * 0.37;
+  const double fraction = *rc::gen::inRange(0, 101) / 100.;
+  std::vector<float> values(map.begin<float>(), map.end<float>());
+  std::sort(values.begin(), values.end());
+  RC_ASSERT(quantile_of(map, fraction) == values[std::size_t(fraction * double(values.size() - 1))]);
+}
+
 TEST(SolidRegions, TheRegionInAHoleBecomesPartOfIt) {
   cv::Mat labels = cv::Mat::zeros(20, 20, CV_32S);
   labels(cv::Rect(2, 2, 14, 14)).setTo(1);
