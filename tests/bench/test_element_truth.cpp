@@ -215,9 +215,9 @@ TEST_F(ElementTruthFiles, TheSearchFindsGravel) {
       compared_photo(written("gravel.png", gravel(part)), written("map.png", labels), 0, drawers_);
   const TruthComparison& comparison = result.comparison;
   const double found = double(comparison.by_masks.size());
-  // Measured: 52 of 85 stones, and 8 others.
-  EXPECT_GE(found / double(comparison.whole.size()), 0.58);
-  EXPECT_GE(found / double(comparison.counted()), 0.83);
+  // Measured: 60 of 85 stones, and 17 others. When all borders had to be strong it was 52 and 8.
+  EXPECT_GE(found / double(comparison.whole.size()), 0.67);
+  EXPECT_GE(found / double(comparison.counted()), 0.75);
 }
 
 }  // namespace test_element_truth
