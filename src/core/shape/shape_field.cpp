@@ -65,7 +65,7 @@ std::vector<Segment> segments_near(const std::vector<Segment>& segments, Vec2 ce
 using BlockValues = std::array<float, std::size_t(kBlock) * kBlock>;
 
 /// Lowers the squared distances of nodes at (x, y) to that from `s`, computed as in squared_distance(). Each loop is so
-/// simple that the compiler does several nodes at a time: together three times faster than node by node.
+/// simple that the compiler does several nodes at a time: together 2.6 times faster than node by node.
 void lower_to(const Segment& s, const BlockValues& x, const BlockValues& y, BlockValues& squared) {
   const Vec2 d = s.to - s.from;
   BlockValues t;

@@ -12,8 +12,8 @@
 namespace tessera {
 namespace {
 
-/// One side of the convex hull of points that come from top to bottom: its points farthest to the right. It takes a fifth of
-/// the time of cv::convexHull(), which sorts the points first.
+/// One side of the convex hull of points that come from top to bottom: its points farthest to the right. With
+/// cv::convexHull(), which sorts the points first, solidity_of() takes more than twice the time.
 class HullSide {
  public:
   void add(cv::Point p) {
