@@ -13,7 +13,7 @@
 
 #include "artwork/drawers/drawers.h"
 #include "artwork/images/png_encoder.h"
-#include "core/base/error.h"
+#include "bench_main.h"
 #include "core/base/rank_pool.h"
 #include "element_truth.h"
 #include "files/atomic_file.h"
@@ -158,14 +158,6 @@ void run(const Options& options) {
 }  // namespace tessera::bench
 
 int main(int argc, char** argv) {
-  try {
-    tessera::bench::run(tessera::bench::parsed(argc, argv));
-    return 0;
-  } catch (const tessera::InputError& error) {
-    std::fprintf(stderr, "element_bench: %s\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "element_bench: %s\n", error.what());
-    return 1;
-  }
+  using namespace tessera::bench;
+  return exit_code_of("element_bench", [&] { run(parsed(argc, argv)); });
 }

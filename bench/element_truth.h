@@ -51,7 +51,7 @@ TruthComparison compared_with_truth(const cv::Mat& truth, const LabelRuns& label
 /// Throws InputError where a pixel of the map has no label of a truth map. `path`: of its file, for the message.
 void check_truth(const cv::Mat& truth, const std::string& path);
 
-/// What was found in a photo, and how it agrees with the truth.
+/// The elements found in a photo, and how they agree with the truth.
 struct PhotoComparison {
   Extraction extraction;
   cv::Mat truth;  // the map, enlarged like the photo

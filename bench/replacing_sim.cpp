@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "batch_sim.h"
-#include "core/base/error.h"
+#include "bench_main.h"
 #include "text/number_text.h"
 #include "text/text_table.h"
 
@@ -70,14 +70,6 @@ void run(const Options& options) {
 }  // namespace tessera::bench
 
 int main(int argc, char** argv) {
-  try {
-    tessera::bench::run(tessera::bench::parsed(argc, argv));
-    return 0;
-  } catch (const tessera::InputError& error) {
-    std::fprintf(stderr, "replacing_sim: %s\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "replacing_sim: %s\n", error.what());
-    return 1;
-  }
+  using namespace tessera::bench;
+  return exit_code_of("replacing_sim", [&] { run(parsed(argc, argv)); });
 }

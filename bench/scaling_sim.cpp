@@ -10,7 +10,7 @@
 #include "bench/line_plot.h"
 #include "bench/report.h"
 #include "bench/round_model.h"
-#include "core/base/error.h"
+#include "bench_main.h"
 #include "files/atomic_file.h"
 #include "protocol_sim.h"
 #include "result/collage_files.h"
@@ -200,14 +200,6 @@ void run(const Options& options) {
 }  // namespace tessera::bench
 
 int main(int argc, char** argv) {
-  try {
-    tessera::bench::run(tessera::bench::parsed(argc, argv));
-    return 0;
-  } catch (const tessera::InputError& error) {
-    std::fprintf(stderr, "scaling_sim: %s\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "scaling_sim: %s\n", error.what());
-    return 1;
-  }
+  using namespace tessera::bench;
+  return exit_code_of("scaling_sim", [&] { run(parsed(argc, argv)); });
 }

@@ -15,6 +15,7 @@
 
 #include "artwork/images/photo.h"
 #include "artwork/images/png_encoder.h"
+#include "bench_main.h"
 #include "copied_part.h"
 #include "core/base/error.h"
 #include "files/atomic_file.h"
@@ -207,14 +208,6 @@ void run(const Options& options) {
 }  // namespace tessera::bench
 
 int main(int argc, char** argv) {
-  try {
-    tessera::bench::run(tessera::bench::parsed(argc, argv));
-    return 0;
-  } catch (const tessera::InputError& error) {
-    std::fprintf(stderr, "texture_bench: %s\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "texture_bench: %s\n", error.what());
-    return 1;
-  }
+  using namespace tessera::bench;
+  return exit_code_of("texture_bench", [&] { run(parsed(argc, argv)); });
 }

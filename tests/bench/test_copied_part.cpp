@@ -1,4 +1,4 @@
-// What comes again in a picture.
+// The part of a picture that comes again at another place.
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>

@@ -188,7 +188,7 @@ TEST(SpringNetwork, RestsWhereAllForcesAreZero) {
   EXPECT_NEAR(ways[2][0] - ways[1][0], 0, 0.05);
   EXPECT_NEAR(ways[0][0] + ways[1][0] + ways[2][0], 0, 0.01);
   EXPECT_NEAR(ways[1][1], 0, 1e-9);
-  // What nothing pulls goes home.
+  // A point that no spring pulls goes home.
   EXPECT_NEAR(ways_at_rest({}, {{3, -4}})[0][1], 4, 1e-6);
 }
 

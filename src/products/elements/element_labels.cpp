@@ -30,7 +30,7 @@ constexpr double kMostWorking_px2 = 6e6;
 constexpr double kSizeTolerance = 1.4;
 /// Smaller copies hold no element.
 constexpr int kLeastSide_px = kElement_px / 2;
-/// What is added along each edge of the coarser copy: half an element.
+/// The width of the border that is added along each edge of the coarser copy: half an element.
 constexpr int kMirrored_px = kElement_px / 2;
 
 void check(const cv::Mat& photo, double element_px) {

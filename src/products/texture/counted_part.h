@@ -1,4 +1,4 @@
-// What a square of the canvas holds, counted along its rows.
+// Counts what the cells of a square of the canvas hold, along its rows.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,7 @@ class CountedPart {
  public:
   explicit CountedPart(const CanvasPart& part);
 
-  /// Of a row: the counts of the cells before each column, and of all.
+  /// The counts for one row: of the cells before each column, and last of all its cells.
   const CellCounts* before(int row) const { return &before_[std::size_t(row) * stride_]; }
 
  private:

@@ -9,7 +9,7 @@
 namespace tessera {
 namespace {
 
-/// Of each pixel: the nearest pixel of an element.
+/// Finds the nearest pixel of an element for each pixel.
 cv::Mat nearest_pixels(const cv::Mat& labels) {
   const NearestPixels elements(labels > 0);
   cv::Mat nearest(labels.size(), CV_32SC2);

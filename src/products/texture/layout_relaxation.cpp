@@ -156,7 +156,7 @@ class Relaxation {
         spring.stiffness += along;
         spring.pull += (normal + along) * opened;
       } else {
-        const float usual_px = std::clamp(place.width_px, narrow_, std::max(narrow_, wide_));
+        const float usual_px = std::clamp(place.width_px, narrow_, wide_);
         spring.pull += double(place.width_px - usual_px) * across;
       }
     }

@@ -25,7 +25,8 @@ struct CellElement {
 inline constexpr std::uint8_t kElementCell = 2;
 inline constexpr std::uint8_t kRoomCell = 1;
 
-// What a run of cells shows: a thing is ground, what is cut, or an element, whose index is kFirstElement less.
+// A run of cells shows one thing: ground, something cut, or an element. The number of an element's thing is its index plus
+// kFirstElement.
 inline constexpr int kGroundThing = 0, kCutThing = 1, kFirstElement = 2;
 
 struct CellRun {

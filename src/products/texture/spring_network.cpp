@@ -41,7 +41,7 @@ Vectors first_forces(const std::vector<Spring>& springs, const Vectors& moved) {
 
 }  // namespace
 
-// By conjugate gradients.
+// The equations are solved by conjugate gradients.
 std::vector<cv::Vec2d> ways_at_rest(const std::vector<Spring>& springs, const std::vector<cv::Vec2d>& moved) {
   Vectors ways(moved.size()), forces = first_forces(springs, moved), direction = forces;
   double square = dot(forces, forces);

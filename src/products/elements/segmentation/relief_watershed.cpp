@@ -131,7 +131,7 @@ class LevelQueues {
     queue.last_size = 0;
   }
 
-  /// Of the level's first chunk; 0: there is none.
+  /// The number of pixels in the level's first chunk; 0 where the level has none.
   int size_of_first() const {
     const Queue& queue = queues_[level_];
     return queue.first == queue.last ? queue.last_size : kChunk;
